@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from urdfctl.control.life import Life, lives
+from urdfctl.control.lifecycle import Life, lives
 from urdfctl.control.session import Session, session_of
-from urdfctl.model.build_controllers import Loaded, controllers_of
-from urdfctl.model.build_robot import robot_of
+from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.project import Project
+from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.rules.examples import completed
 from urdfctl.source.span import SourceText
 from urdfctl.source.xml import parse

@@ -10,7 +10,7 @@ import yaml
 from typer.testing import CliRunner
 
 from urdfctl.catalog.catalog import CATALOG
-from urdfctl.cli.app import app
+from urdfctl.commands.app import app
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.generate.everything import Order, files
@@ -21,6 +21,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
+from urdfctl.source.shown import forget_files
 
 TEMPLATES = Templates()
 WHEELS = (
@@ -101,6 +102,7 @@ class Ran(NamedTuple):
 
 def command(*words: str, text: str | None = None) -> Ran:
     """Run `urdfctl` with these arguments in this process; robots are still read in another process."""
+    forget_files()  # as a new process would
     try:
         result = CliRunner().invoke(app, list(words), input=text, catch_exceptions=False)
     except UserError as error:

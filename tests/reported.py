@@ -5,8 +5,7 @@ from __future__ import annotations
 from folder import Folder
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
-from urdfctl.lint.results import Outcome, TargetResult
-from urdfctl.report.common import Report
+from urdfctl.lint.results import Outcome, Report, TargetResult
 
 
 def of_a_macro(folder: Folder) -> Diagnostic:

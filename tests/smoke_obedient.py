@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke.engines import STEP, Standing
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.plan import Plan
-from urdfctl.smoke.tasks import Task
-from urdfctl.smoke.trial import Trial
+from urdfctl.smoke.engines.engine import STEP, BasePose
+from urdfctl.smoke.motion.plan import MotionPlan
+from urdfctl.smoke.motion.trial import MotionTrial
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.tasks.task import ControllerTask
 
 
 class Obedient:
@@ -48,8 +48,8 @@ class Obedient:
             self.places[name] = self.places.get(name, 0.0) + 0.001 * self.speeds.get(name, 0.0)
         self.yaw += 0.001 * (right - left) / 0.4
 
-    def standing(self) -> Standing:
-        return Standing(self.x, 0.0, 0.0, self.roll, 0.0, self.yaw)
+    def base_pose(self) -> BasePose:
+        return BasePose(self.x, 0.0, 0.0, self.roll, 0.0, self.yaw)
 
     def touching(self) -> set[str]:
         return set(self.ground)
@@ -82,9 +82,11 @@ def hinge(name: str, child: str, **fields: object) -> Hinge:
     return made._replace(**fields)  # type: ignore[arg-type]
 
 
-def trial(obedient: Obedient, hinges: tuple[Hinge, ...], tasks: tuple[Task, ...], **fields: object) -> Trial:
-    bodies = {name: Body(name) for name in ("base", *(one.child for one in hinges))}
-    plan = Plan("mujoco", "", Mechanism("base", bodies, hinges), tasks, 100.0, fixed=True)._replace(**fields)  # type: ignore[arg-type]
-    made = Trial(plan, obedient, (), 0.0 if fields.get("budget") == 0.0 else 1e9)
+def trial(
+    obedient: Obedient, hinges: tuple[Hinge, ...], tasks: tuple[ControllerTask, ...], **fields: object
+) -> MotionTrial:
+    bodies = {name: LinkBody(name) for name in ("base", *(one.child for one in hinges))}
+    plan = MotionPlan("mujoco", "", Mechanism("base", bodies, hinges), tasks, 100.0, fixed=True)._replace(**fields)  # type: ignore[arg-type]
+    made = MotionTrial(plan, obedient, (), 0.0 if fields.get("budget") == 0.0 else 1e9)
     made.run()
     return made

@@ -10,8 +10,8 @@ import pytest
 from folder import Folder
 
 from urdfctl.__main__ import _run
-from urdfctl.cli import cache, lint_command
-from urdfctl.lint.files import LintRun
+from urdfctl.lint import cache, run
+from urdfctl.lint.run import LintRun
 
 ROBOT = '<robot name="r" xmlns:xacro="x"><xacro:include filename="part.xacro"/><link name="a"/></robot>'
 PART = '<robot xmlns:xacro="x"><joint name="j" type="%s"/></robot>'
@@ -21,13 +21,13 @@ PART = '<robot xmlns:xacro="x"><joint name="j" type="%s"/></robot>'
 def linted(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> list[LintRun]:
     """The runs that were really made, not taken from the cache, of a package in the current folder."""
     runs: list[LintRun] = []
-    lint_files = lint_command.lint_files
+    judge = run.judge
 
     def noted(*arguments: object) -> LintRun:
-        runs.append(lint_files(*arguments))  # type: ignore[arg-type]
+        runs.append(judge(*arguments))  # type: ignore[arg-type]
         return runs[-1]
 
-    monkeypatch.setattr(lint_command, "lint_files", noted)
+    monkeypatch.setattr(run, "judge", noted)
     monkeypatch.setattr(cache, "STORE_FROM", 0.0)
     monkeypatch.setenv("XDG_CACHE_HOME", str(folder.path / "home/cache"))
     (folder.path / "home").mkdir()
@@ -109,14 +109,14 @@ def test_a_broken_file_in_the_cache_is_ignored(linted: list[LintRun]) -> None:
 def test_a_file_that_changes_during_a_run_is_not_taken_for_what_was_linted(
     linted: list[LintRun], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    lint_files = lint_command.lint_files
+    judge = run.judge
 
     def disturbed(*arguments: object) -> LintRun:
-        run = lint_files(*arguments)  # type: ignore[arg-type]
+        made = judge(*arguments)  # type: ignore[arg-type]
         change(Path("urdf/part.xacro"))
-        return run
+        return made
 
-    monkeypatch.setattr(lint_command, "lint_files", disturbed)
+    monkeypatch.setattr(run, "judge", disturbed)
     lint()
     assert not Path("../home/cache").exists()
 

@@ -17,7 +17,7 @@ from urdfctl.control.values import Values
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.engine import lint
 from urdfctl.lint.selection import Selection
-from urdfctl.model.build_controllers import Loaded, controllers_of
+from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.project import Project
 from urdfctl.source.span import SourceText
 from urdfctl.source.yaml import read_yaml

@@ -12,7 +12,7 @@ from urdfctl.lint.causes import LINKS, without_consequences
 from urdfctl.lint.merging import merge
 from urdfctl.lint.results import Outcome
 from urdfctl.lint.selection import Selection
-from urdfctl.rules import all_rules
+from urdfctl.rules import all_faults
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 BODY = (
@@ -51,7 +51,7 @@ CASES: dict[tuple[str, str], dict[str, str]] = {
     },
     ("UC136", "UC137"): {"r.urdf": arm(body=BODY.format(9).replace('izz="9"', 'izz="90"'))},
     ("UC151", "UC149"): {
-        "r.urdf": '<robot name="r"><link name="a"><visual><geometry><mesh filename="/home/me/a.stl"/></geometry>'
+        "r.urdf": '<robot name="r"><link name="a"><visual><geometry><mesh filename="FOLDER/a.stl"/></geometry>'
         "</visual></link></robot>"
     },
     ("UC303", "UC305"): {"r.urdf": arm(control('<state_interface name="position"/>', "System", ""))},
@@ -71,7 +71,7 @@ CASES: dict[tuple[str, str], dict[str, str]] = {
 @pytest.mark.parametrize("codes", CASES, ids="-".join)
 def test_one_fault_is_reported_by_its_cause(folder: Folder, codes: tuple[str, str]) -> None:
     cause, consequence = codes
-    folder.write(CASES[codes])
+    folder.write({name: text.replace("FOLDER", str(folder.path)) for name, text in CASES[codes].items()})
     arguments = ("side:=left",) if cause == "UC028" else ()
 
     def found(selected: str) -> list[str]:
@@ -128,5 +128,5 @@ def test_variants_of_a_robot_share_the_cause_at_a_place() -> None:
 
 
 def test_causes_and_consequences_are_rules() -> None:
-    codes = {rule.code for rule in all_rules()}
+    codes = {rule.code for rule in all_faults()}
     assert {code for link in LINKS for code in (link.cause, *link.consequences)} <= codes

@@ -10,7 +10,7 @@ import pytest
 from folder import Folder
 from typer.testing import CliRunner
 
-from urdfctl.cli.app import app
+from urdfctl.commands.app import app
 
 ROBOT = """\
 <?xml version="1.0"?>

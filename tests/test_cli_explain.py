@@ -12,7 +12,7 @@ from folder import Folder
 from typer.testing import CliRunner, Result
 
 from urdfctl import __version__
-from urdfctl.cli.app import app
+from urdfctl.commands.app import app
 from urdfctl.errors import UserError
 
 LINE = "[ERROR] [1623.45, 0.2]: No valid hardware interface element found in joint 'elbow'."

@@ -16,7 +16,7 @@ import pytest
 from folder import Folder, environment
 from typer.testing import CliRunner
 
-from urdfctl.cli.app import app
+from urdfctl.commands.app import app
 from urdfctl.report import FORMATS
 
 SOUND = """\
@@ -125,15 +125,16 @@ def test_a_fault_of_ours_has_status_3_whatever_else_is_asked(folder: Folder) -> 
 import sys
 import urdfctl.lint.target, urdfctl.rules
 from urdfctl.diagnostic import Finding, Severity
-from urdfctl.rule import Rule
+from urdfctl.rule import Rule, rule
 
+@rule("UC998", severity=Severity.WARNING, runtime="ignores", authority="", bad=[], good=[])
 def made_to_crash(project):
     "It crashes."
     yield Finding(project.robot.at, "found before")
     raise ZeroDivisionError("of all things")
 
 from functools import partial
-rules = (*urdfctl.rules.all_rules(), Rule("UC998", made_to_crash, Severity.WARNING, "ignores", "", {}, {}))
+rules = (*(fault for fault in urdfctl.rules.all_faults() if isinstance(fault, Rule)), made_to_crash)
 urdfctl.lint.target.lint = partial(urdfctl.lint.target.lint, rules=rules)
 from urdfctl.__main__ import main
 sys.argv[1:] = ["lint", "arm.urdf", "--exit-zero", "--jobs", "1"]
@@ -153,9 +154,9 @@ def test_a_crash_outside_of_workers_is_told_with_a_report_to_paste(folder: Folde
         {
             "crash.py": """
 import sys
-from urdfctl.cli import lint_command
+from urdfctl.lint import run
 def broken(*_): raise ZeroDivisionError("of all things")
-lint_command.discovered = broken
+run.find = broken
 from urdfctl.__main__ import main
 sys.argv[1:] = ["lint", "arm.urdf"]
 main()

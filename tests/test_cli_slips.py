@@ -6,7 +6,7 @@ import pytest
 from folder import Folder
 from typer.testing import CliRunner
 
-from urdfctl.cli.app import app
+from urdfctl.commands.app import app
 
 ARM = (
     '<robot name="arm"><link name="base"/><link name="fore"/><joint name="left_elbow" type="continuous">'

@@ -10,19 +10,22 @@ from xml.etree import ElementTree as ET
 import pytest
 from click.testing import Result
 from folder import CHECKOUT, Folder
+from smoking import smoked_in_workers
 from smoking_engines import needs_pybullet
 from typer.testing import CliRunner
 
-from urdfctl.cli.app import app
-from urdfctl.cli.options import SmokeOptions
-from urdfctl.cli.smoke_command import run_smoke
+from urdfctl.commands.app import app
+from urdfctl.commands.find.smoke import SmokeOptions, run_smoke
+from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.lint.job import job_for, perform_alone
 from urdfctl.load.target import Target
 from urdfctl.rules.examples import unmarked
 from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE
-from urdfctl.smoke.job import Wanted, prepare_work, smoke_all
+from urdfctl.smoke import run
+from urdfctl.smoke.reports import render_smoke
+from urdfctl.smoke.run import ConfiguredPaths, SmokeRequest, load_and_judge
 
 SAMPLES = CHECKOUT / "samples"
 SOUND = ["mybot", "my_robot", "radu"]
@@ -66,6 +69,22 @@ def test_quiet_shows_only_the_findings_and_statistics_count_them() -> None:
     assert re.search(r"\n +\d  error   UC9\d\d [a-z-]+\n$", quiet.stdout)
 
 
+@pytest.mark.parametrize("name", [*SOUND, "broken/mybot"])
+def test_the_stages_called_from_python_make_the_report_of_the_command(name: str) -> None:
+    group = ConfiguredPaths((str(SAMPLES / name),), Config(), Settings())
+    tests = run.smoke([group], SmokeRequest())
+    assert render_smoke(run.report(tests, [group]), "text") == smoke(SAMPLES / name, *NONE).stdout
+
+
+def test_each_stage_hands_the_next_one_what_it_needs() -> None:
+    group, request = ConfiguredPaths((str(SAMPLES / "mybot"),), Config(), Settings()), SmokeRequest()
+    planned = run.plan(run.find(group), group, request)
+    assert {Path(robot.target.path).name for robot in planned} == {"mybot.xacro", "control.launch"}
+    checked = run.check([robot.target for robot in planned], [robot.settings for robot in planned], request)
+    assert list(run.move(checked, request, group.settings)) == [robot.result for robot in checked]
+    assert {each.verdict.value for robot in checked for each in robot.result.controllers} == {"skipped"}
+
+
 def test_the_report_goes_to_a_file(tmp_path: Path) -> None:
     done = smoke(SAMPLES / "mybot", *NONE, "-o", tmp_path / "report.json", "--format", "json")
     assert (done.exit_code, done.stdout) == (0, "")
@@ -106,7 +125,7 @@ def test_it_is_simulated_by_default(tmp_path: Path) -> None:
 
 
 def test_without_an_engine_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("urdfctl.smoke.engines.NAMES", ())
+    monkeypatch.setattr("urdfctl.smoke.engines.engine.NAMES", ())
     done = smoke(SAMPLES / "radu")
     assert isinstance(done.exception, UserError)
     assert str(done.exception) == (
@@ -224,20 +243,20 @@ def test_a_named_controller_file_is_read_wherever_it_is(tmp_path: Path) -> None:
 def test_a_terminal_gets_colours(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr("sys.stdout.isatty", lambda: True)
     monkeypatch.delenv("NO_COLOR", raising=False)
-    assert run_smoke(SmokeOptions(paths=[str(SAMPLES / "radu")], engine="none")) == 0
+    assert run_smoke(SmokeOptions(paths=(str(SAMPLES / "radu"),), engine="none")) == 0
     assert "velocity_controller" in capsys.readouterr().out
 
 
 def test_a_robot_that_takes_too_much_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "robot.urdf"
     path.write_text("<robot name='r'>" + '<link name="a"/>' * 50_000 + "</robot>", encoding="utf-8")
-    [made] = smoke_all([Target(str(path))], [Settings(timeout=0.05)], Wanted())
+    [made] = smoked_in_workers([Target(str(path))], [Settings(timeout=0.05)], SmokeRequest())
     assert [finding.code for finding in made.linted.outcome.diagnostics] == ["UC014"]
 
 
 def test_a_worker_can_begin_with_a_job_alone() -> None:
     path = str(SAMPLES / "radu" / "urdf" / "radu.urdf.xacro")
-    job = job_for(prepare_work, Target(path), Settings(), details=Wanted()._asdict())
+    job = job_for(load_and_judge, Target(path), Settings(), details=SmokeRequest()._asdict())
     assert perform_alone(json.loads(json.dumps(job)))["linted"]["robot"] == "radu"
 
 

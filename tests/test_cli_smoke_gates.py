@@ -11,7 +11,7 @@ from click.testing import Result
 from smoking_engines import needs_pybullet
 from typer.testing import CliRunner
 
-from urdfctl.cli.app import app
+from urdfctl.commands.app import app
 from urdfctl.errors import UserError
 from urdfctl.rules.examples import unmarked
 from urdfctl.rules.smoke.common import CONTROLLERS, GAINS, HARDWARE, LIFT

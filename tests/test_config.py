@@ -323,6 +323,7 @@ def test_the_documents_examples_mean_something(folder: Folder) -> None:
     text = (CHECKOUT / "docs" / "configuration.md").read_text(encoding="utf-8")
     for number, example in enumerate(re.findall(r"```toml\n(.*?)```", text, re.DOTALL)):
         named = re.findall(r'"([^"]+/[^"]+\.(?:xacro|yaml|py))"', example)
+        named += ["vendor/package.xml"]
         folder.write({f"{number}/x/urdfctl.toml": example, **{f"{number}/x/{path}": "" for path in named}})
         assert config_of(f"{number}/x/urdfctl.toml") is not None
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from urdfctl.model.build_controllers import Loaded, controllers_of
-from urdfctl.model.controllers import Controllers, FaultKind
-from urdfctl.model.parameters import Kind
+from urdfctl.model.controllers import Controllers, FaultKind, Kind
+from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.source.span import SourceText
 from urdfctl.source.yaml import read_yaml
 

@@ -11,20 +11,21 @@ from pathlib import Path
 import pytest
 from folder import CHECKOUT
 from generating import command
-from typer.main import get_command
 
 from urdfctl.catalog.log_messages import log_messages
-from urdfctl.cli.app import app
+from urdfctl.commands import COMMANDS, FIND, command_named
+from urdfctl.commands.generate.options import GenerateOptions
+from urdfctl.commands.options import ReadingOptions
 from urdfctl.logs.cookbook import COMMONEST, cookbook
 from urdfctl.migrate.document import document
-from urdfctl.rules import all_rules
+from urdfctl.rules import all_faults
 
 PAGES = [
     path.relative_to(CHECKOUT).as_posix()
     for path in (*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/*.md"), *CHECKOUT.glob("samples/*.md"))
 ]
 README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
-COMMANDS = getattr(get_command(app), "commands", {})
+OPTIONS = {name: command_named(name).options for name in COMMANDS}
 
 
 def blocks(page: str) -> list[str]:
@@ -47,7 +48,7 @@ def test_the_readme_is_read_in_two_screens() -> None:
 
 def test_the_readme_promises_no_more_rules_and_messages_than_there_are() -> None:
     [rules] = re.findall(r"more than (\d+) rules", README)
-    assert 0.8 * len(all_rules()) < int(rules) < len(all_rules())
+    assert 0.8 * len(all_faults()) < int(rules) < len(all_faults())
     known = sum(len(message.patterns) for message in log_messages())
     for page in ("docs/commands.md", "docs/cookbook.md", "CHANGELOG.md"):
         [messages] = re.findall(r"more than (\d+) messages", (CHECKOUT / page).read_text("utf-8"))
@@ -60,20 +61,47 @@ def test_each_command_on_a_page_has_the_options_that_stand_there(page: str) -> N
         said = re.match(r"(?:\$ )?urdfctl ([a-z0-9-]+)", line)
         if said:
             assert said[1] in COMMANDS, line
-            known = {name for parameter in COMMANDS[said[1]].params for name in parameter.opts}
+            declared = OPTIONS[said[1]].declared.values()
+            known = {"--help", *(flag for one in declared for flag in (*one.flags, *one.negatives))}
             assert set(re.findall(r"(?<!\S)\(?(--[a-z-]+)", line)) <= known, line
 
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_the_help_of_every_command_has_an_example_and_the_pages_name_it(name: str) -> None:
     [example] = re.findall(r"^  Example: (urdfctl .*)$", command(name, "--help").stdout, re.MULTILINE)
-    assert example in inspect.cleandoc(str(COMMANDS[name].help)), "it is not broken, for it is copied"
+    assert example in inspect.cleandoc(str(OPTIONS[name].__doc__)), "it is not broken, for it is copied"
     assert example.startswith(f"urdfctl {name} ")
     assert f"urdfctl {name}" in (CHECKOUT / "docs/commands.md").read_text(encoding="utf-8")
 
 
+def commands_in(cell: str) -> set[str]:
+    """The commands that a row of the table of options names."""
+    sets = {
+        "robots": {name for name, options in OPTIONS.items() if issubclass(options, ReadingOptions)},
+        "generators": {name for name, options in OPTIONS.items() if issubclass(options, GenerateOptions)},
+    }
+    return set().union(*(sets.get(name, {name}) for name in cell.split(", ")))
+
+
+def test_each_option_of_each_command_is_on_the_page_of_commands_and_no_other() -> None:
+    page = (CHECKOUT / "docs/commands.md").read_text(encoding="utf-8").partition("## Options")[2]
+    rows = re.findall(r"^\| (`-.*?`) \| ([a-z0-9, -]+) \| \S.*\|$", page, re.MULTILINE)
+    written = {
+        (name, flag) for flags, cell in rows for name in commands_in(cell) for flag in re.findall("[\\w-]+", flags)
+    }
+    there = {
+        (name, flag)
+        for name, options in OPTIONS.items()
+        for one in options.declared.values()
+        for flag in (*one.flags, *one.negatives)
+        if not one.hidden
+    }
+    assert there - written == set(), "give each option a line in docs/commands.md"
+    assert written - there == set()
+
+
 def test_the_list_of_commands_says_each_to_its_end() -> None:
-    assert "..." not in command("--help").stdout.partition("Commands:")[2]
+    assert "..." not in command("--help").stdout.partition(f"{FIND}:")[2]
 
 
 @pytest.mark.parametrize("page", PAGES)

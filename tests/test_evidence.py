@@ -17,8 +17,7 @@ from urdfctl.load.distro import weighed
 from urdfctl.load.evidence import EXPLICIT, ROS1
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
-from urdfctl.model.evidence import Evidence, Item
-from urdfctl.model.project import Project
+from urdfctl.model.project import Evidence, EvidenceItem, Project
 
 PLAIN = '<robot name="r"><link name="a"/>{}</robot>'
 ROS2_CONTROL = '<ros2_control name="c" type="system"/>'
@@ -159,8 +158,8 @@ def test_the_form_of_the_controllers_files_tells_the_generation(folder: Folder) 
 # -- the weight of evidence ------------------------------------------------------------------------------------------
 
 
-def item(distros: tuple[str, ...], weight: int, kind: str = "a") -> Item:
-    return Item(kind, f"{kind} {weight}", distros, weight)
+def item(distros: tuple[str, ...], weight: int, kind: str = "a") -> EvidenceItem:
+    return EvidenceItem(kind, f"{kind} {weight}", distros, weight)
 
 
 def test_the_majority_decides_the_generation_and_the_first_item_a_tie() -> None:

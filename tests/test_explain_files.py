@@ -8,7 +8,7 @@ import pytest
 from folder import Folder
 from typer.testing import CliRunner, Result
 
-from urdfctl.cli.app import app
+from urdfctl.commands.app import app
 from urdfctl.errors import UserError
 
 LOG = """\

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from sampling import examples
 
 from urdfctl.source.xacro.expressions import compile_checked
-from urdfctl.source.xacro.guards import GUARDS
 from urdfctl.source.xacro.macro_params import split_first
+from urdfctl.source.xacro.meter import Meter
 
 
 def split(function: object, text: str) -> object:
@@ -59,7 +59,7 @@ def test_a_sane_expression_gives_what_python_gives(expression: str) -> None:
     code = compile_checked(expression, function=True)
     names = {name: __builtins__[name] for name in ("sum", "range", "dict")}  # type: ignore[index]
     function = type(split)(code, {**names, "__builtins__": {}})
-    assert function(*GUARDS) == eval(expression)  # noqa: S307 (literal)
+    assert function(*Meter().guards) == eval(expression)  # noqa: S307 (literal)
 
 
 NUMBERS = st.integers(-50, 50) | st.floats(allow_nan=False, width=16) | st.booleans()
@@ -78,5 +78,5 @@ def test_a_guarded_operator_gives_or_raises_what_python_does(left: object, right
             return type(error), str(error)
 
     code = compile_checked(f"left {operator} right", function=True)
-    ours = outcome(type(split)(code, {"left": left, "right": right, "__builtins__": {}}), *GUARDS)
+    ours = outcome(type(split)(code, {"left": left, "right": right, "__builtins__": {}}), *Meter().guards)
     assert ours == outcome(lambda: eval(f"left {operator} right", {"left": left, "right": right}))  # noqa: S307 (literal)

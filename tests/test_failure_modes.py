@@ -7,7 +7,7 @@ import re
 import pytest
 from corpus import SHARED
 
-from urdfctl.rules import all_rules
+from urdfctl.rules import all_faults
 
 RULES = {
     1: "transmission-joint-without-interface",
@@ -90,7 +90,7 @@ def test_each_failure_mode_has_a_rule_or_a_reason_why_not() -> None:
 
 
 def test_the_rules_of_a_failure_mode_exist() -> None:
-    assert {name for names in RULES.values() for name in names.split()} <= {rule.name for rule in all_rules()}
+    assert {name for names in RULES.values() for name in names.split()} <= {rule.name for rule in all_faults()}
 
 
 def test_the_reference_has_the_same_failure_modes() -> None:

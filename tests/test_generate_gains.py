@@ -6,7 +6,7 @@ import pytest
 from folder import Folder
 from generating import command
 
-from urdfctl.cli.generate_measuring import measure_work
+from urdfctl.commands.generate.measuring import measure_work
 from urdfctl.config.settings import Settings
 from urdfctl.generate.coupling import Inverse, inverted
 from urdfctl.generate.drive_limits import drive_limit

@@ -17,9 +17,10 @@ from test_generate_corpus import ROBOTS
 from urdfctl.config.settings import Settings
 from urdfctl.load.description import expansion_of
 from urdfctl.load.loader import Loader
-from urdfctl.model.build_robot import robot_of
 from urdfctl.model.geometry import cross, dot, minus, product, transposed, turned
-from urdfctl.smoke.mechanism import Hinge, Mechanism, mechanism_of
+from urdfctl.model.robot.build_robot import robot_of
+from urdfctl.smoke.robot.description import mechanism_of
+from urdfctl.smoke.robot.mechanism import Hinge, Mechanism
 
 mujoco = pytest.importorskip("mujoco", reason="needs mujoco")
 numpy = pytest.importorskip("numpy", reason="needs numpy, as mujoco does")

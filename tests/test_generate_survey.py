@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from urdfctl.cli.generate_measuring import measure_work
+from urdfctl.commands.generate.measuring import measure_work
 from urdfctl.config.settings import Settings
 from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
 from urdfctl.lint.job import job_for, perform_alone

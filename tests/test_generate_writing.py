@@ -11,7 +11,7 @@ import pytest
 from folder import CHECKOUT, Folder
 from generating import command
 
-from urdfctl.cli.generate_options import GENERATORS
+from urdfctl import commands
 from urdfctl.errors import UserError
 from urdfctl.generate.options import File
 from urdfctl.generate.parse_again import checked
@@ -68,7 +68,7 @@ def test_what_the_robot_itself_cannot_do_is_said_after_writing(folder: Folder) -
         (("gen-all", "two/r.urdf", *EFFORT), "-o FOLDER is missing; the package is written to it"),
         (
             ("gen-all", "two/r.urdf", *EFFORT, "-o", "latin.txt/x"),
-            "'latin.txt/x/config' cannot be created: Not a directory",
+            "'latin.txt/x' cannot be written: Not a directory",
         ),
         (("gen-controllers", "two/r.urdf", *EFFORT, "--templates", "none"), "template folder does not exist: 'none'"),
         (
@@ -240,6 +240,23 @@ def test_files_of_other_kinds_leave_as_they_are() -> None:
     assert checked(File("CMakeLists.txt", "project(")) == File("CMakeLists.txt", "project(")
 
 
+def test_a_package_that_cannot_be_written_as_a_whole_is_not_written_at_all(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT, "out/launch": "a file in the place of a folder", "out/config/own": ""})
+    before = sorted(folder.path.rglob("*"))
+    ran = command("gen-all", "r.urdf", *EFFORT, "-o", "out", "--force")
+    assert ran.stderr.splitlines()[-1].endswith("cannot be written: Not a directory")
+    assert (ran.returncode, sorted(folder.path.rglob("*"))) == (2, before)
+
+
+def test_a_folder_in_the_place_of_a_file_of_the_package_is_named(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT, "out/package.xml/file": ""})
+    ran = command("gen-all", "r.urdf", *EFFORT, "-o", "out", "--force")
+    assert (ran.returncode, ran.stderr.splitlines()[-1]) == (
+        2,
+        "urdfctl: 'out/package.xml' cannot be read: it is not a regular file",
+    )
+
+
 def test_generated_files_are_made_again_by_the_commands_that_they_name(folder: Folder, tmp_path: Path) -> None:
     folder.write({"src/r/package.xml": "<package format='3'><name>r</name></package>", "src/r/urdf/r.urdf": ROBOT})
     package = folder.path / "src/r"
@@ -309,9 +326,12 @@ def test_a_template_cannot_reach_out_of_itself(folder: Folder) -> None:
     assert "access to attribute '__class__' of 'str' object is unsafe" in ran.stderr
 
 
+GENERATORS = [name for name, one in commands.COMMANDS.items() if one.group == commands.GENERATE and name != "gen-check"]
+
+
 def example_of(name: str) -> str:
     """The command in a generator's help."""
-    return (GENERATORS[name].__doc__ or "").partition("Example: ")[2].strip()
+    return (commands.command_named(name).options.__doc__ or "").partition("Example: ")[2].strip()
 
 
 @pytest.mark.parametrize("name", GENERATORS)

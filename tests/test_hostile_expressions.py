@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 
 import pytest
 from expansion import NAMESPACE, expanded, laid_out, robot
+from hostile.expressions import ESCAPES, OUTSIDE
+from hostile.yaml_files import REFUSED_YAML
 from work import assert_linear, work
 
 from urdfctl.source.problem import Problem, ProblemKind
@@ -18,114 +21,6 @@ REFUSED = {
     ProblemKind.OUTSIDE_WORKSPACE,
     ProblemKind.XACRO,
 }
-TOUCH = "open('MARKER','w')"
-IMPORT = "['_'+'_import_'+'_']('os').system('touch MARKER')"
-BASE = "().__class__.__base__.__subclasses__()"
-
-ESCAPES = {
-    # known of xacro's own sandbox
-    "a lambda hides the names": f"(lambda: {BASE})()",
-    "a comprehension hides the names": f"[c for c in {BASE}]",
-    "a generator hides the names": f"list(c for c in {BASE})",
-    "a set comprehension": f"{{c for c in {BASE}}}",
-    "a lambda's globals": "(lambda f: f.__globals__)(xacro.load_yaml)",
-    "the builtins of a module": f"(lambda f: f.__globals__['__builtins__']{IMPORT})(xacro.load_yaml)",
-    "a format that walks attributes": "'{0.__class__}'.format(1)",
-    "a format that walks items": "'{0[__class__]}'.format(xacro)",
-    "a format that walks globals": "'{0.load_yaml.__globals__}'.format(xacro)",
-    "a computed format": "('{0.' + '_'*2 + 'class' + '_'*2 + '}').format(1)",
-    "str.format unbound": "str.format('{0.__class__}', 1)",
-    "map of str.format": "list(map(str.format, ['{0.__class__}'], [1]))",
-    "format_map": "'{x.__class__}'.format_map(dict(x=1))",
-    "format taken without a call": "(lambda f: f(1))('{0.real}'.format)",
-    "an f-string": "f'{().__class__}'",
-    "a walrus": "(x := ().__class__)",
-    "vars": "python.vars(python.vars(python)['x'])",
-    # ways into the interpreter
-    "vars by item": "python['vars'](python['type'](1))",
-    "vars by computed item": "python['va' + 'rs'](int)",
-    "vars by get": "python.get('vars')(int)",
-    "vars by values": "[f(int) for f in python.values() if 'vars' in str(f)]",
-    "the type of a type": "python.type(int)('X', (), dict())",
-    "a class made by type": "python.type('X', (), dict())",
-    "a class made by the item type": "python['type']('X', (object,), dict())",
-    "the type of a function": "python.type(lambda: 0)",
-    "the type of a function of ours": "python.type(xacro.load_yaml)",
-    "the bases of a class": "int.mro()",
-    "a generator's frame": "(i for i in [1]).gi_frame.f_back.f_globals",
-    "a generator's code": "(i for i in [1]).gi_code.co_consts",
-    "what a function of ours is made of": "xacro.load_yaml.args[0].module.os.system('touch MARKER')",
-    "what another function is made of": "xacro.load_yaml.func",
-    "what a method is bound to": "xacro.items.im_self",
-    "a public attribute of a function": "xacro.warning.cache_info",
-    "an exposed class of ours": "xacro.dotify.wrap.func_globals",
-    "a hidden name": "__import__('os').system('touch MARKER')",
-    "a hidden name as an item": f"xacro['__builtins__']{IMPORT}",
-    "a hidden name as a parameter": "(lambda __builtins__: 1)(2)",
-    "a hidden name computed": f"xacro['_'*2 + 'builtins' + '_'*2]{IMPORT}",
-    "a hidden name in a lambda": "(lambda: __builtins__)()",
-    "the builtins by name": TOUCH,
-    "eval": f"eval(\"{TOUCH}\")",
-    "exec": f"exec(\"{TOUCH}\")",
-    "compile": "compile(\"1\", 'x', 'eval')",
-    "getattr": "getattr(1, 'real')",
-    "getattr of python": "python.getattr(1, 'real')",
-    "open of python": "python.open('/etc/hostname')",
-    "globals": "globals()",
-    "an import": "import os",
-    "an assignment": "a = 1",
-    "two statements": f"1; {TOUCH}",
-    "yield": "(lambda: (yield))()",
-    "await": "await x",
-    "a string of dunder in a call": "map('__class__', [1])",
-    "an underscore of a namespace": "python._resolve_('vars')",
-    "the hidden half of a dictionary": "dict.__getattribute__(dict(), '__class__')",
-    "a file of the system": "xacro.load_yaml('/etc/hostname')",
-    "a file of the system from below": "xacro.load_yaml('../../../../../../../../../etc/hostname')",
-    # what has no end
-    "a tower of exponents": "9**9**8",
-    "a tower in steps": "(lambda n: n**n**n)(99)",
-    "a tower of floats": "10.0**10.0**10.0",
-    "a huge text": "'a'*10**9",
-    "a huge text in steps": "'a'*1000*1000*1000*1000",
-    "a huge text the other way round": "10**9*'a'",
-    "a huge list": "[0]*10**9",
-    "a huge shift": "1 << 10**10",
-    "a huge shift in steps": "1 << 65000 << 65000",
-    "a huge product": "(2**60000)*(2**60000)",
-    "a huge range": "list(python.range(10**10))",
-    "a huge range by its old name": "sum(range(10**10))",
-    "a huge range in a comprehension": "[i for i in range(10**9)]",
-    "a huge range backwards": "python.sum(python.range(10**9, 0, -1))",
-    "a huge factorial": "math.factorial(10**7)",
-    "a huge binomial": "math.comb(10**7, 10**6)",
-    "huge permutations": "perm(10**7, 10**6)",
-    "a huge product of many": "math.prod([2**60000]*100000)",
-    "a wide number": "'%1000000000d' % 1",
-    "a computed width": "'%*d' % (10**9, 1)",
-    "a precise number": "'%.1000000000f' % 1",
-    "a wide format": "'{:1000000000}'.format(1)",
-    "a computed format width": "'{:{}}'.format(1, 10**9)",
-    "a wide f-string": "f'{1:1000000000}'",
-    "a computed f-string width": "f'{1:{10**9}}'",
-    "a padded text": "'x'.ljust(10**9)",
-    "a centred text": "'x'.center(1000000000)",
-    "zeros": "'x'.zfill(10**9)",
-    "padding that is mapped": "list(map('x'.ljust, [10**9]))",
-    "tabs": "'\\t'.expandtabs(tabsize=10**9)",
-    "digits to round to": "round(1, -10**9)",
-    "a list that grows while it is walked through": "(lambda l: [l.append(1) for x in l])([1])",
-    "a list that grows while it is mapped": "(lambda l: list(map(l.append, l)))([1])",
-    "a pattern of separators": "xacro.tokenize('a'*40 + '!', sep='x](a+)+$[x')",
-    "a lambda that calls itself": "(lambda f: f(f))(lambda f: f(f))",
-    "many brackets": "(" * 3000 + "1" + ")" * 3000,
-    "many signs": "-" * 9000 + "1",
-    "many attributes": "xacro" + ".x" * 4000,
-    "many powers": "**".join("9" * 2000),
-    "a long expression": "1+" * 6000 + "1",
-}  # fmt: skip
-
-
 MOST_CALLS = 50_000
 """The costliest of them, a long chain of powers, takes half as many calls to be parsed and refused."""
 
@@ -177,49 +72,17 @@ def test_an_expression_that_a_property_brings_later_is_refused(name: str, tmp_pa
     assert is_refused(problems(tmp_path, body))
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "!!python/object/apply:os.system ['touch MARKER']",
-        "!!python/object/new:os.system ['touch MARKER']",
-        "!!python/name:os.system ''",
-        "!!python/module:os ''",
-        "a: !degrees \"__import__('os').system('touch MARKER')\"",
-        "a: !degrees \"(lambda: ().__class__.__base__.__subclasses__())()\"",
-        "a: !meters 9**9**8",
-        "[" * 30_000,
-        "- " * 30_000,
-        "{a: " * 30_000,
-        "a: &a [" + "x, " * 9 + "x]\n" + "".join(
-            f"{n}: &{n} [" + f"*{p}, " * 9 + f"*{p}]\n" for p, n in zip("abcdefgh", "bcdefghi", strict=True)
-        ),
-        "a: &a " + "x" * 100_000 + "\nb: [" + "*a, " * 1000 + "]",
-    ],
-    ids=lambda text: text[:40],
-)  # fmt: skip
-def test_a_hostile_yaml_file_is_refused(text: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", REFUSED_YAML)
+def test_a_hostile_yaml_file_is_refused(name: str, tmp_path: Path) -> None:
     found = problems(
         tmp_path,
         "<a b=\"${xacro.load_yaml('p.yaml')}\"/>",
-        **{"p.yaml": text.replace("MARKER", str(tmp_path / "marker"))},
+        **{"p.yaml": REFUSED_YAML[name].replace("MARKER", str(tmp_path / "marker"))},
     )
     assert is_refused(found)
 
 
-@pytest.mark.parametrize(
-    "body",
-    [
-        '<xacro:include filename="/etc/passwd"/>',
-        '<xacro:include filename="../../../../../../../../etc/passwd"/>',
-        '<xacro:include filename="link/passwd"/>',
-        '<xacro:include filename="$(find ../../../../../../etc)/passwd"/>',
-        '<xacro:include filename="$(find /etc)/passwd"/>',
-        '<xacro:include filename="$(find ..)/x"/>',
-        "<a b=\"${xacro.load_yaml('/etc/passwd')}\"/>",
-        "<a b=\"${xacro.load_yaml('link/passwd')}\"/>",
-        '<a b="$(env HOME)"/>',
-    ],
-)
+@pytest.mark.parametrize("body", OUTSIDE)
 def test_nothing_outside_the_workspace_is_read(body: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "link").symlink_to("/etc")
     (found,) = problems(tmp_path, body)
@@ -264,3 +127,11 @@ def test_a_text_of_many_dollars_takes_work_in_proportion_to_its_length(tmp_path:
         assert expanded(laid_out(tmp_path, {"r.xacro": robot(f"<a>{'$a' * dollars}</a>")})).problems == []
 
     assert_linear(expand, 2000)
+
+
+@pytest.mark.parametrize("expression", ["'%.3f' % 1.[2]", "1['a']", "(1)(2)", "'a' is 'a'"])
+def test_python_warns_of_no_expression_of_a_robot(expression: str, tmp_path: Path) -> None:
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        expanded(laid_out(tmp_path, {"r.xacro": robot(f'<link name="${{{expression}}}"/>')}))
+    assert said == []

@@ -11,29 +11,11 @@ from pathlib import Path
 
 import pytest
 from folder import Folder, environment
+from hostile.places import ARM, ENVIRONMENTS, IN_ANY_ENVIRONMENT, NAMES, ON_A_FULL_DISK, PIPES, SHOWN
 from sampling import sample
 
 needs_posix = pytest.mark.skipif(os.name != "posix", reason="pipes and links are made as POSIX makes them")
 ROBOT = '<robot name="a"><link name="base"/></robot>\n'
-NAMES = [
-    "b.urdf",
-    "x.yaml",
-    "x.launch",
-    "package.xml",
-    "urdfctl.toml",
-    "pyproject.toml",
-    ".gitignore",
-    "CMakeLists.txt",
-]
-GEN = "--type effort --distro noetic"
-ARM = """\
-<robot name="arm">
-  <link name="base"/><link name="fore"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/><child link="fore"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
-  </joint>
-</robot>
-"""
 
 
 @needs_posix
@@ -54,29 +36,7 @@ def test_a_pipe_a_device_or_a_loop_in_the_place_of_a_file_is_not_waited_for(
 
 
 @needs_posix
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        ("lint a.urdf --baseline pipe", "'pipe' cannot be read: it is not a regular file"),
-        ("lint a.urdf --write-baseline pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
-        ("lint a.urdf --config pipe", "pipe: it is not a regular file"),
-        ("lint a.urdf --format json=pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
-        ("lint a.urdf --workspace pipe", "folder 'pipe' does not exist"),
-        ("lint a.urdf --package-path pipe", "folder 'pipe' does not exist"),
-        ("smoke a.urdf --engine none --report pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
-        (
-            "smoke a.urdf --engine none --format json=pipe",
-            "'pipe' cannot be written: it is a pipe that no program reads",
-        ),
-        ("expand a.urdf -o pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
-        ("explain ./pipe", "'./pipe' is not a regular file"),
-        (f"gen-controllers pipe.yaml {GEN}", "'pipe.yaml' cannot be read: it is not a regular file"),
-        (f"gen-controllers --joint a {GEN} -o pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
-        (f"gen-controllers --joint a {GEN} --templates pipe", "template folder does not exist: 'pipe'"),
-        (f"gen-transmissions a.urdf {GEN} --into pipe", "'pipe' cannot be read: it is not a regular file"),
-        (f"gen-all --joint a {GEN} -o pipe", "'pipe/config' cannot be created: Not a directory"),
-    ],
-)
+@pytest.mark.parametrize(("words", "told"), PIPES)
 def test_a_pipe_that_an_option_names_is_not_waited_for(folder: Folder, words: str, told: str) -> None:
     folder.write({"a.urdf": ARM})
     for name in ("pipe", "pipe.yaml"):
@@ -103,24 +63,7 @@ def test_a_list_of_joints_without_end_is_refused(folder: Folder, name: str) -> N
     assert "Traceback" not in ran.stderr
 
 
-ENVIRONMENTS: list[dict[str, str | None]] = [
-    {"HOME": None, "USER": None, "TERM": None},
-    {"LC_ALL": "C", "LANG": None, "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
-    {"LC_ALL": "none_XX.nowhere"},
-]
-
-
-@pytest.mark.parametrize(
-    "words",
-    [
-        "lint PATH",
-        "lint PATH --fix --diff",
-        "expand PATH",
-        "gen-all PATH --type effort --distro noetic -o OUT",
-        "explain fehler.log",
-        "smoke PATH --engine none",
-    ],
-)
+@pytest.mark.parametrize("words", IN_ANY_ENVIRONMENT)
 def test_neither_home_nor_locale_changes_what_is_said(folder: Folder, words: str) -> None:
     folder.write({"my röbot/ärm 🤖.urdf": ARM, "fehler.log": "Schlüssel fehlt 🤖\n"})
     given = [word.replace("PATH", "my röbot/ärm 🤖.urdf") for word in words.split()]
@@ -138,9 +81,7 @@ def test_neither_home_nor_locale_changes_what_is_said(folder: Folder, words: str
 
 @needs_posix
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
-@pytest.mark.parametrize(
-    "words", ["lint a.urdf --format sarif=/dev/full", "expand a.urdf -o /dev/full", "expand a.urdf"]
-)
+@pytest.mark.parametrize("words", ON_A_FULL_DISK)
 def test_no_room_is_said_in_one_line(folder: Folder, words: str) -> None:
     folder.write({"a.urdf": ARM})
     with open("/dev/full", "wb") as full:
@@ -163,7 +104,7 @@ def test_a_place_that_cannot_be_written_is_said_in_one_line(folder: Folder) -> N
     folder.write({"a.urdf": ARM, "file": ""})
     ran = folder.run("gen-all", "a.urdf", "--type", "effort", "--distro", "noetic", "-o", "file/below")
     assert ran.returncode == 2
-    assert ran.stderr.splitlines()[-1].endswith("cannot be created: Not a directory")
+    assert ran.stderr.splitlines()[-1].endswith("'file/below' cannot be written: Not a directory")
 
 
 @needs_posix
@@ -209,22 +150,7 @@ def test_an_interrupted_generator_ends_quietly(folder: Folder) -> None:
 
 
 @needs_posix
-@pytest.mark.parametrize(
-    ("words", "status", "told"),
-    [
-        ("lint settings/a.urdf", 2, "settings/urdfctl.toml: unknown key '\\x1b[31mred'"),
-        (f"gen-controllers names {GEN}", 2, "several robots found: names/\\x1b[31m.urdf, names/b.urdf"),
-        (
-            "gen-check made",
-            2,
-            (
-                "'made/c.yaml' is skipped: its input '\\x1b[31mred.urdf' does not exist\n"
-                "urdfctl: no generated file was checked in made"
-            ),
-        ),
-        ("smoke made/\x1b[31m", 2, "file or folder 'made/\\x1b[31m' does not exist"),
-    ],
-)
+@pytest.mark.parametrize(("words", "status", "told"), SHOWN)
 def test_what_files_and_their_names_hold_is_shown_and_not_obeyed(
     folder: Folder, words: str, status: int, told: str
 ) -> None:

@@ -11,33 +11,12 @@ from pathlib import Path
 
 import pytest
 from folder import Folder, environment
+from hostile.rights import BARE, FORBIDDEN, GEN, ROBOT, WITHOUT_ROOM
 
 if sys.platform == "win32":
     pytest.skip("rights and limits are told as POSIX tells them", allow_module_level=True)
 import resource
 
-ROBOT = """\
-<robot name="arm">
-  <link name="base"/><link name="fore"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/><child link="fore"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
-  </joint>
-  <transmission name="t">
-    <type>transmission_interface/SimpleTransmission</type>
-    <joint name="elbow"><hardwareInterface>PositionJointInterface</hardwareInterface></joint>
-    <actuator name="m"><mechanicalReduction>1</mechanicalReduction></actuator>
-  </transmission>
-  <gazebo reference="bas"><mu1>0.9</mu1></gazebo>
-</robot>
-"""
-BARE = """\
-<robot name="arm">
-  <link name="base"/><link name="fore"/>
-  <joint name="elbow" type="revolute">
-    <parent link="base"/><child link="fore"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
-  </joint>
-</robot>
-"""
 DROP_FROM_BOUNDS, OVERRIDE, READ_SEARCH = 24, 1, 2  # linux/prctl.h, linux/capability.h
 
 
@@ -100,7 +79,6 @@ def bound(folder: Folder) -> Iterator[Callable[[str], tuple[int, str, str]]]:
 
 
 Bound = Callable[[str], tuple[int, str, str]]
-GEN = "--type effort --distro noetic"
 
 
 def test_a_read_only_folder_is_linted_as_any_other(folder: Folder, bound: Bound) -> None:
@@ -109,24 +87,7 @@ def test_a_read_only_folder_is_linted_as_any_other(folder: Folder, bound: Bound)
     assert (status, '+  <gazebo reference="base">' in out) == (1, True)
 
 
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        ("lint a.urdf --write-baseline k.json", "'k.json' cannot be written: Permission denied"),
-        ("lint a.urdf --format json=o.json", "'o.json' cannot be written: Permission denied"),
-        ("lint a.urdf --baseline secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
-        ("lint a.urdf --config secret.urdf", "secret.urdf: Permission denied"),
-        ("lint shut", "'shut' cannot be read: Permission denied"),
-        ("expand a.urdf -o x.urdf", "'x.urdf' cannot be written: Permission denied"),
-        (f"gen-controllers joints.txt {GEN} -o c.yaml", "'c.yaml' cannot be written: Permission denied"),
-        (f"gen-all joints.txt {GEN} -o made", "'made/config' cannot be created: Permission denied"),
-        (f"gen-transmissions bare.urdf {GEN} --into secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
-        (f"gen-transmissions bare.urdf {GEN} --into bare.urdf", "'bare.urdf' cannot be written: Permission denied"),
-        ("gen-check shut", "'shut' cannot be read: Permission denied"),
-        ("explain secret.log", "'secret.log' cannot be read: Permission denied"),
-        ("smoke a.urdf --engine none --report r.html", "'r.html' cannot be written: Permission denied"),
-    ],
-)
+@pytest.mark.parametrize(("words", "told"), FORBIDDEN)
 def test_what_may_not_be_read_or_written_is_said_in_one_line(
     folder: Folder, bound: Bound, words: str, told: str
 ) -> None:
@@ -155,18 +116,7 @@ def test_what_cannot_be_fixed_in_a_read_only_folder_is_left_as_it_is(folder: Fol
     assert (folder.path / "a.urdf").read_text() == ROBOT
 
 
-@pytest.mark.parametrize(
-    ("words", "file"),
-    [
-        ("lint a.urdf --unsafe-fixes", "a.urdf"),
-        ("lint a.urdf --write-baseline k.json", "k.json"),
-        ("lint a.urdf --format json=o.json", "o.json"),
-        ("expand a.urdf -o x.urdf --force", "x.urdf"),
-        (f"gen-controllers joints.txt {GEN} -o c.yaml --force", "c.yaml"),
-        (f"gen-transmissions bare.urdf {GEN} --into bare.urdf", "bare.urdf"),
-        ("smoke a.urdf --engine none --report r.html", "r.html"),
-    ],
-)
+@pytest.mark.parametrize(("words", "file"), WITHOUT_ROOM)
 def test_without_room_a_file_stays_as_it_was_and_nothing_is_left_beside_it(
     folder: Folder, words: str, file: str
 ) -> None:

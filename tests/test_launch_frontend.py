@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from urdfctl.model.build_launch_ros2 import Sources, launch_of_ros2
 from urdfctl.model.launch import Launch
+from urdfctl.model.launch.ros2 import Sources, launch_of_ros2
 from urdfctl.source.launch.frontend import of_xml, of_yaml, words_of
 from urdfctl.source.launch.terms import Constant, Items, Term
 from urdfctl.source.span import Place, SourceText

@@ -21,7 +21,7 @@ from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
-from urdfctl.rule import Rule
+from urdfctl.rule import Check, Rule, rule
 from urdfctl.source.budget import OverBudget
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
@@ -111,6 +111,28 @@ def test_a_file_that_several_robots_include_has_its_fault_once(folder: Folder) -
 # -- rules made for the tests ----------------------------------------------------------------------------------------
 
 
+def ruled(
+    check: Check,
+    code: str,
+    severity: Severity = Severity.WARNING,
+    distros: tuple[str, ...] = ALL,
+    *,
+    whole_robot: bool = False,
+) -> Rule:
+    """A rule with a check, and no examples."""
+    declared = rule(
+        code,
+        severity=severity,
+        runtime="ignores",
+        authority="this test",
+        bad=[],
+        good=[],
+        distros=distros,
+        whole_robot=whole_robot,
+    )
+    return declared(check)
+
+
 def made(code: str, *findings: tuple[int, str], whole_robot: bool = False, distros: tuple[str, ...] = ALL) -> Rule:
     """A rule that finds something at links of the robot, by their number from 0."""
 
@@ -120,7 +142,7 @@ def made(code: str, *findings: tuple[int, str], whole_robot: bool = False, distr
         for number, message in findings:
             yield Finding(project.robot.links[number].at, message)
 
-    return Rule(code, made_for_a_test, Severity.WARNING, "ignores", "this test", {}, {}, distros, whole_robot)
+    return ruled(made_for_a_test, code, distros=distros, whole_robot=whole_robot)
 
 
 def broken(code: str) -> Rule:
@@ -132,7 +154,7 @@ def broken(code: str) -> Rule:
         yield Finding(project.robot.links[0].at, "before the crash")
         raise ZeroDivisionError("of all things")
 
-    return Rule(code, made_to_crash, Severity.WARNING, "ignores", "this test", {}, {})
+    return ruled(made_to_crash, code)
 
 
 def outcome(*rules: Rule, path: str = "r.xacro", chosen: Selection = Selection()) -> Outcome:  # noqa: B008 (immutable)
@@ -177,7 +199,7 @@ def test_the_gravest_of_what_is_merged_is_told(folder: Folder) -> None:
 
     macro = '<xacro:macro name="part" params="n"><link name="${n}"/></xacro:macro>'
     folder.write({"r.xacro": HEAD + macro + '\n<xacro:part n="a"/><xacro:part n="b"/></robot>'})
-    rule = Rule("UC901", made_for_a_test, Severity.WARNING, "ignores", "this test", {}, {})
+    rule = ruled(made_for_a_test, "UC901")
     [one] = merge([outcome(rule)], Selection())
     assert (one.severity, one.message) == (Severity.ERROR, "b is bad")
 
@@ -219,7 +241,7 @@ def test_a_robot_that_is_over_its_budget_in_a_rule_is_no_crash_of_the_rule(folde
 
     folder.write({"r.xacro": HEAD + LINKS + "</robot>"})
     with pytest.raises(OverBudget):
-        outcome(Rule("UC901", made_to_last, Severity.WARNING, "ignores", "this test", {}, {}))
+        outcome(ruled(made_to_last, "UC901"))
 
 
 # -- which rules are asked -------------------------------------------------------------------------------------------
@@ -281,7 +303,7 @@ def test_a_finding_may_be_graver_than_its_rule_where_the_distro_makes_it_so(fold
         yield Finding(project.robot.at, "x", severity=Severity.ERROR if project.distro == "noetic" else None)
 
     folder.write({"r.xacro": HEAD + LINKS + "</robot>"})
-    rule = Rule("UC901", made_for_a_test, Severity.INFO, "ignores", "this test", {}, {})
+    rule = ruled(made_for_a_test, "UC901", severity=Severity.INFO)
     for distro, severity in (("noetic", Severity.ERROR), ("melodic", Severity.INFO)):
         loaded = Loader(Settings(distro=distro)).load(Target("r.xacro"))
         project = loaded.project

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Mapping
 
 import pytest
+from hostile.logs import LONG_LOGS
 from work import assert_linear
 
 from urdfctl.logs.digest import Digest, Known, digest, plain
@@ -191,26 +191,10 @@ def test_lines_are_complete_however_the_log_arrives() -> None:
     assert list(Lines(Drops(text.encode()))) == ["a", "", f"{NO_INTERFACE}\r", "b"]
 
 
-LITERAL = b"[ERROR] Could not find joint 'Could not find joint '"
-HOSTILE: Mapping[str, Callable[[int], bytes]] = {
-    "one line": lambda size: b"a" * 1500 * size,
-    "no letters": lambda size: bytes(range(256)) * 2 * size,
-    "escapes": lambda size: b"\x1b[" * 25 * size,
-    "beginnings of a message": lambda size: (LITERAL * 100 + b"\n") * (size // 40),
-    "errors of all kinds": lambda size: b"".join(
-        b"[ERROR] [1]: %x could not hardware joint\n" % (number * number) for number in range(size)
-    ),
-    "many values": lambda size: b"".join(
-        b"No valid hardware interface element found in joint 'j%d'.\n" % number for number in range(size // 2)
-    ),
-}
-"""Logs by their size, 20,000 of which is too much for any log."""
-
-
-@pytest.mark.parametrize("name", HOSTILE)
+@pytest.mark.parametrize("name", LONG_LOGS)
 def test_hostile_logs_take_work_in_proportion_to_their_size_and_bounded_space(name: str) -> None:
     def read(size: int) -> None:
-        digested = log(HOSTILE[name](size))
+        digested = log(LONG_LOGS[name](size))
         assert len(digested.unknown) <= 100
         assert all(len(known.values) <= 100 and len(known.text) <= LONGEST_LINE for known in digested.known)
 

@@ -7,7 +7,7 @@ import re
 from urdfctl.catalog.log_messages import KINDS, log_messages
 from urdfctl.logs.index import index
 from urdfctl.logs.pattern import filled, found_in, parsed
-from urdfctl.rules import all_rules
+from urdfctl.rules import all_faults
 
 MESSAGES = log_messages()
 
@@ -26,7 +26,7 @@ def test_every_message_has_a_meaning_causes_and_a_fix() -> None:
 
 
 def test_every_rule_that_a_cause_names_exists() -> None:
-    codes = {rule.code for rule in all_rules()}
+    codes = {rule.code for rule in all_faults()}
     assert [(message.id, code) for message in MESSAGES for code in message.rules if code not in codes] == []
 
 

@@ -15,18 +15,19 @@ from typing import Any
 import pytest
 from folder import Folder, environment
 
-from urdfctl.cli.journal import restore_unfinished
-from urdfctl.cli.migrate_lint import Lint
-from urdfctl.cli.writing_all import write_all
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
-from urdfctl.fix.edits import Change
 from urdfctl.migrate.engine import Migration, migrate
+from urdfctl.migrate.linting import Lint
 from urdfctl.migrate.packages import Linted, Packages
 from urdfctl.migrate.report import ReportLine, as_markdown
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
 from urdfctl.migrate.wishes import Part, Wishes
+from urdfctl.output.change import Change
+from urdfctl.output.journal import restore_unfinished
+from urdfctl.output.writing_all import write_all
+from urdfctl.source.gate import reading_within
 from urdfctl.source.span import Place, SourceSpan
 
 MANIFEST = '<package format="3"><name>arm</name></package>\n'
@@ -165,8 +166,8 @@ def killing(real):
         real(*paths)
     return call
 os.replace, os.unlink = killing(os.replace), killing(os.unlink)
-from urdfctl.cli.writing_all import write_all
-from urdfctl.fix.edits import Change
+from urdfctl.output.writing_all import write_all
+from urdfctl.output.change import Change
 wanted = [("a", b"1", b"2"), ("b", b"1", None), ("c", None, b"2"), ("d", b"1", b"2")]
 write_all([Change(os.path.abspath(name), before, after) for name, before, after in wanted])
 os.kill(os.getpid(), signal.SIGKILL)
@@ -176,7 +177,7 @@ os.kill(os.getpid(), signal.SIGKILL)
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
 @pytest.mark.parametrize("renames", range(5))
 def test_what_a_run_left_that_was_killed_at_a_rename_is_restored_by_the_next_one(
-    folder: Folder, renames: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    folder: Folder, renames: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     cache = folder.path / ".urdfctl-cache"
     monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
@@ -186,10 +187,27 @@ def test_what_a_run_left_that_was_killed_at_a_rename_is_restored_by_the_next_one
     assert ran.returncode == -signal.SIGKILL
     is_finished = renames == 4
     after = {"a": b"2", "c": b"2", "d": b"2"}
-    restore_unfinished()
+    told = restore_unfinished()
     assert not [path for path in cache.rglob("*") if path.is_file()]
     assert content(folder, ".") == (after if is_finished else before)
-    assert capsys.readouterr().err.count("before a run that was killed") == (0 if is_finished else renames)
+    assert ["before a run that was killed" in line for line in told] == [True] * (0 if is_finished else renames)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
+def test_what_several_runs_left_is_restored_with_its_rights(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(folder.path / ".urdfctl-cache"))
+    before = {f"{root}/{name}": b"1" for root in ("one", "two", "three") for name in "abd"}
+    folder.write(before)
+    for root in ("one", "two", "three"):
+        (folder.path / root / "b").chmod(0o750)
+        subprocess.run([sys.executable, "-c", KILLED, "3"], cwd=folder.path / root, env=dict(os.environ), check=False)
+        assert not (folder.path / root / "b").exists()
+    os.rename("three", "moved")
+    os.symlink("moved", "three")  # what is at another place now is left alone
+    restore_unfinished()
+    after = {"moved/a": b"2", "moved/c": b"2", "moved/d": b"1"}
+    assert content(folder, ".") == {**{name: b"1" for name in before if name[:5] != "three"}, **after}
+    assert {(folder.path / root / "b").stat().st_mode & 0o777 for root in ("one", "two")} == {0o750}
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
@@ -404,3 +422,22 @@ def test_lint_finds_each_todo_once_also_in_files_that_no_robot_reads(folder: Fol
     ran = folder.run("lint", "arm", "--select", "UC708", "--format", "concise")
     found = sorted(line.partition(": ")[0].rpartition("/")[2] for line in ran.stdout.splitlines() if "UC708" in line)
     assert found == ["arm.urdf.xacro:8:8", "filter.yaml:1:3", "package.xml:1:26", "yard.world:2:8"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights on Windows")
+def test_what_links_lead_to_outside_of_the_workspace_is_not_read(folder: Folder) -> None:
+    folder.write({f"checkout/{name}": text for name, text in {**FILES, ".git/HEAD": "", "own.world": "own"}.items()})
+    folder.write({"home/secret.world": "secret", "home/urdfctl.toml": "secret"})
+    for name, leads_to in {"arm/own.world": "checkout", "arm/secret.world": "home", "urdfctl.toml": "home"}.items():
+        (folder.path / "checkout" / name).symlink_to(folder.path / leads_to / Path(name).name)
+    os.chdir("checkout")
+    read: dict[str, bytes] = {}
+
+    def look(packages: Packages) -> Iterator[Proposal]:
+        read.update({Path(path).name: packages.read(path).data for path in packages.files(".world")})
+        read.update({name: b"copied" for name in os.listdir(packages.scratch.root) if name == "urdfctl.toml"})
+        yield from ()
+
+    with reading_within([folder.path / "checkout"]):
+        result_of(folder.path / "checkout", ("look", look))
+    assert read == {"own.world": b"own", "secret.world": b""}

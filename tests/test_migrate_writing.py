@@ -128,8 +128,8 @@ def killing(module, name):
 IN_PLACE = """
 for name in ("replace", "unlink"):
     killing(os, name)
-from urdfctl.cli.migrate_writing import write_changes
-from urdfctl.fix.edits import Change
+from urdfctl.migrate.writing import write_changes
+from urdfctl.output.change import Change
 changes = [Change(os.path.realpath(name), b"1", b"2") for name in ("a", "b")]
 sys.exit(len(write_changes(changes, ("MIGRATION.md", b"2"))))
 """
@@ -140,7 +140,7 @@ for name in ("copyfile", "copymode"):
     killing(shutil, name)
 for name in ("replace", "rename"):
     killing(os, name)
-from urdfctl.cli.migrate_writing import write_copy
+from urdfctl.migrate.writing import write_copy
 sys.exit(len(write_copy(scratch, os.path.realpath("arm"), "new", ("new/MIGRATION.md", b"2"))))
 """
 
@@ -161,7 +161,7 @@ def test_files_and_report_are_restored_after_a_run_that_was_killed_at_a_rename(f
     folder.write(before)
     assert killed(folder, IN_PLACE, calls) == (calls < 3)
     cache = str(folder.path / ".urdfctl-cache")
-    code = "from urdfctl.cli.journal import restore_unfinished as restore; restore()"
+    code = "from urdfctl.output.journal import restore_unfinished as restore; restore()"
     subprocess.run([sys.executable, "-c", code], env={**os.environ, "XDG_CACHE_HOME": cache}, check=True)
     found = {name: data for name, data in content(folder, ".").items() if not name.startswith(".urdfctl-cache")}
     assert found == (before if calls < 3 else {"a": b"2", "b": b"2", "MIGRATION.md": b"2"})

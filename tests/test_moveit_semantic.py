@@ -11,7 +11,7 @@ from urdfctl.config.settings import Settings
 from urdfctl.control.groups import Groups
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
-from urdfctl.model.moveit_parts import MoveIt
+from urdfctl.model.moveit import MoveIt
 
 _FINGERS = """
     <link name="left"/><link name="right"/><link name="tip"/>

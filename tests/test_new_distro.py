@@ -22,43 +22,32 @@ module = types.ModuleType("urdfctl.catalog.distros")
 sys.modules[module.__name__] = module
 exec(compile(source.replace(line, line.replace("rolling", "meteor") + line), str(path), "exec"), module.__dict__)
 
-from urdfctl.rules import all_rules
+from urdfctl.rules import all_faults, faults_found_by
 from urdfctl.control.spawner_options import DISTROS as OPTIONS
 
-rules = [rule.code for rule in all_rules() if "rolling" in rule.distros and "meteor" not in rule.distros]
+rules = [rule.code for rule in all_faults() if "rolling" in rule.distros and "meteor" not in rule.distros]
 options = [option for option, distros in OPTIONS.items() if "rolling" in distros and "meteor" not in distros]
 
 import os, tempfile
-from urdfctl.config.settings import Settings
+from urdfctl.lint.examples import written
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
-from urdfctl.load.target import Target
-from urdfctl.rules.examples import companions, options_of, unmarked
 
-def codes(rule, distro):
-    files, _ = unmarked(rule.bad)
-    options, arguments = options_of(rule)
-    settings = Settings(**{**options, "workspace": os.getcwd(), "distro": distro})
-    controllers, launch = companions(files)
-    target = Target(next(iter(files)), arguments, controllers=controllers, launch=launch)
-    result = lint_target(Loader(settings), target, Selection()).result
+def codes(target, settings, distro):
+    result = lint_target(Loader(settings._replace(distro=distro)), target, Selection()).result
     return sorted({finding.code for finding in result.outcome.diagnostics if finding.code[:3] != "UC7"})
 
 different = {}
-for rule in all_rules():
-    if "rolling" not in rule.distros or rule.of_smoke or not rule.bad:
+for rule in faults_found_by("lint"):
+    if "rolling" not in rule.distros:
         continue
-    with tempfile.TemporaryDirectory() as folder:
-        os.chdir(folder)
-        files, _ = unmarked(rule.bad)
-        for name, text in files.items():
-            Path(name).parent.mkdir(parents=True, exist_ok=True)
-            Path(name).write_text(text, encoding="utf-8")
-        found = codes(rule, "meteor"), codes(rule, "rolling")
-        if found[0] != found[1]:
-            different[rule.code] = found
-        os.chdir("/")
+    for number, example in enumerate(rule.bad, 1):
+        with tempfile.TemporaryDirectory() as folder:
+            target, settings = written(example, os.path.realpath(folder))
+            found = codes(target, settings, "meteor"), codes(target, settings, "rolling")
+            if found[0] != found[1]:
+                different[f"{rule.code}-{number}"] = found
 print(json.dumps({"rules": rules, "options": options, "different": different}))
 """
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 
 import pytest
-from folder import Folder
+from folder import Folder, environment
 
 DEFINITION = """
 localiser:
@@ -67,3 +69,22 @@ def test_a_definition_that_checks_nothing_is_an_error(folder: Folder, option: st
     ran = folder.run("lint", "p.yaml", "--node", option)
     assert (ran.returncode, ran.stdout) == (2, "")
     assert message in ran.stderr
+
+
+def test_a_node_without_parameters_is_an_error_also_when_the_results_are_from_an_earlier_run(folder: Folder) -> None:
+    slow = (
+        "import sys; from urdfctl.lint import cache; cache.STORE_FROM = 0; from urdfctl.__main__ import main; "
+        "sys.argv[1:] = ['lint', 'p.yaml', '--node', 'localizer=d.yaml']; main()"
+    )
+    folder.write(
+        {"d.yaml": DEFINITION.replace("localiser", "localizer"), "p.yaml": "localiser:\n  ros__parameters: {}\n"}
+    )
+    environ = environment({"XDG_CACHE_HOME": str(folder.path / "cache")})
+    (folder.path / "cache").mkdir()
+    runs = [
+        subprocess.run([sys.executable, "-c", slow], env=environ, capture_output=True, text=True, check=False)
+        for _ in "ab"
+    ]
+    assert list((folder.path / "cache").rglob("*.json")) != []
+    assert [(ran.returncode, ran.stdout) for ran in runs] == [(2, ""), (2, "")]
+    assert runs[0].stderr == runs[1].stderr

@@ -7,8 +7,7 @@ from folder import Folder
 from robots import findings
 
 from urdfctl.load.target import Target
-from urdfctl.model.controllers import Section
-from urdfctl.model.parameters import Parameters
+from urdfctl.model.controllers import Parameters, Section
 from urdfctl.source.span import Place, SourceText
 
 

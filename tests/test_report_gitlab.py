@@ -9,7 +9,7 @@ from folder import Folder
 from reported import bare, of_a_macro, report
 
 from urdfctl.diagnostic import Severity
-from urdfctl.report.common import Report
+from urdfctl.lint.results import Report
 from urdfctl.report.gitlab import render
 
 

@@ -13,9 +13,8 @@ from folder import Folder
 from jsonschema import Draft202012Validator, ValidationError
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
-from urdfctl.lint.results import Outcome, TargetResult
+from urdfctl.lint.results import Outcome, Report, TargetResult
 from urdfctl.report import jsonl
-from urdfctl.report.common import Report
 from urdfctl.report.json_report import render
 
 SCHEMA = json.loads(files("urdfctl.report").joinpath("lint.schema.json").read_text(encoding="utf-8"))

@@ -12,8 +12,7 @@ from reported import bare, of_a_macro, report
 from sarif_reader import read
 
 from urdfctl.diagnostic import Location, Remark, Repair, Replacement, Severity, Step
-from urdfctl.lint.results import Outcome
-from urdfctl.report.common import Report
+from urdfctl.lint.results import Outcome, Report
 from urdfctl.report.sarif import render
 
 WHEEL = {"uri": "urdf/gro%C3%9Fe%20wheel.xacro", "uriBaseId": "%SRCROOT%"}

@@ -12,10 +12,11 @@ import pytest
 from folder import Folder, environment
 
 from urdfctl.diagnostic import Diagnostic, Finding, Location, Remark, Repair, Replacement, Severity, Step, diagnosed
-from urdfctl.lint.results import Outcome, TargetResult
+from urdfctl.lint.results import Outcome, Report, TargetResult
 from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json
+from urdfctl.output.printing import visible
 from urdfctl.report import concise, text
-from urdfctl.report.common import Report, shown, visible
+from urdfctl.report.common import shown
 from urdfctl.report.wrapping import wrapped
 from urdfctl.source.span import Place, SourceText
 

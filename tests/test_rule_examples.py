@@ -1,8 +1,7 @@
-"""Each rule reports its bad example at the marked places, and no rule reports a good example."""
+"""Each rule reports its bad examples at the marked places, and no rule reports a good example."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -10,36 +9,30 @@ import robots
 from sampling import assert_each
 
 from urdfctl.diagnostic import Diagnostic, Replacement
+from urdfctl.fault import Example, Fault
 from urdfctl.fix.edits import Splice, edited
-from urdfctl.load.target import Target
+from urdfctl.lint.examples import written
 from urdfctl.rule import Rule
-from urdfctl.rules import FAMILIES, all_rules
-from urdfctl.rules.examples import companions, options_of, unmarked
+from urdfctl.rules import FAMILIES, all_faults, faults_found_by
+from urdfctl.rules.examples import unmarked
 
-RULES = all_rules()
-WITH_EXAMPLES = [rule for rule in RULES if rule.code != "UC000"]
-OF_LINT = [rule for rule in WITH_EXAMPLES if not rule.of_smoke]
-
-
-def findings(folder: Path, rule: Rule, files: Mapping[str, str]) -> list[Diagnostic]:
-    """Return the findings in an example's first file, with the rule's options, YAML and launch files."""
-    for name, text in files.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
-    options, arguments = options_of(rule)
-    controllers, launch = companions(files)
-    controllers = tuple(str(folder / name) for name in controllers)
-    target = Target(
-        str(folder / next(iter(files))), arguments, controllers=controllers, launch=launch and str(folder / launch)
-    )
-    return robots.findings(target, workspace=str(folder), **options)
+FAULTS = all_faults()
+LINTED = [fault for fault in faults_found_by("lint") if fault.code != "UC000"]
+BAD = {f"{fault.code}-{number}": (fault, example) for fault in LINTED for number, example in enumerate(fault.bad, 1)}
+GOOD = {f"{fault.code}-{number}": (fault, example) for fault in FAULTS for number, example in enumerate(fault.good, 1)}
 
 
-@pytest.mark.parametrize("rule", OF_LINT, ids=lambda rule: rule.code)
-def test_the_bad_example_is_reported_at_the_marked_places_and_its_fixes_repair_it(rule: Rule, tmp_path: Path) -> None:
-    files, marks = unmarked(rule.bad)
-    reported = [finding for finding in findings(tmp_path, rule, files) if finding.code == rule.code]
+def findings(folder: Path, example: Example) -> list[Diagnostic]:
+    """Return the findings in an example."""
+    target, settings = written(example, str(folder))
+    return robots.findings(target, settings=settings)
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_a_bad_example_is_reported_at_the_marked_places_and_its_fixes_repair_it(name: str, tmp_path: Path) -> None:
+    fault, example = BAD[name]
+    files, marks = unmarked(example.files)
+    reported = [finding for finding in findings(tmp_path, example) if finding.code == fault.code]
     places = [finding.at for finding in reported]
     assert marks, "the bad example marks no place with « and »"
     assert {(Path(at.file).relative_to(tmp_path).as_posix(), at.start, at.end) for at in places} == set(marks)
@@ -50,7 +43,9 @@ def test_the_bad_example_is_reported_at_the_marked_places_and_its_fixes_repair_i
         name: edited(text.encode(), [edit for edit in edits if edit.file == str(tmp_path / name)]).decode()
         for name, text in files.items()
     }
-    remaining = [finding for finding in findings(tmp_path, rule, repaired) if finding.code == rule.code]
+    remaining = [
+        finding for finding in findings(tmp_path, example._replace(files=repaired)) if finding.code == fault.code
+    ]
     assert fix_edits(remaining) == [], "the fix does not remove the finding"
     assert repaired != files
 
@@ -60,29 +55,41 @@ def fix_edits(reported: list[Diagnostic]) -> list[Replacement]:
     return [edit for finding in reported if finding.fix for edit in finding.fix.edits]
 
 
-@pytest.mark.parametrize("rule", WITH_EXAMPLES, ids=lambda rule: rule.code)
-def test_the_good_example_is_silent_under_all_rules(rule: Rule, tmp_path: Path) -> None:
-    assert rule.good
-    files, _ = unmarked(rule.good)
-    assert [f"{d.code} {d.message}" for d in findings(tmp_path, rule, files)] == []
+@pytest.mark.parametrize("name", GOOD)
+def test_a_good_example_is_silent_under_all_rules(name: str, tmp_path: Path) -> None:
+    _, example = GOOD[name]
+    assert [f"{d.code} {d.message}" for d in findings(tmp_path, example)] == []
 
 
-def test_a_rule_has_a_summary_a_reason_and_an_authority() -> None:
-    def check(rule: Rule) -> None:
-        assert rule.summary.endswith(".")
-        assert rule.why
-        assert rule.authority
-        assert rule.distros
+def test_a_fault_that_lint_finds_has_examples() -> None:
+    def check(fault: Fault) -> None:
+        assert fault.bad
+        assert fault.good
 
-    assert_each(check, {rule.code: rule for rule in RULES})
+    assert_each(check, {fault.code: fault for fault in LINTED})
+
+
+def test_a_fault_that_lint_finds_is_a_rule_but_for_those_about_the_run_itself() -> None:
+    others = [fault.name for fault in faults_found_by("lint") if not isinstance(fault, Rule)]
+    assert others == ["rule-crashed", "suppression-unused"]
+
+
+def test_a_fault_has_a_summary_a_reason_and_an_authority() -> None:
+    def check(fault: Fault) -> None:
+        assert fault.summary.endswith(".")
+        assert fault.why
+        assert fault.authority
+        assert fault.distros
+
+    assert_each(check, {fault.code: fault for fault in FAULTS})
 
 
 def test_codes_and_names_are_unique_and_in_order() -> None:
-    codes = [rule.code for rule in RULES]
+    codes = [fault.code for fault in FAULTS]
     assert codes == sorted(set(codes))
-    assert len({rule.name for rule in RULES}) == len(RULES)
+    assert len({fault.name for fault in FAULTS}) == len(FAULTS)
 
 
-def test_each_family_holds_the_rules_of_its_codes_and_no_others() -> None:
+def test_each_family_holds_the_faults_of_its_codes_and_no_others() -> None:
     for family in FAMILIES:
-        assert {rule.code[: len(family.prefix)] for rule in family.load()} == {family.prefix}
+        assert {fault.code[: len(family.prefix)] for fault in family.load()} == {family.prefix}

@@ -12,8 +12,8 @@ from types import FunctionType
 
 import pytest
 from folder import CHECKOUT, Folder, environment
+from hostile.robots import HIDDEN, TRIED
 from sampling import sample
-from test_hostile_files import HIDDEN, TRIED
 
 from urdfctl.run.here import Clock, run_all_here
 from urdfctl.run.limits import Json, Limits, WorkerFailure

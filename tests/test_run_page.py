@@ -21,7 +21,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.page.chart import chart
 from urdfctl.page.run import RunFacts, smoke_page
 from urdfctl.smoke.reports import report_of
-from urdfctl.smoke.results import Curve, Smoked
+from urdfctl.smoke.results import Curve, RobotResult
 from urdfctl.view.job import Portrait, portraits
 from urdfctl.view.meshes import installed
 
@@ -32,12 +32,12 @@ FACTS = RunFacts("urdfctl smoke . --report 'my page.html'", "2026-01-02T03:04:05
 needs_view = pytest.mark.skipif(not installed(), reason="the extra 'view' is not installed")
 
 
-def page_of(*made: Smoked, portrait: Portrait | None = None) -> str:
+def page_of(*made: RobotResult, portrait: Portrait | None = None) -> str:
     findings = merge([smoke_test.linted.outcome for smoke_test in made], Selection())
     return smoke_page(report_of(made, findings), [(robot, portrait or Portrait()) for robot in made], FACTS)
 
 
-def rover(folder: Path, **changes: str) -> Smoked:
+def rover(folder: Path, **changes: str) -> RobotResult:
     target = target_of(folder, {"robot.urdf": Rover().urdf(), "controllers.yaml": Rover().yaml(**changes)})  # type: ignore[arg-type]
     return smoked(target, distro="jazzy")
 
@@ -55,7 +55,7 @@ def test_it_is_self_contained(tmp_path: Path) -> None:
     elements = Elements(text)
     assert not {"link", "img", "iframe", "object"} & {tag for tag, _ in elements.found}
     assert not [address for address in elements.addresses if not address.startswith("#")]
-    assert "http" not in text.replace('xmlns="http://www.w3.org/2000/svg"', "")
+    assert "http" not in text.replace('xmlns="http://www.w3.org/2000/svg"', "").replace("<meta http-equiv=", "")
     assert "url(" not in text
     assert "prefers-color-scheme: dark" in text
 

@@ -17,7 +17,7 @@ from editor import Editor, in_editor, path_of, types
 from folder import CHECKOUT, Folder
 
 from urdfctl.server.app import make_server
-from urdfctl.smoke.engines import installed
+from urdfctl.smoke.engines.engine import installed
 from urdfctl.view.meshes import installed as meshes_are_read
 
 ARM = """<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from editor import Editor, in_editor, types
 from folder import Folder
+from hostile.robots import HIDDEN, TRIED
 from sampling import sample
-from test_hostile_files import HIDDEN, TRIED
 
 from urdfctl.server import workspace
 

@@ -7,8 +7,8 @@ import os
 from hypothesis import given
 from hypothesis import strategies as st
 
-from urdfctl.cli.patch import patch
-from urdfctl.fix.edits import Change
+from urdfctl.output.change import Change
+from urdfctl.output.patch import patch
 from urdfctl.server.patches import read_patch
 
 LINES = [

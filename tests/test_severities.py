@@ -1,4 +1,4 @@
-"""Each rule states what the runtime does with its fault, and its severity follows from that."""
+"""Each fault that lint finds states what the runtime does with its fault, and its severity follows from that."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ import re
 import pytest
 from sampling import assert_each
 
-from urdfctl.report.rule_explanation import rule_explanation
-from urdfctl.rule import Rule, Runtime, Severity
-from urdfctl.rules import all_rules, rule_of
+from urdfctl.fault import Fault, Runtime, Severity
+from urdfctl.report.fault_explanation import fault_explanation
+from urdfctl.rules import fault_of, faults_found_by
 
-OF_LINT = {rule.code: rule for rule in all_rules() if not rule.of_smoke}
+OF_LINT = {fault.code: fault for fault in faults_found_by("lint")}
 CONDITION = re.compile(
     r"\b(?:if|unless|since|until|up to|from|without|elsewhere|real hardware|later|earlier|other|with|after|in)\b",
     re.IGNORECASE,
@@ -31,26 +31,26 @@ SAID_OF = {
 
 
 def test_a_rule_explains_what_it_states_that_the_runtime_does() -> None:
-    def check(rule: Rule) -> None:
-        said = SAID_OF.get(rule.runtime)
-        text = f"{rule.why} {rule.authority}"
-        assert said is None or re.search(said, text, re.IGNORECASE), f"no word of '{rule.runtime.value}' in: {text}"
+    def check(fault: Fault) -> None:
+        said = SAID_OF.get(fault.runtime)
+        text = f"{fault.why} {fault.authority}"
+        assert said is None or re.search(said, text, re.IGNORECASE), f"no word of '{fault.runtime.value}' in: {text}"
 
     assert_each(check, OF_LINT)
 
 
-def test_the_severity_of_a_rule_is_one_that_goes_with_what_the_runtime_does_or_says_why_not() -> None:
-    def check(rule: Rule) -> None:
-        goes_with_it = rule.severity in rule.runtime.severities
-        assert goes_with_it != bool(rule.because), "give `because` if, and only if, the severity is another one"
+def test_the_severity_of_a_fault_is_one_that_goes_with_what_the_runtime_does_or_says_why_not() -> None:
+    def check(fault: Fault) -> None:
+        goes_with_it = fault.severity in fault.runtime.severities
+        assert goes_with_it != bool(fault.because), "give `because` if, and only if, the severity is another one"
 
     assert_each(check, OF_LINT)
 
 
 def test_a_rule_that_says_refuses_or_crashes_is_an_error_or_says_when_it_is_not() -> None:
-    def check(rule: Rule) -> None:
-        if re.search(r"\b(?:reject|refuse|crash)", rule.why) and rule.severity is not Severity.ERROR:
-            assert rule.because or CONDITION.search(rule.why), "name the condition, or make it an error"
+    def check(fault: Fault) -> None:
+        if re.search(r"\b(?:reject|refuse|crash)", fault.why) and fault.severity is not Severity.ERROR:
+            assert fault.because or CONDITION.search(fault.why), "name the condition, or make it an error"
 
     assert_each(check, OF_LINT)
 
@@ -72,8 +72,9 @@ def test_what_breaks_the_robot_is_an_error_and_what_works_is_info(runtime: Runti
 
 
 def test_explain_says_what_the_runtime_does() -> None:
-    assert "Runtime: goes on without the part.\n" in rule_explanation(rule_of("UC204"))
-    told = " ".join(rule_explanation(rule_of("UC114")).split())
+    assert "Runtime: goes on without the part.\n" in fault_explanation(fault_of("UC204"))
+    assert "Runtime: does something else than what was meant.\n" in fault_explanation(fault_of("UC932"))
+    told = " ".join(fault_explanation(fault_of("UC114")).split())
     assert "warning, because only Gazebo does, and the robot may not run" in told
 
 
@@ -84,4 +85,4 @@ def test_a_rule_is_explained_where_the_process_works(monkeypatch: pytest.MonkeyP
         pytest.fail(f"the working directory becomes {folder}")
 
     monkeypatch.setattr("os.chdir", fails)
-    assert "robot.urdf:" in rule_explanation(rule_of("UC204"))
+    assert "robot.urdf:" in fault_explanation(fault_of("UC204"))

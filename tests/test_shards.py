@@ -168,3 +168,11 @@ def test_a_baseline_is_not_written_from_a_share(folder: Folder) -> None:
     ran = folder.run("lint", ".", "--shard", "1/2", "--write-baseline", "known.json")
     expected = "urdfctl: --write-baseline requires the whole run and cannot be used with --shard\n"
     assert (ran.returncode, ran.stderr) == (2, expected)
+
+
+def test_the_shares_of_what_is_shown_are_all_of_it(folder: Folder) -> None:
+    robot = '<robot name="{}"><link name="a"/><link name="b"/></robot>'
+    folder.write({f"{name}.urdf": robot.format(name) for name in "stuvw"})
+    shares = [folder.run("show", ".", "--shard", f"{number}/2").stdout for number in (1, 2)]
+    assert all(shares)
+    assert sorted("".join(shares).splitlines()) == sorted(folder.run("show", ".").stdout.splitlines())

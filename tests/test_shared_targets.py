@@ -109,7 +109,7 @@ AT = Place(SourceText("a.urdf", b""), 0, end=0)
 PROBLEM = Problem(ProblemKind.BUDGET, AT, "too much")
 
 
-def counted(read: Any) -> tuple[Rule, list[object]]:
+def counted(read: Any, code: str = "UC001") -> tuple[Rule, list[object]]:
     """A rule that finds what `read` returns of a project, and the list of its calls."""
     calls: list[object] = []
 
@@ -117,7 +117,7 @@ def counted(read: Any) -> tuple[Rule, list[object]]:
         calls.append(read(project))
         yield Finding(AT, str(calls[-1]))
 
-    return rule("UC000", severity=Severity.ERROR, runtime="crashes", authority="x", bad={}, good={})(check), calls
+    return rule(code, severity=Severity.ERROR, runtime="crashes", authority="x", bad=[], good=[])(check), calls
 
 
 @once_per_object
@@ -150,8 +150,7 @@ def test_a_rule_runs_again_only_if_what_it_read_is_different(
 
 
 def test_a_cached_fact_counts_as_read_by_each_rule_that_uses_it() -> None:
-    (first, _), (second, calls) = counted(cached_simulator), counted(cached_simulator)
-    second = second._replace(code="UC001")
+    (first, _), (second, calls) = counted(cached_simulator, "UC001"), counted(cached_simulator, "UC002")
     project, memory = Project(None), RuleMemory()
     find = memory.finder(project)
     find(first)

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
-from urdfctl.smoke.agreement import compared, decided, is_certain
-from urdfctl.smoke.plan import Tried
+from urdfctl.smoke.motion.engine_agreement import compared, decided, is_certain
+from urdfctl.smoke.motion.plan import SimulationResult
 from urdfctl.smoke.results import Trouble, trouble_of
 
 LATE = trouble_of(joint_does_not_follow, "joint:j", "arm", joint="j", expected=0.2, actual=0.1, unit="rad")
 FAST = trouble_of(joint_too_fast, "joint:j", "arm", joint="j", fastest=2.0, limit=1.0, unit="rad")
 
 
-def result(*troubles: Trouble, moved: tuple[str, ...] = ("arm",), left: tuple[str, ...] = ()) -> Tried:
-    return Tried(tuple(troubles), moved, left_to_others=left)
+def result(*troubles: Trouble, moved: tuple[str, ...] = ("arm",), left: tuple[str, ...] = ()) -> SimulationResult:
+    return SimulationResult(tuple(troubles), moved, left_to_others=left)
 
 
-def codes(tried: Tried) -> list[str]:
+def codes(tried: SimulationResult) -> list[str]:
     return [trouble.code for trouble in tried.troubles]
 
 
@@ -61,7 +61,7 @@ def test_an_engine_that_could_not_judge_a_controller_does_not_disagree() -> None
 
 
 def test_a_controller_that_one_engine_moved_is_not_unjudged() -> None:
-    first, second = Tried(moved=("a",)), Tried(unjudged={"a": "too slow", "b": "no range"})
+    first, second = SimulationResult(moved=("a",)), SimulationResult(unjudged={"a": "too slow", "b": "no range"})
     assert decided(first, second).unjudged == {"b": "no range"}
     assert decided(first._replace(times={"a": 0.5}), second._replace(times={"a": 0.25, "b": 1.0})).times == {
         "a": 0.75,

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from urdfctl.errors import UserError
-from urdfctl.smoke.assignments import Assignment, TaskFile, read_tasks
+from urdfctl.smoke.tasks.task_file import TaskFile, UserTask, read_tasks
 
 
 def read(folder: Path, text: str) -> TaskFile:
@@ -16,8 +16,8 @@ def read(folder: Path, text: str) -> TaskFile:
     return read_tasks(str(path))
 
 
-def task(folder: Path, inside: str) -> Assignment:
-    [made] = read(folder, f"controllers:\n  arm: {{{inside}}}\n").assignments
+def task(folder: Path, inside: str) -> UserTask:
+    [made] = read(folder, f"controllers:\n  arm: {{{inside}}}\n").user_tasks
     return made
 
 
@@ -69,7 +69,7 @@ def test_a_key_without_a_meaning_is_an_error(inside: str, word: str, tmp_path: P
 
 def test_a_file_may_hold_a_start_pose_alone(tmp_path: Path) -> None:
     made = read(tmp_path, "start: {elbow: 0.5, shoulder: -1}\n")
-    assert (made.start, made.assignments) == ((("elbow", 0.5, 1), ("shoulder", -1.0, 1)), ())
+    assert (made.start, made.user_tasks) == ((("elbow", 0.5, 1), ("shoulder", -1.0, 1)), ())
 
 
 @pytest.mark.parametrize(("kibibytes", "whole"), [(900, True), (1100, False)])

@@ -8,7 +8,7 @@ import pytest
 from smoking import smoked, target_of, verdicts
 
 from urdfctl.rules.smoke.common import HARDWARE
-from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.results import RobotResult
 
 FORWARD = "forward_command_controller/ForwardCommandController"
 PARAMETERS = "joints: [elbow], interface_name: position"
@@ -21,7 +21,7 @@ def manager(rate: str, indent: str = "", *names: str) -> str:
     return "".join(f"{indent}{line}\n" for line in text.splitlines())
 
 
-def in_jazzy(folder: Path, yaml: str, robot: str = HARDWARE) -> Smoked:
+def in_jazzy(folder: Path, yaml: str, robot: str = HARDWARE) -> RobotResult:
     return smoked(target_of(folder, {"robot.urdf": robot, "controllers.yaml": yaml}), distro="jazzy")
 
 

@@ -8,67 +8,76 @@ from typing import Any
 import pytest
 
 from urdfctl.model.stage import Stage
-from urdfctl.smoke import candidates
-from urdfctl.smoke.candidates import cycle_of, fates_in_words, result_of
-from urdfctl.smoke.manager import Cycle, Refusal, Way
+from urdfctl.smoke.lifecycle import possible_distros
+from urdfctl.smoke.lifecycle.controller_manager import ControllerLifecycle, Refusal, RobotLifecycle
+from urdfctl.smoke.lifecycle.possible_distros import fates_in_words, lifecycle_of, result_without_motion
 from urdfctl.smoke.results import Trouble, Verdict
 
 WRONG = Refusal(Stage.CONFIGURE, "a parameter is missing")
 UNKNOWN = Refusal(Stage.LOAD, "its type does not exist")
 
 
-def way(name: str, refusal: Refusal | None = None) -> Way:
+def way(name: str, refusal: Refusal | None = None) -> ControllerLifecycle:
     configured: Any = SimpleNamespace(controller=SimpleNamespace(type=None))
-    return Way(configured, name, refusal)
+    return ControllerLifecycle(configured, name, refusal)
 
 
-def cycle(
-    distro: str, *ways: Way, rejected: str = "", troubles: tuple[Trouble, ...] = (), detail: str = " in arm.yaml"
-) -> Cycle:
+def lifecycle(
+    distro: str,
+    *ways: ControllerLifecycle,
+    rejected: str = "",
+    troubles: tuple[Trouble, ...] = (),
+    detail: str = " in arm.yaml",
+) -> RobotLifecycle:
     own = tuple(
         Trouble("UC904", f"controller:{each.name}", f"{each.name} fails: {each.refusal.why}{detail}", each.name)
         for each in ways
         if each.refusal
     )
-    return Cycle(distro, ways, (*own, *troubles), {}, rejected)
+    return RobotLifecycle(distro, ways, (*own, *troubles), {}, rejected)
 
 
-def agreed(monkeypatch: pytest.MonkeyPatch, *cycles: Cycle) -> Cycle:
+def agreed(monkeypatch: pytest.MonkeyPatch, *lifecycles: RobotLifecycle) -> RobotLifecycle:
     """Return what several distros come to."""
-    by_distro = {each.distro: each for each in cycles}
-    monkeypatch.setattr(candidates, "_errors_by_distro", lambda _: [(distro, []) for distro in by_distro])
-    monkeypatch.setattr(candidates, "life_cycle", lambda _project, distro, _errors: by_distro[distro])
+    by_distro = {each.distro: each for each in lifecycles}
+    monkeypatch.setattr(possible_distros, "_errors_by_distro", lambda _: [(distro, []) for distro in by_distro])
+    monkeypatch.setattr(possible_distros, "lifecycle_in", lambda _project, distro, _errors: by_distro[distro])
     seen: Any = SimpleNamespace(project=None)
-    return cycle_of(seen)
+    return lifecycle_of(seen)
 
 
-def fates(made: Cycle) -> dict[str, dict[str, str]]:
-    return {each.name: dict(each.by_distro) for each in made.ways if each.by_distro}
+def fates(made: RobotLifecycle) -> dict[str, dict[str, str]]:
+    return {each.name: dict(each.by_distro) for each in made.controllers if each.by_distro}
 
 
 def test_one_distro_is_taken_as_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
-    only = cycle("jazzy", way("arm", WRONG))
+    only = lifecycle("jazzy", way("arm", WRONG))
     assert agreed(monkeypatch, only) is only
 
 
 def test_the_newest_of_the_distros_in_which_most_controllers_start_moves(monkeypatch: pytest.MonkeyPatch) -> None:
     both = way("arm"), way("hand")
     made = agreed(
-        monkeypatch, cycle("humble", *both), cycle("jazzy", *both), cycle("kilted", way("arm"), way("hand", WRONG))
+        monkeypatch,
+        lifecycle("humble", *both),
+        lifecycle("jazzy", *both),
+        lifecycle("kilted", way("arm"), way("hand", WRONG)),
     )
     assert made.distro == "jazzy"
 
 
 def test_what_all_distros_agree_on_is_certain(monkeypatch: pytest.MonkeyPatch) -> None:
     made = agreed(
-        monkeypatch, cycle("humble", way("arm"), way("hand", WRONG)), cycle("jazzy", way("arm"), way("hand", WRONG))
+        monkeypatch,
+        lifecycle("humble", way("arm"), way("hand", WRONG)),
+        lifecycle("jazzy", way("arm"), way("hand", WRONG)),
     )
     assert fates(made) == {}
     assert [(one.code, one.controller) for one in made.troubles] == [("UC904", "hand")]
 
 
 def test_a_controller_that_fails_everywhere_for_another_reason_fails(monkeypatch: pytest.MonkeyPatch) -> None:
-    made = agreed(monkeypatch, cycle("humble", way("arm", WRONG)), cycle("jazzy", way("arm", UNKNOWN)))
+    made = agreed(monkeypatch, lifecycle("humble", way("arm", WRONG)), lifecycle("jazzy", way("arm", UNKNOWN)))
     assert fates(made) == {}
     assert [one.code for one in made.troubles] == ["UC904"]
 
@@ -76,8 +85,8 @@ def test_a_controller_that_fails_everywhere_for_another_reason_fails(monkeypatch
 def test_what_differs_is_a_warning_that_names_each_distro(monkeypatch: pytest.MonkeyPatch) -> None:
     made = agreed(
         monkeypatch,
-        cycle("humble", way("arm"), way("hand"), way("foot")),
-        cycle("jazzy", way("arm"), way("hand", WRONG), way("foot", WRONG)),
+        lifecycle("humble", way("arm"), way("hand"), way("foot")),
+        lifecycle("jazzy", way("arm"), way("hand", WRONG), way("foot", WRONG)),
     )
     fate = {"humble": "becomes active", "jazzy": "cannot be configured: a parameter is missing"}
     assert fates(made) == {"hand": fate, "foot": fate}
@@ -91,9 +100,9 @@ def test_what_rejects_the_robot_counts_if_all_distros_reject_it(
     rejected_too: str, codes: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     fault = Trouble("UC902", "robot", "the hardware is rejected", None)
-    humble = cycle("humble", way("arm"), rejected=rejected_too)
+    humble = lifecycle("humble", way("arm"), rejected=rejected_too)
     made = agreed(
-        monkeypatch, humble, cycle("jazzy", way("arm"), rejected="the hardware is rejected", troubles=(fault,))
+        monkeypatch, humble, lifecycle("jazzy", way("arm"), rejected="the hardware is rejected", troubles=(fault,))
     )
     assert [one.code for one in made.troubles] == codes
 
@@ -102,14 +111,16 @@ def test_the_cause_of_a_difference_is_that_of_the_controller_before_that_of_the_
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     of_robot = Trouble("UC902", "robot", "the hardware is rejected", None)
-    jazzy = cycle("jazzy", way("arm", WRONG))
+    jazzy = lifecycle("jazzy", way("arm", WRONG))
     jazzy = jazzy._replace(troubles=(of_robot, *jazzy.troubles))
-    [trouble] = agreed(monkeypatch, cycle("humble", way("arm")), jazzy).troubles
+    [trouble] = agreed(monkeypatch, lifecycle("humble", way("arm")), jazzy).troubles
     assert trouble.notes == ("arm fails: a parameter is missing in arm.yaml",)
 
 
 def test_a_cause_that_says_no_more_than_the_fates_is_not_repeated(monkeypatch: pytest.MonkeyPatch) -> None:
-    [trouble] = agreed(monkeypatch, cycle("humble", way("arm")), cycle("jazzy", way("arm", WRONG), detail="")).troubles
+    [trouble] = agreed(
+        monkeypatch, lifecycle("humble", way("arm")), lifecycle("jazzy", way("arm", WRONG), detail="")
+    ).troubles
     assert trouble.notes == ()
 
 
@@ -118,7 +129,9 @@ def test_distros_in_which_a_type_does_not_exist_share_a_fate(monkeypatch: pytest
         distro: way("arm", Refusal(Stage.LOAD, f"type 'a/B' does not exist in {distro}, only in foxy; use 'a/C'"))
         for distro in ("galactic", "humble", "iron")
     }
-    made = agreed(monkeypatch, cycle("foxy", way("arm")), *(cycle(distro, each) for distro, each in gone.items()))
+    made = agreed(
+        monkeypatch, lifecycle("foxy", way("arm")), *(lifecycle(distro, each) for distro, each in gone.items())
+    )
     assert fates_in_words(fates(made)["arm"]) == (
         "it becomes active in foxy; it cannot be loaded in galactic to iron: "
         "type 'a/B' does not exist there, only in foxy; use 'a/C'"
@@ -142,6 +155,6 @@ def test_a_controller_that_depends_on_the_distro_is_warned_at_the_first_stage_th
     fate: str, stage: Stage
 ) -> None:
     by_distro = {"humble": "becomes active", "iron": "cannot be activated: y", "jazzy": fate}
-    made = result_of(way("arm")._replace(by_distro=by_distro))
+    made = result_without_motion(way("arm")._replace(by_distro=by_distro))
     assert (made.verdict, made.stage) == (Verdict.WARNED, stage)
-    assert result_of(way("arm")).verdict is Verdict.SKIPPED
+    assert result_without_motion(way("arm")).verdict is Verdict.SKIPPED

@@ -9,7 +9,7 @@ from smoke_robots import Arm, Rover
 from smoking import codes, smoked, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
-from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.results import RobotResult
 
 WHEEL_LOOPS = """
 controller_manager:
@@ -92,7 +92,7 @@ mover:
 SENSOR = "".join(f'<state_interface name="{kind}.{way}"/>' for kind in ("force", "torque") for way in ("x", "y", "z"))
 
 
-def made(folder: Path, urdf: str, yaml: str, engine: str | None = None) -> Smoked:
+def made(folder: Path, urdf: str, yaml: str, engine: str | None = None) -> RobotResult:
     target = target_of(folder, {"robot.urdf": urdf, "controllers.yaml": yaml})
     return whole(target, engine, distro="jazzy") if engine else smoked(target, distro="jazzy")
 

@@ -7,11 +7,18 @@ import math
 import pytest
 
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke.checks import Journey, Track, forward_troubles, joint_troubles, together_troubles, turn_troubles
-from urdfctl.smoke.engines import Standing
-from urdfctl.smoke.mechanism import Hinge
-from urdfctl.smoke.motions import Goal
-from urdfctl.smoke.tasks import Drive, Family, Gains, Task
+from urdfctl.smoke.engines.engine import BasePose
+from urdfctl.smoke.motion.checks import (
+    Journey,
+    Track,
+    forward_troubles,
+    joint_troubles,
+    together_troubles,
+    turn_troubles,
+)
+from urdfctl.smoke.robot.mechanism import Hinge
+from urdfctl.smoke.tasks.goals import Goal
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily, PidGains
 
 HINGE = Hinge(
     name="j", type="revolute", parent="a", child="b", pose=Pose(), axis=(0, 0, 1), lower=-1.0, upper=1.0, velocity=1.0
@@ -30,20 +37,20 @@ def moved_to(place: float, peak: float = 0.0, swing: float = 0.0, speed: float =
     return Track(start + swings[::-1] if last % 2 == 0 else start + swings, velocities + speeds, [], [])
 
 
-def codes(task: Task, track: Track, by: float = 0.2, weight: float = 0.0, hinge: Hinge = HINGE) -> list[str]:
+def codes(task: ControllerTask, track: Track, by: float = 0.2, weight: float = 0.0, hinge: Hinge = HINGE) -> list[str]:
     goal = Goal(hinge, 0.0, by, weight)
     return [trouble.code for trouble in joint_troubles(task, [goal], [track], 2.0)]
 
 
-TRAJECTORY = Task("arm", Family.TRAJECTORY, ("j",), "position", (Gains(),))
-PUSHED_BY = Task("arm", Family.TRAJECTORY, ("j",), "effort", (Gains(p=10.0),))
-VELOCITY = Task("arm", Family.FORWARD, ("j",), "velocity")
-EFFORT = Task("arm", Family.FORWARD, ("j",), "effort")
-LOOP = Task("arm", Family.VELOCITY_PID, ("j",), "effort", (Gains(p=1.0),))
+TRAJECTORY = ControllerTask("arm", MotionFamily.TRAJECTORY, ("j",), "position", (PidGains(),))
+PUSHED_BY = ControllerTask("arm", MotionFamily.TRAJECTORY, ("j",), "effort", (PidGains(p=10.0),))
+VELOCITY = ControllerTask("arm", MotionFamily.FORWARD, ("j",), "velocity")
+EFFORT = ControllerTask("arm", MotionFamily.FORWARD, ("j",), "effort")
+LOOP = ControllerTask("arm", MotionFamily.VELOCITY_PID, ("j",), "effort", (PidGains(p=1.0),))
 
 
 @pytest.mark.parametrize(("task", "has_gains"), [(TRAJECTORY, False), (PUSHED_BY, True)])
-def test_advice_on_gains_is_for_controllers_that_have_gains(task: Task, has_gains: bool) -> None:
+def test_advice_on_gains_is_for_controllers_that_have_gains(task: ControllerTask, has_gains: bool) -> None:
     goal = Goal(HINGE, 0.0, 0.2, 0.0)
     for track in (moved_to(0.2, swing=0.05, speed=0.2), moved_to(0.0)):
         (trouble,) = joint_troubles(task, [goal], [track], 2.0)
@@ -133,11 +140,11 @@ def test_loops_disturb_each_other_from_a_small_swing_on(swing: float, speed: flo
 # -- mobile bases ----------------------------------------------------------------------------------------------------
 
 
-START = Standing(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+START = BasePose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 TWO = Drive(("l",), ("r",), radius=0.1, separation=0.4)
 FOUR = Drive(("l", "ll"), ("r", "rr"), radius=0.1, separation=0.4)
 STEERED = Drive(driven=("d",), steered=("s",), radius=0.1, wheelbase=1.0)
-BASE = Task("base", Family.DIFFERENTIAL, ("l", "r"), "velocity", drive=TWO)
+BASE = ControllerTask("base", MotionFamily.DIFFERENTIAL, ("l", "r"), "velocity", drive=TWO)
 
 
 def journey(ahead: float = 1.0, yaw: float = 0.0, facing: float = 0.0) -> Journey:

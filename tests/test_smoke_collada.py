@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 from smoke_robots import Rover
-from smoking import codes, target_of, verdicts, whole
+from smoking import checked, codes, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
 from urdfctl.config.settings import Settings
 from urdfctl.load.loader import Loader
-from urdfctl.smoke.collada import corners_of_collada
-from urdfctl.smoke.job import Wanted, prepared_robot
+from urdfctl.smoke.robot.collada import corners_of_collada
+from urdfctl.smoke.run import SmokeRequest
 
 BOX = " ".join(f"{x} {y} {z}" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1))
 FACES = "0 1 3 0 3 2 4 6 7 4 7 5 0 4 5 0 5 1 2 3 7 2 7 6 0 2 6 0 6 4 1 5 7 1 7 3"
@@ -101,4 +101,4 @@ def test_a_mesh_of_a_dae_file_that_reaches_too_deep_lifts_the_wheels(tmp_path: P
 def test_the_formulas_read_meshes_of_dae_files_too(tmp_path: Path) -> None:
     target = target_of(tmp_path, {"robot.urdf": rover(tmp_path, 0.2), "controllers.yaml": Rover().yaml()})
     loader = Loader(Settings(distro="jazzy", workspace=str(tmp_path)))
-    assert "UC940" in codes(prepared_robot(loader, target, Wanted()).smoked)
+    assert "UC940" in codes(checked(loader, target, SmokeRequest()).result)

@@ -7,10 +7,10 @@ import math
 import pytest
 
 from urdfctl.model.geometry import Pose, Vector
-from urdfctl.smoke.drives import drive_troubles
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
 from urdfctl.smoke.results import Trouble
-from urdfctl.smoke.tasks import Drive, Family, Task
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.statics.drives import drive_troubles
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily
 
 LEFT, RIGHT, UP, DOWN = (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
 PAIR = {"l": (0.0, 0.2, 0.0), "r": (0.0, -0.2, 0.0)}
@@ -24,7 +24,7 @@ def found(
     drive: Drive | None,
     places: dict[str, Vector],
     axes: dict[str, Vector] | None = None,
-    tasks: tuple[Task, ...] = (),
+    tasks: tuple[ControllerTask, ...] = (),
     **fields: object,
 ) -> list[Trouble]:
     """Return what is wrong with wheels of 0.1 m at some places; they turn about y unless other axes are given."""
@@ -33,9 +33,9 @@ def found(
         axis = (axes or {}).get(name, LEFT)
         made = Hinge(name, "continuous", parent="base", child=f"{name}_link", pose=Pose(place), axis=axis)
         hinges.append(made._replace(effort=20.0, velocity=20.0)._replace(**fields))  # type: ignore[arg-type]
-    bodies = [Body("base", 5.0), *(Body(hinge.child, 0.5, radius=0.1) for hinge in hinges)]
+    bodies = [LinkBody("base", 5.0), *(LinkBody(hinge.child, 0.5, radius=0.1) for hinge in hinges)]
     mechanism = Mechanism("base", {body.name: body for body in bodies}, tuple(hinges))
-    task = Task("base", Family.DIFFERENTIAL, tuple(places), "velocity", drive=drive)
+    task = ControllerTask("base", MotionFamily.DIFFERENTIAL, tuple(places), "velocity", drive=drive)
     return list(drive_troubles(mechanism, tasks or (task,)))
 
 
@@ -145,7 +145,7 @@ def test_a_wheel_in_the_middle_has_no_direction_from_there() -> None:
 def plain(
     places: dict[str, Vector], axes: dict[str, Vector], interface: str = "velocity", **fields: object
 ) -> list[str]:
-    task = Task("wheels", Family.FORWARD, tuple(places), interface)
+    task = ControllerTask("wheels", MotionFamily.FORWARD, tuple(places), interface)
     return [f"{one.code} {one.subject}" for one in found(None, places, axes, (task,), **fields)]
 
 
@@ -154,7 +154,9 @@ def test_wheels_that_turn_against_those_of_the_other_side_are_mirrored() -> None
     assert plain(PAIR, {"r": RIGHT}) == ["UC959 joint:r"]
     assert plain(PAIR, {"r": RIGHT}, "position") == []
     assert plain(PAIR, {"r": RIGHT}, type="revolute") == []
-    [trouble] = found(None, PAIR, {"r": RIGHT}, (Task("wheels", Family.FORWARD, ("l", "r"), "velocity"),))
+    [trouble] = found(
+        None, PAIR, {"r": RIGHT}, (ControllerTask("wheels", MotionFamily.FORWARD, ("l", "r"), "velocity"),)
+    )
     assert "'l'" in trouble.message
     three = {**PAIR, "l2": (-0.3, 0.2, 0.0)}
     assert plain(three, {"l": RIGHT, "l2": RIGHT}) == ["UC959 joint:r"]

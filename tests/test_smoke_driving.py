@@ -8,18 +8,18 @@ import pytest
 from smoke_obedient import Obedient, hinge, trial
 
 from urdfctl.model.geometry import Pose, of_angles
-from urdfctl.smoke.driving import facing_of, measured
-from urdfctl.smoke.mechanism import Body, Mechanism
-from urdfctl.smoke.tasks import Drive, Family, Gains, Task
-from urdfctl.smoke.trial import Trial
+from urdfctl.smoke.motion.mobile_base import facing_of, with_measured_wheels
+from urdfctl.smoke.motion.trial import MotionTrial
+from urdfctl.smoke.robot.mechanism import LinkBody, Mechanism
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily, PidGains
 
 WHEELS = tuple(hinge(name, f"{name}w", type="continuous", velocity=20.0) for name in ("l", "r"))
 PAIR = Drive(("l",), ("r",), radius=0.1, separation=0.4)
 """As the wheels of the engine are."""
 
 
-def driven(drive: Drive = PAIR, engine: str = "pybullet", **fields: object) -> Trial:
-    task = Task("base", Family.DIFFERENTIAL, ("l", "r"), "velocity", drive=drive)._replace(**fields)  # type: ignore[arg-type]
+def driven(drive: Drive = PAIR, engine: str = "pybullet", **fields: object) -> MotionTrial:
+    task = ControllerTask("base", MotionFamily.DIFFERENTIAL, ("l", "r"), "velocity", drive=drive)._replace(**fields)  # type: ignore[arg-type]
     return trial(Obedient(), WHEELS, (task,), fixed=False, engine=engine)
 
 
@@ -60,17 +60,19 @@ class Pushed(Obedient):
 @pytest.mark.parametrize(
     ("joints", "gains", "plain", "pushed"),
     [
-        (("l", "r"), (Gains(p=1.0), Gains(p=1.0)), False, {"l", "r"}),
-        (("l", "r", "arm"), (Gains(p=1.0),) * 3, False, {"l", "r"}),
+        (("l", "r"), (PidGains(p=1.0), PidGains(p=1.0)), False, {"l", "r"}),
+        (("l", "r", "arm"), (PidGains(p=1.0),) * 3, False, {"l", "r"}),
         (("l", "r"), (), False, set()),
-        (("l", "r"), (Gains(p=1.0), Gains(p=1.0)), True, set()),
+        (("l", "r"), (PidGains(p=1.0), PidGains(p=1.0)), True, set()),
     ],
 )
 def test_the_loops_of_its_wheels_drive_a_base(
-    joints: tuple[str, ...], gains: tuple[Gains, ...], plain: bool, pushed: set[str]
+    joints: tuple[str, ...], gains: tuple[PidGains, ...], plain: bool, pushed: set[str]
 ) -> None:
     engine = Pushed()
-    task = Task("base", Family.DIFFERENTIAL, joints, "effort", gains, drive=PAIR._replace(plain=plain))
+    task = ControllerTask(
+        "base", MotionFamily.DIFFERENTIAL, joints, "effort", gains, drive=PAIR._replace(is_inferred=plain)
+    )
     trial(engine, (*WHEELS, hinge("arm", "a")), (task,), fixed=False)
     assert engine.pushed == pushed
 
@@ -81,17 +83,22 @@ def test_the_loops_of_its_wheels_drive_a_base(
 def robot(turn: float = 0.0) -> Mechanism:
     placed = [wheel._replace(pose=Pose((0.0, y, 0.0))) for wheel, y in zip(WHEELS, (0.2, -0.2), strict=True)]
     frame = hinge("mount", "frame", type="fixed", pose=Pose((0.0, 0.0, 0.0), of_angles(0.0, 0.0, turn)))
-    bodies = {"base": Body("base"), "frame": Body("frame"), "lw": Body("lw", radius=0.1), "rw": Body("rw", radius=0.1)}
+    bodies = {
+        "base": LinkBody("base"),
+        "frame": LinkBody("frame"),
+        "lw": LinkBody("lw", radius=0.1),
+        "rw": LinkBody("rw", radius=0.1),
+    }
     return Mechanism("base", bodies, (*placed, frame))
 
 
 def test_a_controller_without_measures_takes_those_of_the_robot() -> None:
-    bare = measured(robot(), Drive(("l",), ("r",)))
+    bare = with_measured_wheels(robot(), Drive(("l",), ("r",)))
     assert (bare.radius, bare.separation) == pytest.approx((0.1, 0.4))
-    own = measured(robot(), Drive(("l",), ("r",), radius=0.2, separation=0.5))
+    own = with_measured_wheels(robot(), Drive(("l",), ("r",), radius=0.2, separation=0.5))
     assert (own.radius, own.separation) == (0.2, 0.5)
-    assert measured(robot(), Drive(("nowhere",), ("r",))).radius == 0.1
-    assert measured(robot(), Drive(driven=("l",))).separation == 0.0
+    assert with_measured_wheels(robot(), Drive(("nowhere",), ("r",))).radius == 0.1
+    assert with_measured_wheels(robot(), Drive(driven=("l",))).separation == 0.0
 
 
 @pytest.mark.parametrize("turn", [0.0, 1.0, math.pi - 0.1, -2.0])
@@ -123,7 +130,7 @@ def test_wheels_with_rollers_turn_in_the_air_long_enough_to_be_judged(
         hinge(name, f"{name}w", type="continuous", velocity=20.0, pose=Pose((x, y, 0.0)))
         for name, (x, y) in PLACES.items()
     )
-    task = Task("base", Family.ROLLERS, tuple(PLACES), "velocity", rolling=drive)
+    task = ControllerTask("base", MotionFamily.ROLLERS, tuple(PLACES), "velocity", rolling=drive)
     made = trial(Rolling(), wheels, (task,), fixed=fixed)
     assert [trouble.code for trouble in made.troubles] == codes
     assert made.acts == ({"base": "rolls"} if fixed else {})

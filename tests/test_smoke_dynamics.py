@@ -10,12 +10,12 @@ import pytest
 from smoking_engines import EACH_ENGINE
 
 from urdfctl.model.geometry import Pose, Rotation, of_angles
-from urdfctl.smoke.engines import STEP, Setup, open_engine
-from urdfctl.smoke.loads import GRAVITY
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.prepare import mechanism_urdf
-from urdfctl.smoke.stability import closed_loop, mass_matrix
-from urdfctl.smoke.tasks import Gains
+from urdfctl.smoke.engines.engine import STEP, EngineSetup, open_engine
+from urdfctl.smoke.engines.urdf import mechanism_urdf
+from urdfctl.smoke.robot.loads import GRAVITY
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.statics.stability import closed_loop, mass_matrix
+from urdfctl.smoke.tasks.task import PidGains
 
 COMPILER = '<mujoco><compiler fusestatic="false" balanceinertia="false" angle="radian"/></mujoco>'
 
@@ -27,7 +27,7 @@ def arm(seed: int) -> Mechanism:
     def vector(size: float) -> tuple[float, float, float]:
         return chance.uniform(-size, size), chance.uniform(-size, size), chance.uniform(-size, size)
 
-    bodies, hinges = {"l0": Body("l0", 1.0, inertia=ball(0.01))}, []
+    bodies, hinges = {"l0": LinkBody("l0", 1.0, inertia=ball(0.01))}, []
     for n, kind in enumerate(("revolute", "revolute", chance.choice(["prismatic", "revolute"])), 1):
         x, y, z = vector(1.0)
         length = math.sqrt(x * x + y * y + z * z)
@@ -35,7 +35,7 @@ def arm(seed: int) -> Mechanism:
         hinge = Hinge(f"j{n}", kind, parent=f"l{n - 1}", child=f"l{n}", pose=pose, axis=axis, lower=-3.0, upper=3.0)
         hinges.append(hinge)
         moment = ball(chance.uniform(0.01, 0.05))
-        bodies[f"l{n}"] = Body(f"l{n}", chance.uniform(0.5, 3.0), centre=vector(0.3), inertia=moment)
+        bodies[f"l{n}"] = LinkBody(f"l{n}", chance.uniform(0.5, 3.0), centre=vector(0.3), inertia=moment)
     return Mechanism("l0", bodies, tuple(hinges))
 
 
@@ -63,7 +63,7 @@ def test_the_mass_matrix_is_that_of_mujoco(seed: int) -> None:
     assert numpy.array(mass_matrix(robot, robot.movable)) == pytest.approx(expected, rel=1e-6, abs=1e-9)
 
 
-def simulated_growth(robot: Mechanism, gains: list[Gains], period: float, swing: float) -> float:
+def simulated_growth(robot: Mechanism, gains: list[PidGains], period: float, swing: float) -> float:
     """Return the growth of the loop's motion in a period, from the motion of the robot in MuJoCo without gravity.
 
     The motion is scaled back after each period, so that it stays small. Its size counts velocities as those of a swing,
@@ -93,7 +93,7 @@ def test_coupled_loops_grow_as_fast_as_in_mujoco(seed: int, p: float, d: float, 
     robot, period = arm(seed), 0.01
     inertia = mass_matrix(robot, robot.movable)
     own = [inertia[n][n] for n in range(len(inertia))]
-    gains = [Gains(p=p * moment / period**2, d=d * moment / period) for moment in own]
+    gains = [PidGains(p=p * moment / period**2, d=d * moment / period) for moment in own]
     growth, _ = closed_loop(inertia, [[0.0] * 3 for _ in gains], [0.0] * 3, gains, period)
     assert (growth > 1.0) == grows
     assert simulated_growth(robot, gains, period, math.sqrt(p) / period) == pytest.approx(growth, rel=3e-3)
@@ -115,7 +115,7 @@ def test_an_arm_that_falls_keeps_its_energy(engine: str, seed: int) -> None:
     """Coriolis and centrifugal forces do no work; without them, or with a wrong inertia, the sum would change."""
     robot = arm(seed)
     names = [hinge.name for hinge in robot.hinges]
-    falling = open_engine(engine, Setup(mechanism_urdf(robot), root="l0", fixed=True, start=robot.start()))
+    falling = open_engine(engine, EngineSetup(mechanism_urdf(robot), root="l0", fixed=True, start=robot.start()))
     try:
         for name in names:
             falling.with_effort(name, 0.0)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from smoke_robots import ARMS, ROVERS, Arm, Rover, link
-from smoking import codes, target_of, verdicts, whole
+from smoking import checked, codes, smoked_in_workers, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE, INSTALLED, needs_pybullet
 
 from urdfctl.config.settings import Settings
@@ -15,20 +15,15 @@ from urdfctl.lint.job import job_for, perform_alone
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.run.limits import WorkerFailure
-from urdfctl.smoke.engines import Refused, Setup, open_engine
-from urdfctl.smoke.job import (
-    PreparedRobot,
-    Wanted,
-    moved,
-    prepare_work,
-    prepared_robot,
-    smoke_all,
-)
-from urdfctl.smoke.plan import Plan, Tried
-from urdfctl.smoke.prepare import mesh_fault
-from urdfctl.smoke.results import Smoked, Verdict
-from urdfctl.smoke.runs import trial_job, without_meshes
-from urdfctl.smoke.trial import tried
+from urdfctl.smoke.checked_robot import CheckedRobot
+from urdfctl.smoke.engines.engine import EngineSetup, RobotRejected, open_engine
+from urdfctl.smoke.engines.urdf import mesh_fault
+from urdfctl.smoke.motion.engine_workers import run_trial_job, without_meshes
+from urdfctl.smoke.motion.plan import MotionPlan, SimulationResult
+from urdfctl.smoke.motion.trial import run_trial
+from urdfctl.smoke.results import RobotResult, Verdict
+from urdfctl.smoke.robot_motion import with_engine_result
+from urdfctl.smoke.run import SmokeRequest, load_and_judge
 
 JAZZY = Settings(distro="jazzy")
 
@@ -92,7 +87,7 @@ def test_a_robot_that_crashes_engines_ends_in_a_finding(tmp_path: Path, text: st
         (tmp_path / name).write_bytes(data)
     urdf = text if "<robot" in text else f'<robot name="r">{text}</robot>'
     files = {"robot.urdf": urdf, "controllers.yaml": Rover().yaml()} if "wheel" in text else {"robot.urdf": urdf}
-    [made] = smoke_all([target_of(tmp_path, files)], [JAZZY], Wanted(engines=("pybullet",)), 1)
+    [made] = smoked_in_workers([target_of(tmp_path, files)], [JAZZY], SmokeRequest(engines=("pybullet",)), 1)
     assert code in codes(made)
     assert "UC000" not in codes(made)
 
@@ -100,10 +95,10 @@ def test_a_robot_that_crashes_engines_ends_in_a_finding(tmp_path: Path, text: st
 @needs_pybullet
 def test_a_robot_with_too_many_joints_for_one_engine_is_simulated_in_the_other(tmp_path: Path) -> None:
     target = target_of(tmp_path, {"robot.urdf": f'<robot name="r">{chain(128)}</robot>'})
-    [made] = smoke_all([target], [JAZZY], Wanted(engines=("pybullet",)), 1)
+    [made] = smoked_in_workers([target], [JAZZY], SmokeRequest(engines=("pybullet",)), 1)
     assert codes(made) == ["UC921"]
     if "mujoco" in INSTALLED:
-        [made] = smoke_all([target], [JAZZY], Wanted(engines=("pybullet",), instead=("mujoco",)), 1)
+        [made] = smoked_in_workers([target], [JAZZY], SmokeRequest(engines=("pybullet",), instead=("mujoco",)), 1)
         assert (codes(made), made.engine) == ([], "mujoco")
 
 
@@ -137,20 +132,20 @@ def test_an_enormous_mesh_is_ignored(tmp_path: Path) -> None:
 # -- what workers pass on --------------------------------------------------------------------------------------------
 
 
-def read(folder: Path, robot: Rover | Arm, *engines: str) -> PreparedRobot:
+def read(folder: Path, robot: Rover | Arm, *engines: str) -> CheckedRobot:
     target = target_of(folder, {"robot.urdf": robot.urdf(), "controllers.yaml": robot.yaml()})
-    return prepared_robot(Loader(JAZZY), target, Wanted(engines=engines or ("pybullet",)))
+    return checked(Loader(JAZZY), target, SmokeRequest(engines=engines or ("pybullet",)))
 
 
 @pytest.mark.parametrize("robot", [ROVERS["large and heavy"], ARMS["joints that lift"]], ids=["rover", "arm"])
 def test_a_prepared_robot_and_its_plan_survive_as_json(tmp_path: Path, robot: Rover | Arm) -> None:
     made = read(tmp_path, robot)
-    again = PreparedRobot.from_json(json.loads(json.dumps(made.to_json())))
+    again = CheckedRobot.from_json(json.loads(json.dumps(made.to_json())))
     assert again.plan == made.plan
-    assert again.smoked.controllers == made.smoked.controllers
-    assert again.anchors == made.anchors
+    assert again.result.controllers == made.result.controllers
+    assert again.placed == made.placed
     assert made.plan is not None
-    assert Plan.from_json(json.loads(json.dumps(made.plan.to_json()))) == made.plan
+    assert MotionPlan.from_json(json.loads(json.dumps(made.plan.to_json()))) == made.plan
 
 
 @needs_pybullet
@@ -158,23 +153,23 @@ def test_twice_is_the_same_and_survives_as_json(tmp_path: Path) -> None:
     made = read(tmp_path, Rover())
     assert made.plan is not None
     plan = made.plan._replace(engine="pybullet")
-    first, second = tried(plan), tried(plan)
+    first, second = run_trial(plan), run_trial(plan)
     assert first.curves == second.curves
-    assert Tried.from_json(json.loads(json.dumps(first._asdict()))) == first
+    assert SimulationResult.from_json(json.loads(json.dumps(first._asdict()))) == first
 
 
 def test_an_engine_that_crashes_is_reported_and_nothing_passes(tmp_path: Path) -> None:
     made = read(tmp_path, Rover())
-    after = moved(made.smoked, made, "pybullet", WorkerFailure("the worker was ended by SIGSEGV"))
+    after = with_engine_result(made.result, made, "pybullet", WorkerFailure("the worker was ended by SIGSEGV"))
     assert codes(after) == ["UC920"]
     assert verdicts(after) == {"states": "skipped activate", "base": "skipped activate"}
-    refused = moved(made.smoked, made, "pybullet", Tried(refused="it says no"))
+    refused = with_engine_result(made.result, made, "pybullet", SimulationResult(refused="it says no"))
     assert codes(refused) == ["UC921"]
     assert {controller.reason for controller in refused.controllers} == {"not simulated: pybullet rejects the robot"}
 
 
 def test_a_robot_is_tried_again_without_its_meshes(tmp_path: Path) -> None:
-    plan = Plan(
+    plan = MotionPlan(
         "pybullet",
         '<a/>\n<collision><mesh filename="x.stl"/></collision>\n<b/>',
         read(tmp_path, Rover()).plan.mechanism,
@@ -189,15 +184,15 @@ def test_a_robot_is_tried_again_without_its_meshes(tmp_path: Path) -> None:
 @needs_pybullet
 def test_a_worker_can_begin_with_a_job_alone(tmp_path: Path) -> None:
     target = target_of(tmp_path, {"robot.urdf": Rover().urdf(), "controllers.yaml": Rover().yaml()})
-    wanted = Wanted(engines=("pybullet",))
-    job = job_for(prepare_work, target, JAZZY, details=wanted._asdict())
+    wanted = SmokeRequest(engines=("pybullet",))
+    job = job_for(load_and_judge, target, JAZZY, details=wanted._asdict())
     made = perform_alone(json.loads(json.dumps(job)))
     plan = {**made["plan"], "engine": "pybullet"}
     import os
 
     kept, current = (os.dup(1), os.dup(2)), os.getcwd()
     try:
-        result = trial_job({"plan": plan, "output": str(tmp_path / "output"), "live": False})
+        result = run_trial_job({"plan": plan, "output": str(tmp_path / "output"), "live": False})
     finally:
         for number, descriptor in enumerate(kept, 1):
             os.dup2(descriptor, number)
@@ -209,7 +204,7 @@ def test_a_worker_can_begin_with_a_job_alone(tmp_path: Path) -> None:
 @needs_pybullet
 def test_two_engines_move_a_robot_one_after_the_other(tmp_path: Path) -> None:
     target = target_of(tmp_path, {"robot.urdf": Rover().urdf(), "controllers.yaml": Rover().yaml()})
-    [made] = smoke_all([target], [JAZZY], Wanted(engines=tuple(INSTALLED)), 1)
+    [made] = smoked_in_workers([target], [JAZZY], SmokeRequest(engines=tuple(INSTALLED)), 1)
     assert made.engine == " and ".join(INSTALLED)
     assert made.count(Verdict.PASSED) == 2
 
@@ -217,14 +212,14 @@ def test_two_engines_move_a_robot_one_after_the_other(tmp_path: Path) -> None:
 @pytest.mark.parametrize("engine", EACH_ENGINE)
 def test_an_engine_says_why_it_rejects_a_robot(engine: str) -> None:
     start = {f"j{n}": 0.0 for n in range(200)} if engine == "pybullet" else {}
-    with pytest.raises(Refused):
-        open_engine(engine, Setup("<robot name='r'><joint name='j'/></robot>", "base", True, start))
+    with pytest.raises(RobotRejected):
+        open_engine(engine, EngineSetup("<robot name='r'><joint name='j'/></robot>", "base", True, start))
 
 
 @needs_pybullet
 def test_pybullet_rejects_a_file_that_is_not_urdf() -> None:
-    with pytest.raises(Refused, match=r"^Cannot load URDF file\.$"):
-        open_engine("pybullet", Setup("<robot>", "base", True, {}))
+    with pytest.raises(RobotRejected, match=r"^Cannot load URDF file\.$"):
+        open_engine("pybullet", EngineSetup("<robot>", "base", True, {}))
 
 
 # -- single motions --------------------------------------------------------------------------------------------------
@@ -241,7 +236,9 @@ mover:
 """
 
 
-def by(folder: Path, kind: str, parameters: str, interface: str, arm: Arm | None = None, **limits: float) -> Smoked:
+def by(
+    folder: Path, kind: str, parameters: str, interface: str, arm: Arm | None = None, **limits: float
+) -> RobotResult:
     """Return the smoke test of an arm with a controller of some type."""
     urdf = (arm or ARMS["joints that turn level"]).urdf(interface=interface, **limits)  # type: ignore[arg-type]
     yaml = CONTROLLED.format(kind=kind, parameters=parameters)
@@ -320,7 +317,7 @@ def test_a_controller_that_is_not_simulated_is_skipped_with_the_reason(tmp_path:
 def test_a_robot_without_a_description_is_not_moved(tmp_path: Path) -> None:
     path = tmp_path / "controllers.yaml"
     path.write_text(Rover().yaml(), encoding="utf-8")
-    made = prepared_robot(Loader(JAZZY), Target(str(path)), Wanted(engines=("pybullet",)))
+    made = checked(Loader(JAZZY), Target(str(path)), SmokeRequest(engines=("pybullet",)))
     assert made.plan is None
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke.assignments import Assignment, Step, TaskFile
-from urdfctl.smoke.fitting import kinds_of, misfits
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.tasks import Drive, Family, Task
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily
+from urdfctl.smoke.tasks.task_file import TaskFile, TaskStep, UserTask
+from urdfctl.smoke.tasks.task_file_check import kinds_of, misfits
 
 HELD = ("target", "trajectory")
 WHEELS = Drive(("l",), ("r",), radius=0.1, separation=0.4)
@@ -17,25 +17,25 @@ WHEELS = Drive(("l",), ("r",), radius=0.1, separation=0.4)
 @pytest.mark.parametrize(
     ("family", "interface", "drive", "kinds"),
     [
-        (Family.FORWARD, "position", None, HELD),
-        (Family.FORWARD, "velocity", None, ("velocity",)),
-        (Family.FORWARD, "effort", None, ()),
-        (Family.POSITION_PID, "effort", None, HELD),
-        (Family.POSITION_PID, "velocity", None, HELD),
-        (Family.TRAJECTORY, "position", None, HELD),
-        (Family.TRAJECTORY, "velocity", None, HELD),
-        (Family.VELOCITY_PID, "effort", None, ("velocity",)),
-        (Family.VELOCITY_PID, "position", None, ("velocity",)),
-        (Family.NOTHING, "position", None, ()),
-        (Family.NOTHING, "velocity", None, ()),
-        (Family.DIFFERENTIAL, "velocity", WHEELS, ("drive",)),
-        (Family.FORWARD, "velocity", WHEELS._replace(plain=True), ("velocity",)),
+        (MotionFamily.FORWARD, "position", None, HELD),
+        (MotionFamily.FORWARD, "velocity", None, ("velocity",)),
+        (MotionFamily.FORWARD, "effort", None, ()),
+        (MotionFamily.POSITION_PID, "effort", None, HELD),
+        (MotionFamily.POSITION_PID, "velocity", None, HELD),
+        (MotionFamily.TRAJECTORY, "position", None, HELD),
+        (MotionFamily.TRAJECTORY, "velocity", None, HELD),
+        (MotionFamily.VELOCITY_PID, "effort", None, ("velocity",)),
+        (MotionFamily.VELOCITY_PID, "position", None, ("velocity",)),
+        (MotionFamily.NOTHING, "position", None, ()),
+        (MotionFamily.NOTHING, "velocity", None, ()),
+        (MotionFamily.DIFFERENTIAL, "velocity", WHEELS, ("drive",)),
+        (MotionFamily.FORWARD, "velocity", WHEELS._replace(is_inferred=True), ("velocity",)),
     ],
 )
 def test_a_controller_can_hold_turn_or_drive(
-    family: Family, interface: str, drive: Drive | None, kinds: tuple[str, ...]
+    family: MotionFamily, interface: str, drive: Drive | None, kinds: tuple[str, ...]
 ) -> None:
-    assert kinds_of(Task("arm", family, ("j",), interface, drive=drive)) == kinds
+    assert kinds_of(ControllerTask("arm", family, ("j",), interface, drive=drive)) == kinds
 
 
 def told(start: tuple[tuple[str, float], ...] = (), velocity: float = 2.0, **fields: object) -> list[str]:
@@ -47,13 +47,13 @@ def told(start: tuple[tuple[str, float], ...] = (), velocity: float = 2.0, **fie
         hinge._replace(name="finger", mimic=("j", 1.0, 0.0), child="finger"),
         hinge._replace(name="wheel", type="continuous", child="wheel"),
     )
-    bodies = {name: Body(name) for name in ("base", "arm", "mount", "finger", "wheel")}
+    bodies = {name: LinkBody(name) for name in ("base", "arm", "mount", "finger", "wheel")}
     given = {"controller": "arm", "kind": "target", "joint": "j", "value": 0.5, **fields}
-    step = Step(1.0, ((str(given["joint"]), float(str(given["value"]))),), 7)
-    assignment = Assignment(str(given["controller"]), str(given["kind"]), (step,), (0, 0))
-    file = TaskFile("tasks.yaml", "", tuple((*pair, 3) for pair in start), (assignment,))
+    step = TaskStep(1.0, ((str(given["joint"]), float(str(given["value"]))),), 7)
+    user_task = UserTask(str(given["controller"]), str(given["kind"]), (step,), (0, 0))
+    file = TaskFile("tasks.yaml", "", tuple((*pair, 3) for pair in start), (user_task,))
     interface = "velocity" if given["kind"] == "velocity" else "position"
-    task = Task("arm", Family.FORWARD, ("j", "wheel"), interface)
+    task = ControllerTask("arm", MotionFamily.FORWARD, ("j", "wheel"), interface)
     mechanism = Mechanism("base", bodies, (hinge, *others))
     return [f"{one.line}: {one.message}" for one in misfits(file, mechanism, [task], ["arm", "stopped"])]
 

@@ -8,20 +8,23 @@ import random
 import pytest
 
 from urdfctl.model.geometry import Pose, of_angles
-from urdfctl.smoke.drives import assumed_sides, drive_troubles
-from urdfctl.smoke.ground import ground_troubles, resting
-from urdfctl.smoke.loads import effort_troubles, gravity_load, moved_inertias, worst_loads
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.prepare import mechanism_urdf
+from urdfctl.smoke.engines.urdf import mechanism_urdf
+from urdfctl.smoke.motion.mobile_base import assumed_sides
 from urdfctl.smoke.results import Trouble
-from urdfctl.smoke.shapes import Shape, Shapes, rim_of, with_rims
-from urdfctl.smoke.stability import loop_troubles, mass_matrix
-from urdfctl.smoke.tasks import Drive, Family, Gains, Task
+from urdfctl.smoke.robot.loads import gravity_load, moved_inertias, worst_loads
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.robot.rest_pose import rest_pose_of
+from urdfctl.smoke.robot.shapes import Shape, Shapes, rim_of, with_rims
+from urdfctl.smoke.statics.drives import drive_troubles
+from urdfctl.smoke.statics.efforts import effort_troubles
+from urdfctl.smoke.statics.ground import ground_troubles
+from urdfctl.smoke.statics.stability import loop_troubles, mass_matrix
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily, PidGains
 
 UP = (0.0, 0.0, 1.0)
 LEFT = (0.0, 1.0, 0.0)
-EFFORT = Task("arm", Family.TRAJECTORY, ("j",), "effort", (Gains(p=1000.0, d=100.0),))
-POSITION = Task("arm", Family.TRAJECTORY, ("j",), "position")
+EFFORT = ControllerTask("arm", MotionFamily.TRAJECTORY, ("j",), "effort", (PidGains(p=1000.0, d=100.0),))
+POSITION = ControllerTask("arm", MotionFamily.TRAJECTORY, ("j",), "position")
 
 
 def ball(moment: float) -> tuple[tuple[float, float, float], ...]:
@@ -32,14 +35,16 @@ def lift(**fields: object) -> Mechanism:
     """Return a carriage of 10 kg (98.1 N) on a vertical slide of 1 m."""
     hinge = Hinge("j", "prismatic", parent="base", child="arm", pose=Pose(), axis=UP)
     hinge = hinge._replace(lower=0.0, upper=1.0, effort=200.0, velocity=1.0)._replace(**fields)  # type: ignore[arg-type]
-    return Mechanism("base", {"base": Body("base"), "arm": Body("arm", 10.0)}, (hinge,))
+    return Mechanism("base", {"base": LinkBody("base"), "arm": LinkBody("arm", 10.0)}, (hinge,))
 
 
 def lever(mass: float = 1.0, **fields: object) -> Mechanism:
     """Return a lever whose mass is 1 m from a level axis, and hangs down at spawn: 9.81 N m when level."""
     hinge = Hinge("j", "revolute", parent="base", child="arm", pose=Pose(), axis=LEFT)
     hinge = hinge._replace(lower=-2.0, upper=2.0, effort=200.0, velocity=1.0)._replace(**fields)  # type: ignore[arg-type]
-    return Mechanism("base", {"base": Body("base"), "arm": Body("arm", mass, centre=(0.0, 0.0, -1.0))}, (hinge,))
+    return Mechanism(
+        "base", {"base": LinkBody("base"), "arm": LinkBody("arm", mass, centre=(0.0, 0.0, -1.0))}, (hinge,)
+    )
 
 
 def codes(troubles: object) -> list[str]:
@@ -52,7 +57,9 @@ def codes(troubles: object) -> list[str]:
 @pytest.mark.parametrize("moment", [0.0, -3.4e-23])
 def test_no_effort_is_too_little_for_a_link_without_inertia(moment: float) -> None:
     hinge = lever(0.0).hinges[0]._replace(effort=34.0)
-    weightless = Mechanism("base", {"base": Body("base"), "arm": Body("arm", 0.0, inertia=ball(moment))}, (hinge,))
+    weightless = Mechanism(
+        "base", {"base": LinkBody("base"), "arm": LinkBody("arm", 0.0, inertia=ball(moment))}, (hinge,)
+    )
     assert codes(effort_troubles(weightless, [POSITION])) == []
 
 
@@ -134,8 +141,8 @@ def test_the_worst_pose_of_a_long_arm_is_found() -> None:
         place = (0.0, 0.0, -1.0 if n else 0.0)
         made = Hinge(f"j{n}", "revolute", parent=f"l{n}", child=f"l{n + 1}", pose=Pose(place), axis=LEFT)
         hinges.append(made._replace(lower=-2.0, upper=2.0, effort=150.0, velocity=1.0))
-    bodies = {f"l{n}": Body(f"l{n}", 1.0, centre=(0.0, 0.0, -1.0)) for n in range(1, 6)}
-    arm = Mechanism("l0", {"l0": Body("l0"), **bodies}, tuple(hinges))
+    bodies = {f"l{n}": LinkBody(f"l{n}", 1.0, centre=(0.0, 0.0, -1.0)) for n in range(1, 6)}
+    arm = Mechanism("l0", {"l0": LinkBody("l0"), **bodies}, tuple(hinges))
     assert worst_loads(arm, arm.hinges)["j0"][0] == pytest.approx(15 * 9.81, rel=0.06)
 
 
@@ -146,20 +153,20 @@ def test_the_worst_pose_of_a_long_arm_is_found() -> None:
 def test_a_loop_needs_a_twentieth_of_the_critical_damping(d: float, expected: list[str]) -> None:
     """A mass of 1 kg m² on a gain of 100 swings at 10 rad/s: the damping ratio is d / 20."""
     arm = lever(axis=UP)
-    arm = arm._replace(bodies={**arm.bodies, "arm": Body("arm", 1.0, inertia=ball(1.0))})
-    task = EFFORT._replace(gains=(Gains(p=100.0, d=d),))
+    arm = arm._replace(bodies={**arm.bodies, "arm": LinkBody("arm", 1.0, inertia=ball(1.0))})
+    task = EFFORT._replace(gains=(PidGains(p=100.0, d=d),))
     assert codes(loop_troubles(arm, [task], 10000.0)) == expected
 
 
 @pytest.mark.parametrize(("p", "expected"), [(1030.0, []), (950.0, ["UC966"])])
 def test_a_joint_sags_by_a_tenth_of_its_range_at_most(p: float, expected: list[str]) -> None:
-    task = EFFORT._replace(gains=(Gains(p=p, d=200.0),))
+    task = EFFORT._replace(gains=(PidGains(p=p, d=200.0),))
     assert codes(loop_troubles(lift(), [task], 1000.0)) == expected
 
 
 def test_the_integral_part_holds_a_weight_up_to_its_clamp() -> None:
-    held = EFFORT._replace(gains=(Gains(p=500.0, i=500.0, d=200.0, clamp=100.0),))
-    clamped = EFFORT._replace(gains=(Gains(p=500.0, i=500.0, d=200.0, clamp=10.0),))
+    held = EFFORT._replace(gains=(PidGains(p=500.0, i=500.0, d=200.0, clamp=100.0),))
+    clamped = EFFORT._replace(gains=(PidGains(p=500.0, i=500.0, d=200.0, clamp=10.0),))
     assert codes(loop_troubles(lift(), [held], 1000.0)) == []
     assert codes(loop_troubles(lift(), [clamped], 1000.0)) == ["UC966"]
 
@@ -174,20 +181,20 @@ PAIR = Drive(("l",), ("r",), radius=0.1, separation=0.4, base="base")
 
 def rover(places: dict[str, tuple[float, float, float]], **fields: object) -> tuple[Mechanism, Shapes]:
     """Return a rover with a wheel at each place, and casters in front and behind."""
-    bodies = {"base": Body("base", 10.0, centre=(0.0, 0.0, 0.05))}
+    bodies = {"base": LinkBody("base", 10.0, centre=(0.0, 0.0, 0.05))}
     hinges = []
     for name, place in places.items():
         made = Hinge(name, "continuous", parent="base", child=f"{name}_link", pose=Pose(place), axis=LEFT)
         hinges.append(made._replace(effort=20.0, velocity=20.0)._replace(**fields))  # type: ignore[arg-type]
-        bodies[f"{name}_link"] = Body(f"{name}_link", 0.5)
+        bodies[f"{name}_link"] = LinkBody(f"{name}_link", 0.5)
     known = {f"{name}_link": (WHEEL,) for name in places}
     casters = [CASTER._replace(pose=Pose((x, 0.0, -0.05))) for x in (-0.2, 0.2)]
     shapes = Shapes({**known, "base": tuple(casters)})
     return with_rims(Mechanism("base", bodies, tuple(hinges)), shapes), shapes
 
 
-def driving(drive: Drive) -> Task:
-    return Task("base", Family.DIFFERENTIAL, drive.wheels, "velocity", drive=drive)
+def driving(drive: Drive) -> ControllerTask:
+    return ControllerTask("base", MotionFamily.DIFFERENTIAL, drive.wheels, "velocity", drive=drive)
 
 
 BOTH = {"l": (0.0, 0.2, 0.0), "r": (0.0, -0.2, 0.0)}
@@ -272,7 +279,7 @@ def test_steering(fields: dict[str, object], wheelbase: float, expected: list[st
         "s", "revolute", parent="base", child="fork", pose=Pose((0.6, 0.0, 0.0)), axis=UP, lower=-0.5, upper=0.5
     )
     pivot = pivot._replace(**fields)  # type: ignore[arg-type]
-    bodies = {**mechanism.bodies, "fork": Body("fork")}
+    bodies = {**mechanism.bodies, "fork": LinkBody("fork")}
     mechanism = Mechanism("base", bodies, (*mechanism.hinges, pivot))
     assert codes(drive_troubles(mechanism, [driving(STEERED._replace(wheelbase=wheelbase))])) == expected
 
@@ -302,7 +309,7 @@ def ground_codes(places: dict[str, tuple[float, float, float]], centre: float = 
 
 def test_a_rover_stands_on_its_wheels_and_casters() -> None:
     mechanism, shapes = rover(BOTH)
-    at_rest = resting(mechanism, shapes)
+    at_rest = rest_pose_of(mechanism, shapes)
     assert at_rest is not None
     assert at_rest.tilt < 0.001
     assert max(at_rest.heights.values()) < 0.001
@@ -352,7 +359,7 @@ def random_tree(seed: int) -> Mechanism:
     def vector(size: float) -> tuple[float, float, float]:
         return chance.uniform(-size, size), chance.uniform(-size, size), chance.uniform(-size, size)
 
-    bodies, hinges = {"l0": Body("l0", 1.0, inertia=ball(0.01))}, []
+    bodies, hinges = {"l0": LinkBody("l0", 1.0, inertia=ball(0.01))}, []
     for n in range(1, 7):
         x, y, z = vector(1.0)
         length = math.sqrt(x * x + y * y + z * z)
@@ -360,7 +367,7 @@ def random_tree(seed: int) -> Mechanism:
         pose = Pose(vector(0.5), of_angles(*vector(3.0)))
         made = Hinge(f"j{n}", kind, parent=f"l{chance.randrange(n)}", child=f"l{n}", pose=pose, axis=UP)
         hinges.append(made._replace(axis=(x / length, y / length, z / length), lower=-2.0, upper=2.0))
-        bodies[f"l{n}"] = Body(
+        bodies[f"l{n}"] = LinkBody(
             f"l{n}", chance.uniform(0.1, 5.0), centre=vector(0.3), inertia=ball(chance.uniform(0.01, 0.1))
         )
     return Mechanism("l0", bodies, tuple(hinges))

@@ -7,10 +7,11 @@ import math
 import pytest
 
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke.ground import ground_troubles, resting
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.shapes import Shape, Shapes
-from urdfctl.smoke.tasks import Drive, Family, Task
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.robot.rest_pose import rest_pose_of
+from urdfctl.smoke.robot.shapes import Shape, Shapes
+from urdfctl.smoke.statics.ground import ground_troubles
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily
 
 
 def tripod(about: float, short: float) -> tuple[Mechanism, Shapes]:
@@ -20,14 +21,14 @@ def tripod(about: float, short: float) -> tuple[Mechanism, Shapes]:
         Shape("sphere", Pose((0.2 * math.cos(turn), 0.2 * math.sin(turn), short if n == 0 else 0.0)), (0.02,))
         for n, turn in enumerate(turns)
     ]
-    return Mechanism("base", {"base": Body("base", 5.0, centre=(0.0, 0.0, 0.1))}, ()), Shapes({"base": tuple(feet)})
+    return Mechanism("base", {"base": LinkBody("base", 5.0, centre=(0.0, 0.0, 0.1))}, ()), Shapes({"base": tuple(feet)})
 
 
 @pytest.mark.parametrize("about", [n * math.pi / 4 + 0.2 for n in range(8)])
 @pytest.mark.parametrize("short", [0.01, 0.06])
 def test_a_robot_leans_on_its_short_leg_whichever_that_is(about: float, short: float) -> None:
     """The plane through the feet falls by that on 1.5 times 0.2 m; one of its axes is level across the direction."""
-    at_rest = resting(*tripod(about, short))
+    at_rest = rest_pose_of(*tripod(about, short))
     assert at_rest is not None
     assert at_rest.tilt == pytest.approx(math.atan2(short, 0.3), abs=0.0006)
     x, y, _ = at_rest.turn[2]
@@ -37,10 +38,12 @@ def test_a_robot_leans_on_its_short_leg_whichever_that_is(about: float, short: f
 
 def test_a_robot_that_leans_by_a_fifth_of_a_radian_has_not_tipped_over() -> None:
     wheel = Hinge("l", "continuous", parent="base", child="wheel", pose=Pose((-0.1, 0.1, 0.0)), axis=(0.0, 1.0, 0.0))
-    task = Task("base", Family.DIFFERENTIAL, ("l",), "velocity", drive=Drive(("l",), ("r",), radius=0.02))
+    task = ControllerTask(
+        "base", MotionFamily.DIFFERENTIAL, ("l",), "velocity", drive=Drive(("l",), ("r",), radius=0.02)
+    )
     for short, expected in ((0.06, []), (0.36, ["UC931"])):
         stool, shapes = tripod(0.0, short)
-        robot = Mechanism("base", {**stool.bodies, "wheel": Body("wheel", 0.1)}, (wheel,))
+        robot = Mechanism("base", {**stool.bodies, "wheel": LinkBody("wheel", 0.1)}, (wheel,))
         known = Shapes({**shapes.known, "wheel": (Shape("sphere", Pose(), (0.02,)),)})
         codes = [trouble.code for trouble in ground_troubles(robot, known, [task])]
         assert [code for code in codes if code == "UC931"] == expected
@@ -49,7 +52,7 @@ def test_a_robot_that_leans_by_a_fifth_of_a_radian_has_not_tipped_over() -> None
 def test_a_box_touches_the_ground_with_the_four_corners_of_its_lower_side() -> None:
     """They are given from the centre of mass."""
     box = Shapes({"base": (Shape("box", Pose((0.0, 0.0, 0.1)), (0.4, 0.2, 0.1)),)})
-    at_rest = resting(Mechanism("base", {"base": Body("base", 5.0, centre=(0.05, 0.0, 0.1))}, ()), box)
+    at_rest = rest_pose_of(Mechanism("base", {"base": LinkBody("base", 5.0, centre=(0.05, 0.0, 0.1))}, ()), box)
     assert at_rest is not None
     corners = {(round(x, 6), round(y, 6), round(z, 6)) for x, y, z in at_rest.contacts["base"]}
     assert corners == {(x, y, -0.05) for x in (0.15, -0.25) for y in (0.1, -0.1)}
@@ -63,7 +66,7 @@ def test_only_links_at_the_ground_touch_it() -> None:
         )
     }
     hinges = tuple(Hinge(f"j{name}", "fixed", "base", name, Pose(), (0.0, 1.0, 0.0)) for name in legs)
-    bodies = {"base": Body("base", 5.0), **{name: Body(name) for name in legs}}
-    at_rest = resting(Mechanism("base", bodies, hinges), Shapes(legs))
+    bodies = {"base": LinkBody("base", 5.0), **{name: LinkBody(name) for name in legs}}
+    at_rest = rest_pose_of(Mechanism("base", bodies, hinges), Shapes(legs))
     assert at_rest is not None
     assert set(at_rest.contacts) == {"l0", "l1", "l2", "l3"}

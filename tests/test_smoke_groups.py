@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke.groups import groups_of
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.tasks import Drive, Family, Task
+from urdfctl.smoke.motion.parallel_groups import groups_of
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily
 
 
 def hinge(name: str, parent: str, mimic: str = "") -> Hinge:
@@ -17,16 +17,18 @@ def hinge(name: str, parent: str, mimic: str = "") -> Hinge:
     return made._replace(mimic=(mimic, 1.0, 0.0)) if mimic else made
 
 
-def task(name: str, *joints: str, family: Family = Family.FORWARD, interface: str = "position") -> Task:
-    return Task(name, family, joints, interface)
+def task(
+    name: str, *joints: str, family: MotionFamily = MotionFamily.FORWARD, interface: str = "position"
+) -> ControllerTask:
+    return ControllerTask(name, family, joints, interface)
 
 
-LOOP: Any = {"family": Family.POSITION_PID, "interface": "effort"}
+LOOP: Any = {"family": MotionFamily.POSITION_PID, "interface": "effort"}
 HAND = (hinge("a1", "palm"), hinge("a2", "a1_link"), hinge("b1", "palm"), hinge("b2", "b1_link"))
-PALM = Mechanism("palm", {name: Body(name) for name in ("palm", *(h.child for h in HAND))}, HAND)
+PALM = Mechanism("palm", {name: LinkBody(name) for name in ("palm", *(h.child for h in HAND))}, HAND)
 
 
-def names(*tasks: Task, fixed: bool = True, mechanism: Mechanism = PALM) -> list[list[str]]:
+def names(*tasks: ControllerTask, fixed: bool = True, mechanism: Mechanism = PALM) -> list[list[str]]:
     return [[one.controller for one in group] for group in groups_of(tasks, mechanism, fixed=fixed)]
 
 
@@ -47,12 +49,12 @@ def test_nothing_moves_together_on_a_base_that_is_not_fixed() -> None:
 
 def test_controllers_that_command_in_different_ways_move_one_after_the_other() -> None:
     assert names(task("a", "a1"), task("b", "b1", interface="velocity")) == [["a"], ["b"]]
-    assert names(task("a", "a1"), task("b", "b1", family=Family.TRAJECTORY)) == [["a"], ["b"]]
+    assert names(task("a", "a1"), task("b", "b1", family=MotionFamily.TRAJECTORY)) == [["a"], ["b"]]
 
 
 def test_pushes_drives_and_controllers_that_only_read_are_alone() -> None:
     assert names(task("a", "a1", interface="effort"), task("b", "b1", interface="effort")) == [["a"], ["b"]]
-    assert names(Task("x", Family.NOTHING), Task("y", Family.NOTHING)) == [["x"], ["y"]]
+    assert names(ControllerTask("x", MotionFamily.NOTHING), ControllerTask("y", MotionFamily.NOTHING)) == [["x"], ["y"]]
     drive = task("a", "a1", interface="velocity")._replace(drive=Drive(("a1",)))
     assert names(drive, drive._replace(controller="b", joints=("b1",))) == [["a"], ["b"]]
 

@@ -15,11 +15,10 @@ from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.model.geometry import Pose
 from urdfctl.rules.smoke.common import LIFT, geared
-from urdfctl.smoke.gears import gears_of, with_gears
-from urdfctl.smoke.hardware import within_ranges
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.results import Smoked
-from urdfctl.smoke.tasks import Family, Task
+from urdfctl.smoke.results import RobotResult
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.statics.transmissions import transmissions_of, with_transmissions
+from urdfctl.smoke.tasks.task import ControllerTask, MotionFamily
 
 FORWARD = """
 controller_manager:
@@ -31,7 +30,7 @@ mover:
 """
 
 
-def run(folder: Path, urdf: str, yaml: str, engine: str | None = None) -> Smoked:
+def run(folder: Path, urdf: str, yaml: str, engine: str | None = None) -> RobotResult:
     target = target_of(folder, {"robot.urdf": urdf, "controllers.yaml": yaml})
     return whole(target, engine, distro="jazzy") if engine else smoked(target, distro="jazzy")
 
@@ -165,7 +164,7 @@ def test_the_radius_multiplier_of_one_side_counts(tmp_path: Path, engine: str) -
     assert codes(run(tmp_path, rover.urdf(), both, engine)) == []
 
 
-# -- limits and gears ------------------------------------------------------------------------------------------------
+# -- limits and transmissions ----------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -189,7 +188,11 @@ def test_the_limit_of_a_joint_is_at_most_the_greatest_command(
     hinge = Hinge("j", "revolute", parent="base", child="arm", pose=Pose(), axis=(0.0, 0.0, 1.0))
     for name in ("velocity", "effort"):
         given = hinge._replace(velocity=limit, effort=limit, ranges=((name, least, most),))
-        [made] = within_ranges(Mechanism("base", {"base": Body("base"), "arm": Body("arm")}, (given,))).hinges
+        [made] = (
+            Mechanism("base", {"base": LinkBody("base"), "arm": LinkBody("arm")}, (given,))
+            .within_command_ranges()
+            .hinges
+        )
         other = "effort" if name == "velocity" else "velocity"
         assert (getattr(made, name), getattr(made, other)) == (expected, limit)
 
@@ -214,7 +217,10 @@ def test_joints_that_a_differential_couples_are_not_tested_with_it(tmp_path: Pat
     project = lint_target(
         Loader(Settings(distro="jazzy")), target_of(tmp_path, {"robot.urdf": urdf, "c.yaml": FORWARD}), Selection()
     ).project
-    gears = gears_of(project, "jazzy")
-    assert [(gear.joint, gear.label) for gear in gears] == [("shoulder", "the coupling"), ("elbow", "the coupling")]
-    [task] = with_gears(gears, [Task("mover", Family.FORWARD, ("elbow",), "position")])
+    transmissions = transmissions_of(project, "jazzy")
+    assert [(transmission.joint, transmission.label) for transmission in transmissions] == [
+        ("shoulder", "the coupling"),
+        ("elbow", "the coupling"),
+    ]
+    [task] = with_transmissions(transmissions, [ControllerTask("mover", MotionFamily.FORWARD, ("elbow",), "position")])
     assert task.left_out == (("transmission", "the coupling of joint 'elbow' acts in the hardware"),)

@@ -7,12 +7,12 @@ import math
 import pytest
 from smoke_obedient import Obedient, hinge
 
-from urdfctl.smoke import standing
-from urdfctl.smoke.engines import STEP, Setup, Standing
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.plan import Plan
-from urdfctl.smoke.standing import why_not_standing
-from urdfctl.smoke.tasks import Family, Gains, Task
+from urdfctl.smoke.engines.engine import STEP, BasePose, EngineSetup
+from urdfctl.smoke.motion import standing
+from urdfctl.smoke.motion.plan import MotionPlan
+from urdfctl.smoke.motion.standing import why_not_standing
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.tasks.task import ControllerTask, MotionFamily, PidGains
 
 SINKS, TIPS = "it sinks down while its joints are held", "it tips over while its joints are held"
 
@@ -32,27 +32,27 @@ class Legged(Obedient):
     def with_effort(self, joint: str, effort: float) -> None:
         self.pushed[joint] = effort
 
-    def standing(self) -> Standing:
+    def base_pose(self) -> BasePose:
         z = 0.5 * (1 - (1 - self.part) * min(1.0, self.time / 0.9))
-        return Standing(0.0, 0.0, z, self.roll_later if self.time >= self.after > 0 else 0.0, 0.0, 0.0)
+        return BasePose(0.0, 0.0, z, self.roll_later if self.time >= self.after > 0 else 0.0, 0.0, 0.0)
 
 
 def stood(
-    monkeypatch: pytest.MonkeyPatch, engine: Obedient, joint: Hinge | None = None, task: Task | None = None
+    monkeypatch: pytest.MonkeyPatch, engine: Obedient, joint: Hinge | None = None, task: ControllerTask | None = None
 ) -> tuple[str, dict[str, float]]:
     """Return why a robot does not stand, and where its joints began."""
     leg = joint or hinge("knee", "shin")
-    mechanism = Mechanism("base", {"base": Body("base", 1.0), "shin": Body("shin", 0.1)}, (leg,))
-    tasks = (task or Task("legs", Family.FORWARD, ("knee",), "position"),)
-    plan = Plan("mujoco", "", mechanism, tasks, 100.0, fixed=True, standing="<robot/>")
-    setups: list[Setup] = []
+    mechanism = Mechanism("base", {"base": LinkBody("base", 1.0), "shin": LinkBody("shin", 0.1)}, (leg,))
+    tasks = (task or ControllerTask("legs", MotionFamily.FORWARD, ("knee",), "position"),)
+    plan = MotionPlan("mujoco", "", mechanism, tasks, 100.0, fixed=True, ground_urdf="<robot/>")
+    setups: list[EngineSetup] = []
 
-    def opened(_name: str, setup: Setup) -> Obedient:
+    def opened(_name: str, setup: EngineSetup) -> Obedient:
         setups.append(setup)
         return engine
 
     monkeypatch.setattr(standing, "open_engine", opened)
-    told = why_not_standing(plan, Setup("", "base", True, mechanism.start()), 1e9)
+    told = why_not_standing(plan, EngineSetup("", "base", True, mechanism.start()), 1e9)
     assert (setups[0].urdf, setups[0].fixed) == ("<robot/>", False)
     return told, dict(setups[0].start)
 
@@ -98,11 +98,11 @@ def test_joints_are_held_by_their_motors_or_by_the_loops_that_push_them(monkeypa
     stood(monkeypatch, motors, bent)
     assert (motors.places["knee"], motors.pushed) == (0.5, {})
     loops = Legged()
-    task = Task("legs", Family.TRAJECTORY, ("knee",), "effort", (Gains(p=10.0),))
+    task = ControllerTask("legs", MotionFamily.TRAJECTORY, ("knee",), "effort", (PidGains(p=10.0),))
     stood(monkeypatch, loops, bent, task)
     assert ("knee" in loops.places, loops.pushed) == (False, {"knee": pytest.approx(5.0)})
     turned = Legged()
-    stood(monkeypatch, turned, bent, task._replace(family=Family.VELOCITY_PID))
+    stood(monkeypatch, turned, bent, task._replace(family=MotionFamily.VELOCITY_PID))
     assert (turned.places["knee"], turned.pushed) == (0.5, {})
 
 

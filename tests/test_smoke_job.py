@@ -7,33 +7,37 @@ from pathlib import Path
 
 import pytest
 from smoke_robots import ARMS
-from smoking import codes, smoked, target_of
+from smoking import codes, smoked, smoked_in_workers, target_of
 
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.load.target import Target
 from urdfctl.model.stage import Stage
 from urdfctl.run.limits import WorkerFailure
-from urdfctl.smoke.assignments import read_tasks
-from urdfctl.smoke.job import PreparedRobot, Wanted, moved, smoke_all
-from urdfctl.smoke.plan import Plan, Tried
-from urdfctl.smoke.results import ControllerResult, Smoked, Trouble, Verdict
-from urdfctl.smoke.runs import Runs
+from urdfctl.smoke.checked_robot import CheckedRobot
+from urdfctl.smoke.motion.engine_workers import EngineWorkers
+from urdfctl.smoke.motion.plan import MotionPlan, SimulationResult
+from urdfctl.smoke.results import ControllerResult, RobotResult, Trouble, Verdict
+from urdfctl.smoke.robot_motion import with_engine_result
+from urdfctl.smoke.run import SmokeRequest
+from urdfctl.smoke.tasks.task_file import read_tasks
 
 ARM = ARMS["joints that turn level"]
-LATE = Tried((Trouble("UC932", "joint:elbow", "joint 'elbow' does not follow", "mover"),), ("states", "mover"))
-SOUND = Tried(moved=("states", "mover"))
+LATE = SimulationResult(
+    (Trouble("UC932", "joint:elbow", "joint 'elbow' does not follow", "mover"),), ("states", "mover")
+)
+SOUND = SimulationResult(moved=("states", "mover"))
 CRASHED = WorkerFailure("it was ended by SIGSEGV")
 JAZZY = Settings(distro="jazzy")
 
 
-def ending_in(monkeypatch: pytest.MonkeyPatch, *results: Tried | WorkerFailure) -> None:
+def ending_in(monkeypatch: pytest.MonkeyPatch, *results: SimulationResult | WorkerFailure) -> None:
     """Let the simulations of a run end with some results, one after the other."""
 
-    def given(_: Runs, plans: Sequence[Plan]) -> Iterator[tuple[str, Tried | WorkerFailure]]:
+    def given(_: EngineWorkers, plans: Sequence[MotionPlan]) -> Iterator[tuple[str, SimulationResult | WorkerFailure]]:
         yield from zip([plan.engine for plan in plans], results, strict=True)
 
-    monkeypatch.setattr(Runs, "results", given)
+    monkeypatch.setattr(EngineWorkers, "results", given)
 
 
 def arm(folder: Path, name: str = "arm", controller: str = "mover") -> Target:
@@ -52,19 +56,19 @@ def arm(folder: Path, name: str = "arm", controller: str = "mover") -> Target:
         ((LATE, SOUND), ["UC963"], Verdict.WARNED),
         ((LATE, LATE), ["UC932"], Verdict.FAILED),
         ((LATE, CRASHED), ["UC920", "UC932"], Verdict.FAILED),
-        ((LATE, Tried(refused="no")), ["UC921", "UC932"], Verdict.FAILED),
+        ((LATE, SimulationResult(refused="no")), ["UC921", "UC932"], Verdict.FAILED),
     ],
     ids=["both pass", "one fails", "both fail", "one fails and one crashes", "one fails and one rejects"],
 )
 def test_two_engines_are_compared_if_both_simulate_the_robot(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    results: tuple[Tried | WorkerFailure, ...],
+    results: tuple[SimulationResult | WorkerFailure, ...],
     expected: list[str],
     verdict: Verdict,
 ) -> None:
     ending_in(monkeypatch, *results)
-    [made] = smoke_all([arm(tmp_path)], [JAZZY], Wanted(engines=("pybullet", "mujoco")), 1)
+    [made] = smoked_in_workers([arm(tmp_path)], [JAZZY], SmokeRequest(engines=("pybullet", "mujoco")), 1)
     assert codes(made) == expected
     assert made.controllers[1].verdict is verdict
 
@@ -79,9 +83,9 @@ def told(folder: Path, monkeypatch: pytest.MonkeyPatch, text: str, *targets: Tar
     path = folder / "tasks.yaml"
     path.write_text(text, encoding="utf-8")
     ending_in(monkeypatch, *[SOUND] * len(targets))
-    wanted = Wanted(engines=("mujoco",), tasks=read_tasks(str(path)))
+    wanted = SmokeRequest(engines=("mujoco",), tasks=read_tasks(str(path)))
     try:
-        list(smoke_all(targets, [JAZZY] * len(targets), wanted, 1))
+        list(smoked_in_workers(targets, [JAZZY] * len(targets), wanted, 1))
     except UserError as error:
         return str(error).removeprefix(f"{path}:")
     return ""
@@ -120,6 +124,7 @@ def test_a_controller_that_moved_went_through_all_stages_unless_it_fails(
 ) -> None:
     before = smoked(arm(tmp_path), distro="jazzy")
     mover = ControllerResult("mover", None, verdict, Stage.ACTIVATE, "for a reason", by_distro=by_distro)
-    robot: Smoked = before._replace(controllers=(mover,))
-    after = moved(robot, PreparedRobot(robot, None), "mujoco", Tried(moved=("mover",) if moves else ()))
+    robot: RobotResult = before._replace(controllers=(mover,))
+    trial = SimulationResult(moved=("mover",) if moves else ())
+    after = with_engine_result(robot, CheckedRobot(robot, None), "mujoco", trial)
     assert after.controllers[0].stage is stage

@@ -1,4 +1,4 @@
-"""The judgement on a robot before anything moves: its verdicts, what explains them, and the pose that a user gives."""
+"""The check of a robot before anything moves: its verdicts, what explains them, and the pose that a user gives."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.model.stage import Stage
-from urdfctl.smoke.assignments import TaskFile
-from urdfctl.smoke.judgement import changed, judged
 from urdfctl.smoke.results import ControllerResult, Trouble, Verdict
+from urdfctl.smoke.statics.check import check_statically, with_troubles
+from urdfctl.smoke.tasks.task_file import TaskFile
 
 ARM = {"robot.urdf": Arm().urdf(), "controllers.yaml": Arm().yaml()}
 STARTED = ControllerResult("arm", None, Verdict.SKIPPED, Stage.ACTIVATE, "not simulated")
@@ -43,7 +43,7 @@ OF_DISTRO = Trouble("UC970", "controller:arm", "depends on the distro", "arm")
 def test_an_error_fails_its_controller_and_a_warning_warns(
     before: ControllerResult, troubles: list[Trouble], verdict: Verdict, reason: str
 ) -> None:
-    after = changed(before, troubles)
+    after = with_troubles(before, troubles)
     assert (after.verdict, after.reason) == (verdict, reason)
 
 
@@ -63,7 +63,7 @@ def test_the_start_of_a_users_tasks_is_where_the_robot_is_judged(tmp_path: Path)
     seen = lint_target(Loader(Settings(distro="jazzy")), target_of(tmp_path, ARM), Selection())
     start = TaskFile("tasks.yaml", "", (("elbow", 0.7, 1),))
     for given, place in ((None, 0.0), (start, 0.7)):
-        mechanism = judged(seen, given=given).mechanism
+        mechanism = check_statically(seen, given=given).mechanism
         assert mechanism is not None
         assert mechanism.start()["elbow"] == place
         assert mechanism.start()["shoulder"] == 0.0

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke import loads
-from urdfctl.smoke.loads import worst_loads
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
+from urdfctl.smoke.robot import loads
+from urdfctl.smoke.robot.loads import worst_loads
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
 
 LEFT = (0.0, 1.0, 0.0)
 
@@ -20,7 +20,7 @@ def crane(joints: int) -> Mechanism:
         )
         for n in range(joints)
     ]
-    bodies = [Body("l0"), *(Body(f"l{n + 1}", 1.0, centre=(0.0, 0.0, -1.0)) for n in range(joints))]
+    bodies = [LinkBody("l0"), *(LinkBody(f"l{n + 1}", 1.0, centre=(0.0, 0.0, -1.0)) for n in range(joints))]
     return Mechanism("l0", {body.name: body for body in bodies}, tuple(hinges))
 
 

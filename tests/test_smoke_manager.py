@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from smoking import smoked, target_of, verdicts
+from smoking import checked, smoked, target_of, verdicts
 
 from urdfctl.config.settings import Settings
 from urdfctl.lint.selection import Selection
@@ -14,8 +14,8 @@ from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, HARDWARE
-from urdfctl.smoke.job import Wanted, prepared_robot
-from urdfctl.smoke.judgement import Judgement, judged
+from urdfctl.smoke.run import SmokeRequest
+from urdfctl.smoke.statics.check import StaticCheck, check_statically
 
 FORWARD = "forward_command_controller/ForwardCommandController"
 
@@ -460,18 +460,18 @@ def test_a_robot_with_controllers_and_an_unknown_link_cannot_be_spawned(tmp_path
     assert (made.part_of, [finding.code for finding in made.linted.outcome.diagnostics]) == ("", ["UC901"])
 
 
-def judgement_of(folder: Path, yaml: str, robot: str = HARDWARE, **options: object) -> Judgement:
+def static_check_of(folder: Path, yaml: str, robot: str = HARDWARE, **options: object) -> StaticCheck:
     target = target_of(folder, files(yaml, robot))
-    return judged(lint_target(Loader(Settings(**options)), target, Selection()))  # type: ignore[arg-type]
+    return check_statically(lint_target(Loader(Settings(**options)), target, Selection()))  # type: ignore[arg-type]
 
 
 def test_the_update_rate_is_that_of_the_manager_or_of_the_generation_of_ros(tmp_path: Path) -> None:
     yaml = manager(arm=FORWARD) + section("arm", ELBOW)
-    assert judgement_of(tmp_path, yaml, distro="jazzy").rate == 100.0
+    assert static_check_of(tmp_path, yaml, distro="jazzy").rate == 100.0
     faster = yaml.replace("ros__parameters:\n", "ros__parameters:\n    update_rate: 250\n", 1)
-    assert judgement_of(tmp_path, faster, distro="jazzy").rate == 250.0
+    assert static_check_of(tmp_path, faster, distro="jazzy").rate == 250.0
     ros1 = f"arm: {{type: effort_controllers/JointPositionController, joint: elbow, {PID}}}"
-    assert judgement_of(tmp_path, ros1, TRANSMISSION, distro="noetic", simulator="gazebo-classic").rate == 1000.0
+    assert static_check_of(tmp_path, ros1, TRANSMISSION, distro="noetic", simulator="gazebo-classic").rate == 1000.0
 
 
 @pytest.mark.parametrize(("links", "planned"), [(790, True), (810, False)])
@@ -482,6 +482,6 @@ def test_a_robot_of_more_than_800_links_is_not_simulated(tmp_path: Path, links: 
         for n in range(links - 3)
     )
     target = target_of(tmp_path, files(manager(arm=FORWARD) + section("arm", ELBOW), HARDWARE + chain))
-    made = prepared_robot(Loader(Settings(distro="jazzy")), target, Wanted(engines=("pybullet",)))
-    codes = [finding.code for finding in made.smoked.linted.outcome.diagnostics]
+    made = checked(Loader(Settings(distro="jazzy")), target, SmokeRequest(engines=("pybullet",)))
+    codes = [finding.code for finding in made.result.linted.outcome.diagnostics]
     assert (made.plan is not None, "UC921" in codes) == (planned, not planned)

@@ -6,8 +6,9 @@ import math
 
 import pytest
 
-from urdfctl.model.build_robot import robot_of
-from urdfctl.smoke.mechanism import Hinge, Mechanism, hinges_of, mechanism_of, numbers_of
+from urdfctl.model.robot.build_robot import robot_of
+from urdfctl.smoke.robot.description import hinges_of, mechanism_of, numbers_of
+from urdfctl.smoke.robot.mechanism import Hinge, Mechanism
 from urdfctl.source.span import SourceText
 from urdfctl.source.xml import parse
 

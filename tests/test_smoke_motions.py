@@ -7,21 +7,10 @@ import math
 import pytest
 
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke.mechanism import Hinge
-from urdfctl.smoke.motions import (
-    Forward,
-    Loop,
-    Wheels,
-    effort_of,
-    fastest,
-    goal_of,
-    motion_of,
-    ramp,
-    ramp_velocity,
-    speed_of,
-    turning_of,
-)
-from urdfctl.smoke.tasks import Drive, Family, Gains, Task
+from urdfctl.smoke.motion.motions import ForwardMotion, PidLoop, WheelMotion, motion_of, ramp, ramp_velocity
+from urdfctl.smoke.robot.mechanism import Hinge
+from urdfctl.smoke.tasks.goals import effort_of, fastest, goal_of, speed_of, turning_of
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily, PidGains
 
 JOINT = Hinge(
     "j", "revolute", parent="a", child="b", pose=Pose(), axis=(0.0, 0.0, 1.0), lower=-2.0, upper=2.0, effort=50.0
@@ -106,8 +95,8 @@ def test_a_ramp_is_smooth_and_ends_at_half_of_the_time() -> None:
 
 def test_a_command_is_a_ramp_of_positions_or_a_step_of_velocity() -> None:
     engine, goal = Recorder(), goal_of(JOINT, 0.0, 0.0, 2.0)
-    Forward(engine, [goal], "position", 2.0).update(0.5, 0.01)  # type: ignore[arg-type]
-    Forward(engine, [goal], "velocity", 2.0).update(0.5, 0.01)  # type: ignore[arg-type]
+    ForwardMotion(engine, [goal], "position", 2.0).update(0.5, 0.01)  # type: ignore[arg-type]
+    ForwardMotion(engine, [goal], "velocity", 2.0).update(0.5, 0.01)  # type: ignore[arg-type]
     assert (engine.positions["j"], engine.velocities["j"]) == pytest.approx((0.1, 0.1))
     assert engine.efforts == {}
 
@@ -115,7 +104,7 @@ def test_a_command_is_a_ramp_of_positions_or_a_step_of_velocity() -> None:
 @pytest.mark.parametrize(("limit", "weight"), [(50.0, 5.0), (50.0, -5.0), (1.0, 0.5), (None, 5.0)])
 def test_an_effort_carries_the_weight_and_pushes_a_little(limit: float | None, weight: float) -> None:
     engine, hinge = Recorder(), JOINT._replace(effort=limit)
-    Forward(engine, [goal_of(hinge, 0.0, weight, 2.0)], "effort", 2.0).update(0.0, 0.01)  # type: ignore[arg-type]
+    ForwardMotion(engine, [goal_of(hinge, 0.0, weight, 2.0)], "effort", 2.0).update(0.0, 0.01)  # type: ignore[arg-type]
     extra = engine.efforts["j"] - weight
     assert 0.5 * min(1.0, 0.2 * (limit or 100.0)) < extra < 2 * min(1.0, 0.2 * (limit or 100.0))
     assert abs(engine.efforts["j"]) <= effort_of(hinge)
@@ -123,23 +112,23 @@ def test_an_effort_carries_the_weight_and_pushes_a_little(limit: float | None, w
 
 def test_an_effort_is_at_most_the_limit() -> None:
     engine = Recorder()
-    Forward(engine, [goal_of(JOINT, 0.0, 49.9, 2.0)], "effort", 2.0).update(0.0, 0.01)  # type: ignore[arg-type]
+    ForwardMotion(engine, [goal_of(JOINT, 0.0, 49.9, 2.0)], "effort", 2.0).update(0.0, 0.01)  # type: ignore[arg-type]
     assert engine.efforts["j"] == 50.0
 
 
 # -- loops -----------------------------------------------------------------------------------------------------------
 
 
-def loop(engine: Recorder, gains: Gains, interface: str = "effort", *, of_velocity: bool = False) -> Loop:
+def loop(engine: Recorder, gains: PidGains, interface: str = "effort", *, of_velocity: bool = False) -> PidLoop:
     """Return a loop towards 0.2 rad and 0.1 rad/s."""
     goals = [goal_of(JOINT._replace(velocity=2.0), 0.0, 0.0, 2.0)]
-    return Loop(engine, goals, [gains], interface, lambda *_: (0.2, 0.1), of_velocity=of_velocity)  # type: ignore[arg-type]
+    return PidLoop(engine, goals, [gains], interface, lambda *_: (0.2, 0.1), of_velocity=of_velocity)  # type: ignore[arg-type]
 
 
 def test_a_loop_of_positions_is_the_textbook_pid_with_feedforward() -> None:
     """The error is 0.15 rad and changes by 0.1 - 0.3 rad/s."""
     engine = Recorder(0.05, 0.3)
-    made = loop(engine, Gains(p=10.0, i=4.0, d=2.0, feed=5.0))
+    made = loop(engine, PidGains(p=10.0, i=4.0, d=2.0, feed=5.0))
     made.update(0.0, 0.01)
     assert engine.efforts["j"] == pytest.approx(10.0 * 0.15 + 4.0 * 0.15 * 0.01 + 2.0 * -0.2 + 5.0 * 0.1)
     assert made.wanted(0) == 0.2
@@ -147,7 +136,7 @@ def test_a_loop_of_positions_is_the_textbook_pid_with_feedforward() -> None:
 
 def test_a_loop_of_velocities_takes_the_difference_of_its_errors() -> None:
     engine = Recorder(0.05, 0.3)
-    made = loop(engine, Gains(p=10.0, d=2.0), of_velocity=True)
+    made = loop(engine, PidGains(p=10.0, d=2.0), of_velocity=True)
     made.update(0.0, 0.01)
     assert engine.efforts["j"] == pytest.approx(10.0 * -0.2)
     engine.speed = 0.29
@@ -158,36 +147,36 @@ def test_a_loop_of_velocities_takes_the_difference_of_its_errors() -> None:
 
 def test_the_integral_part_is_clamped_and_the_output_limited() -> None:
     engine = Recorder()
-    clamped = loop(engine, Gains(i=100.0, clamp=0.5))
+    clamped = loop(engine, PidGains(i=100.0, clamp=0.5))
     for _ in range(10):
         clamped.update(0.0, 0.01)
     assert engine.efforts["j"] == 0.5
-    loop(engine, Gains(p=1e6)).update(0.0, 0.01)
+    loop(engine, PidGains(p=1e6)).update(0.0, 0.01)
     assert engine.efforts["j"] == 50.0
-    loop(engine, Gains(p=1e6), "velocity").update(0.0, 0.01)
+    loop(engine, PidGains(p=1e6), "velocity").update(0.0, 0.01)
     assert engine.velocities["j"] == 2.0
-    loop(engine, Gains(p=math.inf, d=math.inf)).update(0.0, 0.01)
+    loop(engine, PidGains(p=math.inf, d=math.inf)).update(0.0, 0.01)
     assert engine.efforts["j"] <= 50.0
 
 
 @pytest.mark.parametrize(
     ("family", "interface", "expected"),
     [
-        (Family.FORWARD, "position", Forward),
-        (Family.FORWARD, "effort", Forward),
-        (Family.TRAJECTORY, "position", Forward),
-        (Family.TRAJECTORY, "velocity", Loop),
-        (Family.TRAJECTORY, "effort", Loop),
-        (Family.POSITION_PID, "position", Forward),
-        (Family.POSITION_PID, "effort", Loop),
-        (Family.VELOCITY_PID, "effort", Loop),
+        (MotionFamily.FORWARD, "position", ForwardMotion),
+        (MotionFamily.FORWARD, "effort", ForwardMotion),
+        (MotionFamily.TRAJECTORY, "position", ForwardMotion),
+        (MotionFamily.TRAJECTORY, "velocity", PidLoop),
+        (MotionFamily.TRAJECTORY, "effort", PidLoop),
+        (MotionFamily.POSITION_PID, "position", ForwardMotion),
+        (MotionFamily.POSITION_PID, "effort", PidLoop),
+        (MotionFamily.VELOCITY_PID, "effort", PidLoop),
     ],
 )
 def test_a_controller_closes_a_loop_unless_it_forwards_what_it_holds(
-    family: Family, interface: str, expected: type
+    family: MotionFamily, interface: str, expected: type
 ) -> None:
     engine, goal = Recorder(), goal_of(JOINT, 0.0, 0.0, 2.0)
-    motion = motion_of(engine, Task("c", family, ("j",), interface, (Gains(p=1.0),)), [goal], 2.0)  # type: ignore[arg-type]
+    motion = motion_of(engine, ControllerTask("c", family, ("j",), interface, (PidGains(p=1.0),)), [goal], 2.0)  # type: ignore[arg-type]
     assert type(motion) is expected
 
 
@@ -213,7 +202,7 @@ def test_a_base_turns_no_faster_than_its_wheels_and_its_controller_allow(speed: 
 
 def commanded(drive: Drive, forward: float, turning: float, sides: dict[str, float] | None = None) -> Recorder:
     engine = Recorder()
-    Wheels(engine, WHEELS, drive, forward, turning, sides or {}).update(0.0, 0.01)  # type: ignore[arg-type]
+    WheelMotion(engine, WHEELS, drive, forward, turning, sides or {}).update(0.0, 0.01)  # type: ignore[arg-type]
     return engine
 
 
@@ -224,7 +213,7 @@ def test_two_wheels_turn_as_fast_as_their_rims_move(forward: float, turning: flo
 
 
 def test_the_speed_rises_as_fast_as_the_controller_allows() -> None:
-    wheels = Wheels(Recorder(), WHEELS, PAIR._replace(acceleration=1.0), 0.3, 0.0, {})  # type: ignore[arg-type]
+    wheels = WheelMotion(Recorder(), WHEELS, PAIR._replace(acceleration=1.0), 0.3, 0.0, {})  # type: ignore[arg-type]
     for n in range(100):
         wheels.update(n * 0.01, 0.01)
     assert wheels.distance == pytest.approx(0.3 - 0.3**2 / 2, abs=0.003)

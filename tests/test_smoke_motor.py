@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from urdfctl.smoke.engines import FREE_MOTOR, Motor, Setup, friction_of
+from urdfctl.smoke.engines.engine import FREE_MOTOR, EngineSetup, Motor
+from urdfctl.smoke.robot.wheels import friction_of
 
 
 @pytest.mark.parametrize(
@@ -36,6 +37,6 @@ def test_friction_and_damping_slow_a_motor_and_help_it_to_brake(velocity: float,
 def test_the_friction_of_the_description_counts_up_to_that_of_the_ground() -> None:
     """As in ODE, where the lower one of two surfaces counts."""
     assert [friction_of(given, is_wheel=True) for given in (0.0, 0.3, 1.0, 50.0)] == [0.0, 0.3, 1.0, 1.0]
-    setup = Setup("", "base", False, {}, wheels=("wheel",), grips={"ice": 0.01})
+    setup = EngineSetup("", "base", False, {}, wheels=("wheel",), grips={"ice": 0.01})
     assert setup.friction_of("ice") == 0.01
     assert setup.friction_of("caster") < 0.5 * setup.friction_of("wheel")

@@ -8,9 +8,9 @@ import random
 import pytest
 
 from urdfctl.model.geometry import Pose, of_angles
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.overlaps import SHRUNK, overlap_troubles, overlapping
-from urdfctl.smoke.shapes import Shape, Shapes
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.robot.shapes import Shape, Shapes
+from urdfctl.smoke.statics.overlaps import SHRUNK, overlap_troubles, overlapping
 
 BOX = Shape("box", Pose(), (0.2, 0.2, 0.2))
 BALL = Shape("sphere", Pose(), (0.1,))
@@ -25,7 +25,7 @@ def chain(*places: tuple[float, float, float], **fields: object) -> Mechanism:
         )
         for n, place in enumerate(places, 1)
     ]
-    return Mechanism("l0", {f"l{n}": Body(f"l{n}") for n in range(len(places) + 1)}, tuple(hinges))
+    return Mechanism("l0", {f"l{n}": LinkBody(f"l{n}") for n in range(len(places) + 1)}, tuple(hinges))
 
 
 def pairs(mechanism: Mechanism, *shapes: Shape | None) -> list[tuple[str, str]]:
@@ -92,7 +92,7 @@ def test_neighbours_may_overlap_also_over_one_link_between_them() -> None:
 
 def test_two_fingers_of_one_palm_may_not_overlap() -> None:
     fingers = [hinge._replace(parent="l0") for hinge in chain((0.0, 0.0, 0.3), (0.0, 0.1, 0.3)).hinges]
-    palm = Mechanism("l0", {f"l{n}": Body(f"l{n}") for n in range(3)}, tuple(fingers))
+    palm = Mechanism("l0", {f"l{n}": LinkBody(f"l{n}") for n in range(3)}, tuple(fingers))
     assert pairs(palm, BOX, BOX, BOX) == [("l1", "l2")]
 
 
@@ -145,7 +145,7 @@ def test_a_note_counts_the_other_pairs(more: int, note: str) -> None:
         hinge._replace(parent="l0", pose=Pose(place))
         for hinge, place in zip(chain(*places).hinges, places, strict=True)
     ]
-    bodies = {f"l{n}": Body(f"l{n}") for n in range(2 * more + 3)}
+    bodies = {f"l{n}": LinkBody(f"l{n}") for n in range(2 * more + 3)}
     (trouble,) = overlap_troubles(Mechanism("l0", bodies, tuple(fingers)), Shapes(dict.fromkeys(bodies, (BOX,))))
     assert trouble.notes == (note,)
 
@@ -155,7 +155,7 @@ def test_a_bare_link_to_which_one_with_shapes_is_fixed_is_not_skipped() -> None:
     here = (0.0, 0.0, 0.0)
     arm = chain(here, here, here)
     mount = Hinge("mount", "fixed", parent="l1", child="cover", pose=Pose(), axis=(0.0, 1.0, 0.0))
-    mechanism = Mechanism("l0", {**arm.bodies, "cover": Body("cover")}, (arm.hinges[0], mount, *arm.hinges[1:]))
+    mechanism = Mechanism("l0", {**arm.bodies, "cover": LinkBody("cover")}, (arm.hinges[0], mount, *arm.hinges[1:]))
     for cover, expected in (({"cover": (BOX,)}, [("l0", "l3")]), ({}, [])):
         shapes = Shapes({"l0": (BOX,), "l2": (BOX,), "l3": (BOX,), **cover})
         assert overlapping(mechanism, shapes, mechanism.start()) == expected

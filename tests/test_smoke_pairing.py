@@ -6,13 +6,13 @@ from pathlib import Path
 
 from folder import Folder
 from smoke_robots import ARMS
-from smoking import verdicts
+from smoking import smoked_in_workers, verdicts
 
 from urdfctl.config.settings import Settings
 from urdfctl.load.target import Target
-from urdfctl.smoke.job import Wanted, smoke_all
-from urdfctl.smoke.reports import how
-from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.reports import conditions
+from urdfctl.smoke.results import RobotResult
+from urdfctl.smoke.run import SmokeRequest
 
 ARM = ARMS["joints that turn level"]
 NOETIC = Settings(distro="noetic")
@@ -33,11 +33,11 @@ LAUNCH = """\
 """
 
 
-def results(folder: Path, robots: dict[str, str]) -> list[Smoked]:
+def results(folder: Path, robots: dict[str, str]) -> list[RobotResult]:
     """The tests of some robots, and of a launch file for a controller of the joint elbow."""
     Folder(folder).write({**robots, "controllers.yaml": CONTROLLERS, "control.launch": LAUNCH})
     targets = [Target(str(folder / name)) for name in (*robots, "control.launch")]
-    return list(smoke_all(targets, [NOETIC] * len(targets), Wanted(), 1))
+    return list(smoked_in_workers(targets, [NOETIC] * len(targets), SmokeRequest(), 1))
 
 
 def arm(elbow: str = "elbow") -> str:
@@ -51,7 +51,7 @@ def test_a_launch_file_without_a_robot_gets_the_only_one_with_its_joints(tmp_pat
         str(tmp_path / "arm.urdf"),
         str(tmp_path / "control.launch"),
     )
-    assert "paired by its joints: the launch file loads no robot" in how(launched)
+    assert "paired by its joints: the launch file loads no robot" in conditions(launched)
     [result] = launched.controllers
     assert result.type == "effort_controllers/JointEffortController"
     assert verdicts(launched) == {"mover": "skipped activate"}

@@ -5,24 +5,24 @@ from __future__ import annotations
 import pytest
 from smoke_obedient import Late, Obedient, hinge, trial
 
-from urdfctl.smoke.assignments import Assignment, Step
-from urdfctl.smoke.tasks import Drive, Family, Gains, Task
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily, PidGains
+from urdfctl.smoke.tasks.task_file import TaskStep, UserTask
 
 JOINT = (hinge("follower", "b"),)
-POSITION = Task("arm", Family.FORWARD, ("follower",), "position")
-VELOCITY = Task("arm", Family.FORWARD, ("follower",), "velocity")
+POSITION = ControllerTask("arm", MotionFamily.FORWARD, ("follower",), "position")
+VELOCITY = ControllerTask("arm", MotionFamily.FORWARD, ("follower",), "velocity")
 WHEELS = (hinge("l", "lw", type="continuous"), hinge("r", "rw", type="continuous"))
 BASE = Drive(("l",), ("r",), radius=0.1, separation=0.4)
 """As the wheels of the engine are."""
 
 
 def told(
-    task: Task, kind: str, value: float, off: float = 0.0, engine: Obedient | None = None, **fields: float
+    task: ControllerTask, kind: str, value: float, off: float = 0.0, engine: Obedient | None = None, **fields: float
 ) -> list[str]:
     """Return what is said of a task for one joint, which ends off its command by some rad or rad/s."""
-    steps = (Step(0.3, (("follower", value),), 1),)
-    given = Assignment("arm", kind, steps, (0, 0), **fields)
-    made = trial(engine or Obedient(off=off), JOINT, (task,), assignments=(given,))
+    steps = (TaskStep(0.3, (("follower", value),), 1),)
+    given = UserTask("arm", kind, steps, (0, 0), **fields)
+    made = trial(engine or Obedient(off=off), JOINT, (task,), user_tasks=(given,))
     assert made.acts == {"arm": "performs"}
     return [f"{one.code} {one.subject}" for one in made.troubles]
 
@@ -58,9 +58,9 @@ def test_a_joint_holds_its_velocity_within_a_tenth(off: float, expected: list[st
 
 
 def test_a_loop_of_velocities_holds_them_too() -> None:
-    loop = Task("arm", Family.VELOCITY_PID, ("follower",), "velocity", (Gains(feed=1.0),))
+    loop = ControllerTask("arm", MotionFamily.VELOCITY_PID, ("follower",), "velocity", (PidGains(feed=1.0),))
     assert told(loop, "velocity", 0.5) == []
-    assert told(loop._replace(gains=(Gains(feed=0.5),)), "velocity", 0.5) == NOT_PERFORMED
+    assert told(loop._replace(gains=(PidGains(feed=0.5),)), "velocity", 0.5) == NOT_PERFORMED
 
 
 def test_a_task_beyond_the_limits_of_a_joint_is_reported_as_that() -> None:
@@ -70,9 +70,9 @@ def test_a_task_beyond_the_limits_of_a_joint_is_reported_as_that() -> None:
 
 def drive(forward: float, turn: float, engine: str = "pybullet", wheels: Drive = BASE, **fields: float) -> list[str]:
     """Return what is said of a base that drives for a second."""
-    given = Assignment("base", "drive", (Step(1.0, (("forward", forward), ("turn", turn)), 1),), (0, 0), **fields)
-    task = Task("base", Family.DIFFERENTIAL, ("l", "r"), "velocity", drive=wheels)
-    made = trial(Obedient(), WHEELS, (task,), fixed=False, engine=engine, assignments=(given,))
+    given = UserTask("base", "drive", (TaskStep(1.0, (("forward", forward), ("turn", turn)), 1),), (0, 0), **fields)
+    task = ControllerTask("base", MotionFamily.DIFFERENTIAL, ("l", "r"), "velocity", drive=wheels)
+    made = trial(Obedient(), WHEELS, (task,), fixed=False, engine=engine, user_tasks=(given,))
     return [trouble.code for trouble in made.troubles]
 
 
@@ -123,17 +123,17 @@ def test_how_far_a_skidding_base_comes_in_a_turn_is_judged_only_by_tolerances_of
     forward: float, turn: float, fields: dict[str, float], expected: list[str]
 ) -> None:
     """Its wheels roll twice as far in a turn as those of the engine, which turns by that."""
-    given = Assignment("base", "drive", (Step(1.0, (("forward", forward), ("turn", turn)), 1),), (0, 0), **fields)
+    given = UserTask("base", "drive", (TaskStep(1.0, (("forward", forward), ("turn", turn)), 1),), (0, 0), **fields)
     wheels = tuple(hinge(name, f"{name}w", type="continuous") for name in SKID.wheels)
-    task = Task("base", Family.DIFFERENTIAL, SKID.wheels, "velocity", drive=SKID)
+    task = ControllerTask("base", MotionFamily.DIFFERENTIAL, SKID.wheels, "velocity", drive=SKID)
     engine = Obedient(touching=frozenset(wheel.child for wheel in wheels))
-    made = trial(engine, wheels, (task,), fixed=False, engine="pybullet", assignments=(given,))
+    made = trial(engine, wheels, (task,), fixed=False, engine="pybullet", user_tasks=(given,))
     assert [trouble.code for trouble in made.troubles] == expected
 
 
 def test_only_the_curve_of_a_joint_with_a_target_shows_where_it_must_end() -> None:
     joints = (*JOINT, hinge("other", "c"))
-    given = Assignment("arm", "target", (Step(0.3, (("follower", 0.5),), 1),), (0, 0), tolerance=0.1)
+    given = UserTask("arm", "target", (TaskStep(0.3, (("follower", 0.5),), 1),), (0, 0), tolerance=0.1)
     both = POSITION._replace(joints=("follower", "other"))
-    made = trial(Obedient(), joints, (both,), assignments=(given,))
+    made = trial(Obedient(), joints, (both,), user_tasks=(given,))
     assert {curve.joint: curve.band for curve in made.curves} == {"follower": pytest.approx((0.4, 0.6)), "other": None}

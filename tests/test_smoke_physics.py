@@ -12,7 +12,7 @@ from smoke_robots import link
 from smoking_engines import EACH_ENGINE, needs_pybullet
 from test_smoke_collada import SHOWN, dae
 
-from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
+from urdfctl.smoke.engines.engine import STEP, Engine, EngineSetup, RobotRejected, open_engine
 
 CARRIAGE = 2.0
 """The mass of a carriage, in kg."""
@@ -35,7 +35,7 @@ def lying(shape: str) -> str:
 @contextmanager
 def railed(engine: str, axis: str = "1 0 0", dynamics: str = "", **fields: object) -> Iterator[Engine]:
     start = fields.pop("start", {"rail": 0.0})
-    setup = Setup(sliding(axis, dynamics), "base", True, start, **fields)  # type: ignore[arg-type]
+    setup = EngineSetup(sliding(axis, dynamics), "base", True, start, **fields)  # type: ignore[arg-type]
     opened = open_engine(engine, setup)
     yield opened
     opened.close()
@@ -43,7 +43,7 @@ def railed(engine: str, axis: str = "1 0 0", dynamics: str = "", **fields: objec
 
 @contextmanager
 def grounded(engine: str, urdf: str, **fields: object) -> Iterator[Engine]:
-    opened = open_engine(engine, Setup(urdf, "body", False, {}, **fields))  # type: ignore[arg-type]
+    opened = open_engine(engine, EngineSetup(urdf, "body", False, {}, **fields))  # type: ignore[arg-type]
     yield opened
     opened.close()
 
@@ -188,10 +188,10 @@ def test_a_body_rests_at_half_its_height_and_never_jumps(
     engine: str, shape: str, height: float, wheels: tuple[str, ...]
 ) -> None:
     with grounded(engine, lying(shape), wheels=wheels) as robot:
-        heights = [robot.standing().z]
+        heights = [robot.base_pose().z]
         for _ in range(200):
             robot.step()
-            heights.append(robot.standing().z)
+            heights.append(robot.base_pose().z)
         assert robot.touching() == {"body"}
     assert heights[-1] == pytest.approx(height, abs=0.001)
     assert max(heights) < height + 0.005
@@ -222,21 +222,21 @@ def test_a_tilted_body_is_put_down_where_it_touches_the_ground(
     tilted = level.replace('<origin xyz="0 0 0"/>', '<origin xyz="0 0 0" rpy="0 0.7 0"/>')
     assert tilted != level
     with grounded(engine, tilted) as robot:
-        assert robot.standing().z == pytest.approx(reach, abs=0.01)
+        assert robot.base_pose().z == pytest.approx(reach, abs=0.01)
 
 
 @pytest.mark.parametrize("engine", EACH_ENGINE)
 def test_a_body_that_is_fixed_to_the_world_stays_where_it_is(engine: str) -> None:
-    opened = open_engine(engine, Setup(lying(BOX), "body", True, {}))
+    opened = open_engine(engine, EngineSetup(lying(BOX), "body", True, {}))
     run(opened, 0.01)
-    assert opened.standing() == (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    assert opened.base_pose() == (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     opened.close()
 
 
 # -- what engines reject ---------------------------------------------------------------------------------------------
 
 
-def train(count: int) -> Setup:
+def train(count: int) -> EngineSetup:
     """Return a train of carriages, each of which slides on the one before."""
     parts = [link(f"c{n}", 1.0, 0.01) for n in range(count + 1)]
     parts += [
@@ -245,7 +245,7 @@ def train(count: int) -> Setup:
         for n in range(count)
     ]
     start = {f"j{n}": 0.0 for n in range(count)}
-    return Setup("\n".join(['<robot name="robot">', *parts, "</robot>"]), "c0", True, start)
+    return EngineSetup("\n".join(['<robot name="robot">', *parts, "</robot>"]), "c0", True, start)
 
 
 @needs_pybullet
@@ -256,7 +256,7 @@ def test_pybullet_moves_the_last_of_121_joints_and_rejects_one_more() -> None:
     run(robot, 0.01)
     assert robot.velocity("j120") > 0.01
     robot.close()
-    with pytest.raises(Refused, match=r"^it has 122 movable joints"):
+    with pytest.raises(RobotRejected, match=r"^it has 122 movable joints"):
         open_engine("pybullet", train(122))
 
 
@@ -268,7 +268,7 @@ def test_mujoco_stands_on_the_corners_of_a_mesh_that_has_a_volume(tmp_path: Path
     path.write_text(dae(SHOWN), encoding="utf-8")
     with grounded("mujoco", urdf) as robot:
         run(robot, 0.1)
-        assert robot.standing().z == pytest.approx(1.0, abs=0.002)
+        assert robot.base_pose().z == pytest.approx(1.0, abs=0.002)
     path.write_text(dae(SHOWN, "-1 -1 -1 1 -1 -1 0 1 -1"), encoding="utf-8")
-    with pytest.raises(Refused, match=r"^'body\.dae' has no corners that urdfctl can read$"):
-        open_engine("mujoco", Setup(urdf, "body", False, {}))
+    with pytest.raises(RobotRejected, match=r"^'body\.dae' has no corners that urdfctl can read$"):
+        open_engine("mujoco", EngineSetup(urdf, "body", False, {}))

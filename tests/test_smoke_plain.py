@@ -10,11 +10,11 @@ from smoking import codes, smoked, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
 from urdfctl.model.geometry import Pose, Vector, of_angles
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.plain import with_plain_drives
-from urdfctl.smoke.results import Smoked
-from urdfctl.smoke.shapes import Shape, Shapes, with_rims
-from urdfctl.smoke.tasks import Drive, Family, Task
+from urdfctl.smoke.results import RobotResult
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.robot.shapes import Shape, Shapes, with_rims
+from urdfctl.smoke.tasks.inferred_drives import with_inferred_drives
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily
 
 BOTH = """
 controller_manager:
@@ -37,7 +37,7 @@ right:
 """
 
 
-def of(folder: Path, urdf: str, yaml: str, engine: str) -> Smoked:
+def of(folder: Path, urdf: str, yaml: str, engine: str) -> RobotResult:
     return whole(target_of(folder, {"robot.urdf": urdf, "controllers.yaml": yaml}), engine, distro="jazzy")
 
 
@@ -92,12 +92,12 @@ def test_without_an_engine_the_wheels_are_checked_once_for_the_base(tmp_path: Pa
 
 LEFT, RIGHT = (0.0, 1.0, 0.0), (0.0, -1.0, 0.0)
 PAIR = {"l": ((0.0, 0.2, 0.0), LEFT), "r": ((0.0, -0.2, 0.0), LEFT)}
-TURNS = Task("wheels", Family.FORWARD, ("l", "r"), "velocity")
+TURNS = ControllerTask("wheels", MotionFamily.FORWARD, ("l", "r"), "velocity")
 
 
 def drive_of(
     wheels: dict[str, tuple[Vector, Vector]],
-    *tasks: Task,
+    *tasks: ControllerTask,
     radii: dict[str, float] | None = None,
     root: str = "base",
     caster: float = 0.05,
@@ -112,16 +112,18 @@ def drive_of(
         known[f"{name}_link"] = (Shape("cylinder", Pose(turn=of_angles(1.5707963, 0, 0)), size),)
     corners = [(x, y) for x in (-0.2, 0.2) for y in (-0.1, 0.1)]
     known[root] = tuple(Shape("sphere", Pose((x, y, caster - 0.1)), (caster,)) for x, y in corners)
-    bodies = {root: Body(root, 10.0), **{hinge.child: Body(hinge.child, 0.5) for hinge in hinges}}
+    bodies = {root: LinkBody(root, 10.0), **{hinge.child: LinkBody(hinge.child, 0.5) for hinge in hinges}}
     shapes = Shapes(known)
-    made_tasks = with_plain_drives(with_rims(Mechanism(root, bodies, tuple(hinges)), shapes), shapes, tasks or (TURNS,))
+    made_tasks = with_inferred_drives(
+        with_rims(Mechanism(root, bodies, tuple(hinges)), shapes), shapes, tasks or (TURNS,)
+    )
     return made_tasks[0].drive
 
 
 def test_wheels_on_both_sides_form_a_drive_with_the_measures_of_the_robot() -> None:
     found = drive_of(PAIR)
     assert found is not None
-    assert (found.left, found.right, found.plain) == (("l",), ("r",), True)
+    assert (found.left, found.right, found.is_inferred) == (("l",), ("r",), True)
     assert (found.radius, found.separation) == pytest.approx((0.1, 0.4))
     assert (found.left_scale, found.right_scale) == (1.0, 1.0)
 
@@ -158,15 +160,20 @@ def test_wheels_in_the_air_drive_nothing() -> None:
     ("task", "others"),
     [
         (TURNS._replace(interface="position"), ()),
-        (TURNS._replace(family=Family.VELOCITY_PID), ()),
+        (TURNS._replace(family=MotionFamily.VELOCITY_PID), ()),
         (TURNS._replace(joints=("l", "r", "arm")), ()),
         (TURNS._replace(joints=("l",)), ()),
-        (Task("states", Family.NOTHING), (TURNS,)),
-        (TURNS, (Task("base", Family.DIFFERENTIAL, ("l", "r"), "velocity", drive=Drive(("l",), ("r",))),)),
+        (ControllerTask("states", MotionFamily.NOTHING), (TURNS,)),
+        (
+            TURNS,
+            (ControllerTask("base", MotionFamily.DIFFERENTIAL, ("l", "r"), "velocity", drive=Drive(("l",), ("r",))),),
+        ),
     ],
     ids=["positions", "loops", "another joint", "one side", "a broadcaster", "a base with a controller"],
 )
-def test_only_velocities_of_all_wheels_and_of_nothing_else_drive(task: Task, others: tuple[Task, ...]) -> None:
+def test_only_velocities_of_all_wheels_and_of_nothing_else_drive(
+    task: ControllerTask, others: tuple[ControllerTask, ...]
+) -> None:
     assert drive_of(PAIR, task, *others) is None
 
 

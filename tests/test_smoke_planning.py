@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 from smoke_robots import Arm
-from smoking import target_of
+from smoking import checked, target_of
 
 from urdfctl.config.settings import Settings
 from urdfctl.load.loader import Loader
-from urdfctl.smoke.job import Wanted, prepared_robot
-from urdfctl.smoke.planning import _left_out
-from urdfctl.smoke.prepare import Prepared
+from urdfctl.smoke.engines.urdf import EngineUrdf
+from urdfctl.smoke.robot_motion import _left_out
+from urdfctl.smoke.run import SmokeRequest
 
 
 @pytest.mark.parametrize(("interface", "damped"), [("effort", True), ("position", False)])
@@ -20,7 +20,7 @@ def test_joints_that_efforts_push_keep_their_damping(interface: str, damped: boo
     """A motor that follows positions has the damping in itself."""
     urdf = Arm().urdf(interface=interface).replace("</joint>", '<dynamics damping="0.125"/></joint>')
     files = {"robot.urdf": urdf, "controllers.yaml": Arm().yaml(interface=interface)}
-    made = prepared_robot(Loader(Settings(distro="jazzy")), target_of(tmp_path, files), Wanted(engines=("pybullet",)))
+    made = checked(Loader(Settings(distro="jazzy")), target_of(tmp_path, files), SmokeRequest(engines=("pybullet",)))
     assert made.plan is not None
     assert ('damping="0.125"' in made.plan.urdf) == damped
 
@@ -30,9 +30,9 @@ def test_joints_that_efforts_push_keep_their_damping(interface: str, damped: boo
 )
 def test_links_without_their_meshes_are_one_finding(links: int, more: str) -> None:
     left_out = {f"l{n}": "'a.stl' has no triangles" for n in range(links)}
-    [trouble] = _left_out(Prepared("", left_out, {}))
+    [trouble] = _left_out(EngineUrdf("", left_out, {}))
     assert "'l0'" in trouble.message
     assert more in trouble.message
     assert ("other link" in trouble.message) == (links > 1)
     assert ("other links" in trouble.message) == (links > 2)
-    assert _left_out(Prepared("", {}, {})) == []
+    assert _left_out(EngineUrdf("", {}, {})) == []

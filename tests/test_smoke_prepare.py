@@ -9,10 +9,11 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from urdfctl.model.build_robot import robot_of
 from urdfctl.model.geometry import Pose, Rotation, of_angles
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism, mechanism_of
-from urdfctl.smoke.prepare import Prepared, mechanism_urdf, mesh_fault, names_of_wheels, prepared
+from urdfctl.model.robot.build_robot import robot_of
+from urdfctl.smoke.engines.urdf import EngineUrdf, engine_urdf, mechanism_urdf, mesh_fault, wheel_links
+from urdfctl.smoke.robot.description import mechanism_of
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
 from urdfctl.source.span import SourceText
 from urdfctl.source.xml import parse
 
@@ -23,20 +24,20 @@ def square(xx: float, yy: float, zz: float, xy: float = 0.0) -> Rotation:
     return (xx, xy, 0.0), (xy, yy, 0.0), (0.0, 0.0, zz)
 
 
-def written(body: Body, hinge: Hinge = JOINT, damped: tuple[str, ...] = ()) -> ET.Element:
-    text = mechanism_urdf(Mechanism("base", {"base": Body("base", 1.0), "arm": body}, (hinge,)), None, damped)
+def written(body: LinkBody, hinge: Hinge = JOINT, damped: tuple[str, ...] = ()) -> ET.Element:
+    text = mechanism_urdf(Mechanism("base", {"base": LinkBody("base", 1.0), "arm": body}, (hinge,)), None, damped)
     return ET.fromstring(text)
 
 
 def moments(inertia: Rotation, mass: float = 1.0) -> list[float]:
-    made = written(Body("arm", mass, inertia=inertia)).find("link[@name='arm']/inertial/inertia")
+    made = written(LinkBody("arm", mass, inertia=inertia)).find("link[@name='arm']/inertial/inertia")
     assert made is not None
     return [float(made.attrib[name]) for name in ("ixx", "iyy", "izz", "ixy")]
 
 
 @pytest.mark.parametrize(("kind", "expected"), [("revolute", 0.001), ("fixed", 0.0)])
 def test_a_moving_link_without_mass_gets_the_gram_that_the_report_names(kind: str, expected: float) -> None:
-    mass = written(Body("arm"), JOINT._replace(type=kind)).find("link[@name='arm']/inertial/mass")
+    mass = written(LinkBody("arm"), JOINT._replace(type=kind)).find("link[@name='arm']/inertial/mass")
     assert mass is not None
     assert float(mass.attrib["value"]) == expected
 
@@ -59,7 +60,7 @@ def test_a_mass_without_inertia_gets_a_small_one() -> None:
 
 
 def resistance(damped: tuple[str, ...]) -> tuple[str, str]:
-    joint = written(Body("arm", 1.0), JOINT._replace(damping=0.5, friction=0.25), damped).find("joint/dynamics")
+    joint = written(LinkBody("arm", 1.0), JOINT._replace(damping=0.5, friction=0.25), damped).find("joint/dynamics")
     assert joint is not None
     return joint.attrib["damping"], joint.attrib["friction"]
 
@@ -75,7 +76,7 @@ def test_only_joints_that_efforts_push_keep_their_resistance() -> None:
 )
 def test_the_angles_of_a_joint_are_those_of_its_rotation(roll: float, pitch: float, yaw: float) -> None:
     pose = Pose((1.0, 2.0, 3.0), of_angles(roll, pitch, yaw))
-    origin = written(Body("arm", 1.0), JOINT._replace(pose=pose)).find("joint/origin")
+    origin = written(LinkBody("arm", 1.0), JOINT._replace(pose=pose)).find("joint/origin")
     assert origin is not None
     again = of_angles(*map(float, origin.attrib["rpy"].split()))
     for row, expected in zip(again, pose.turn, strict=True):
@@ -83,14 +84,14 @@ def test_the_angles_of_a_joint_are_those_of_its_rotation(roll: float, pitch: flo
 
 
 def test_a_joint_of_an_unknown_type_is_fixed() -> None:
-    assert written(Body("arm", 1.0), JOINT._replace(type="planar")).find("joint[@type='fixed']") is not None
-    assert written(Body("arm", 1.0)).find("joint[@type='revolute']") is not None
+    assert written(LinkBody("arm", 1.0), JOINT._replace(type="planar")).find("joint[@type='fixed']") is not None
+    assert written(LinkBody("arm", 1.0)).find("joint[@type='revolute']") is not None
 
 
 # -- collision geometry ----------------------------------------------------------------------------------------------
 
 
-def with_shape(shape: str, *, standing: bool = True, wheel: float | None = None, mesh: str | None = None) -> Prepared:
+def with_shape(shape: str, *, standing: bool = True, wheel: float | None = None, mesh: str | None = None) -> EngineUrdf:
     """Return a robot whose only moving link turns about y and has a shape, or is a wheel of some radius."""
     collision = f"<collision><geometry>{shape}</geometry></collision>"
     axis = '<axis xyz="0 1 0"/><parent link="base"/><child link="arm"/>'
@@ -100,8 +101,8 @@ def with_shape(shape: str, *, standing: bool = True, wheel: float | None = None,
     robot = robot_of(root.documentElement)
     mechanism = mechanism_of(robot)
     assert mechanism is not None
-    wheels = names_of_wheels(mechanism, ["j"], wheel) if wheel is not None else {}
-    return prepared(robot, mechanism, lambda _: mesh, wheels, standing=standing)
+    wheels = wheel_links(mechanism, ["j"], wheel) if wheel is not None else {}
+    return engine_urdf(robot, mechanism, lambda _: mesh, wheels, standing=standing)
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,8 @@ import math
 import pytest
 from control_session import POSITION, STATES, VELOCITY, component, joint, session
 
-from urdfctl.smoke.reading import _drive, _gains, _limit, _loop, tasks_of
-from urdfctl.smoke.tasks import FREE, Family, Gains, Task
+from urdfctl.smoke.tasks.controller_tasks import _drive, _gains, _limit, _loop, tasks_of
+from urdfctl.smoke.tasks.task import FREE, ControllerTask, MotionFamily, PidGains
 
 EFFORT = '<command_interface name="effort"/>'
 HARDWARE = component("".join(joint(name, POSITION + VELOCITY + EFFORT + STATES) for name in ("shoulder", "elbow")))
@@ -17,7 +17,7 @@ PID = "pid_controller/PidController"
 TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 
 
-def tasks(**controllers: tuple[str, str]) -> dict[str, Task]:
+def tasks(**controllers: tuple[str, str]) -> dict[str, ControllerTask]:
     """Return the tasks of controllers with some types and parameters, by name."""
     declared = "".join(f"    {name}: {{type: {kind}}}\n" for name, (kind, _) in controllers.items())
     sections = "".join(f"{name}:\n  ros__parameters: {{{given}}}\n" for name, (_, given) in controllers.items())
@@ -33,14 +33,16 @@ def loop(joints: str, held: str = "position", command: str = "effort") -> tuple[
 
 def test_a_controller_that_forwards_moves_the_joints_that_it_claims() -> None:
     made = tasks(arm=(FORWARD, "joints: [elbow, shoulder], interface_name: velocity"))["arm"]
-    assert (made.family, made.joints, made.interface) == (Family.FORWARD, ("elbow", "shoulder"), "velocity")
+    assert (made.family, made.joints, made.interface) == (MotionFamily.FORWARD, ("elbow", "shoulder"), "velocity")
     assert (made.through, made.left_out) == ((), ())
 
 
-@pytest.mark.parametrize(("held", "family"), [("position", Family.POSITION_PID), ("velocity", Family.VELOCITY_PID)])
-def test_a_pid_controller_holds_what_it_is_given(held: str, family: Family) -> None:
+@pytest.mark.parametrize(
+    ("held", "family"), [("position", MotionFamily.POSITION_PID), ("velocity", MotionFamily.VELOCITY_PID)]
+)
+def test_a_pid_controller_holds_what_it_is_given(held: str, family: MotionFamily) -> None:
     made = tasks(low=loop("elbow", held))["low"]
-    assert (made.family, made.interface, made.gains) == (family, "effort", (Gains(p=10.0, d=1.0),))
+    assert (made.family, made.interface, made.gains) == (family, "effort", (PidGains(p=10.0, d=1.0),))
 
 
 # -- chains ----------------------------------------------------------------------------------------------------------
@@ -50,17 +52,19 @@ def test_a_trajectory_through_loops_moves_their_joints_with_their_gains() -> Non
     high = "joints: [shoulder, elbow], command_joints: [low/shoulder, low/elbow], command_interfaces: [position]"
     made = tasks(low=loop("shoulder, elbow"), high=(TRAJECTORY, f"{high}, state_interfaces: [position, velocity]"))
     task = made["high"]
-    assert (task.family, task.joints, task.interface) == (Family.TRAJECTORY, ("shoulder", "elbow"), "effort")
-    assert (task.through, task.gains) == (("low",), (Gains(p=10.0, d=1.0), Gains(p=11.0, d=1.0)))
+    assert (task.family, task.joints, task.interface) == (MotionFamily.TRAJECTORY, ("shoulder", "elbow"), "effort")
+    assert (task.through, task.gains) == (("low",), (PidGains(p=10.0, d=1.0), PidGains(p=11.0, d=1.0)))
 
 
-@pytest.mark.parametrize(("held", "family"), [("position", Family.POSITION_PID), ("velocity", Family.VELOCITY_PID)])
-def test_a_command_that_is_forwarded_to_a_loop_is_held_by_it(held: str, family: Family) -> None:
+@pytest.mark.parametrize(
+    ("held", "family"), [("position", MotionFamily.POSITION_PID), ("velocity", MotionFamily.VELOCITY_PID)]
+)
+def test_a_command_that_is_forwarded_to_a_loop_is_held_by_it(held: str, family: MotionFamily) -> None:
     made = tasks(low=loop("shoulder, elbow", held), high=(FORWARD, f"joints: [low/elbow], interface_name: {held}"))[
         "high"
     ]
     assert (made.family, made.joints, made.interface) == (family, ("elbow",), "effort")
-    assert (made.gains, made.through) == ((Gains(p=11.0, d=1.0),), ("low",))
+    assert (made.gains, made.through) == ((PidGains(p=11.0, d=1.0),), ("low",))
 
 
 def test_a_loop_around_a_loop_is_not_simulated() -> None:
@@ -76,7 +80,7 @@ def test_an_interface_that_the_other_controller_does_not_offer_leads_nowhere() -
 def test_a_controller_that_follows_trajectories_is_not_followed_further() -> None:
     low = "joints: [elbow], command_interfaces: [position], state_interfaces: [position]"
     made = tasks(low=(TRAJECTORY, low), high=(FORWARD, "joints: [low/elbow], interface_name: position"))
-    assert made["high"].family is Family.STRUCTURAL
+    assert made["high"].family is MotionFamily.STRUCTURAL
 
 
 def test_joints_that_are_commanded_in_different_ways_are_not_simulated_together() -> None:
@@ -93,11 +97,11 @@ def test_joints_that_are_commanded_in_different_ways_are_not_simulated_together(
 )
 def test_why_a_controller_is_not_simulated(controllers: dict[str, tuple[str, str]], why: str) -> None:
     made = tasks(**controllers)["arm"]
-    assert (made.family, made.why) == (Family.STRUCTURAL, why)
+    assert (made.family, made.why) == (MotionFamily.STRUCTURAL, why)
 
 
 def test_a_broadcaster_moves_nothing() -> None:
-    assert tasks(states=("joint_state_broadcaster/JointStateBroadcaster", ""))["states"].family is Family.NOTHING
+    assert tasks(states=("joint_state_broadcaster/JointStateBroadcaster", ""))["states"].family is MotionFamily.NOTHING
 
 
 # -- loops and gains -------------------------------------------------------------------------------------------------
@@ -106,33 +110,36 @@ def test_a_broadcaster_moves_nothing() -> None:
 @pytest.mark.parametrize(
     ("type_name", "interface", "family"),
     [
-        ("effort_controllers/JointPositionController", "effort", Family.POSITION_PID),
-        ("velocity_controllers/JointPositionController", "velocity", Family.POSITION_PID),
-        ("position_controllers/JointPositionController", "position", Family.FORWARD),
-        ("effort_controllers/JointVelocityController", "effort", Family.VELOCITY_PID),
-        ("velocity_controllers/JointVelocityController", "velocity", Family.FORWARD),
-        ("effort_controllers/JointEffortController", "effort", Family.FORWARD),
-        ("forward_command_controller/ForwardPositionController", "effort", Family.FORWARD),
+        ("effort_controllers/JointPositionController", "effort", MotionFamily.POSITION_PID),
+        ("velocity_controllers/JointPositionController", "velocity", MotionFamily.POSITION_PID),
+        ("position_controllers/JointPositionController", "position", MotionFamily.FORWARD),
+        ("effort_controllers/JointVelocityController", "effort", MotionFamily.VELOCITY_PID),
+        ("velocity_controllers/JointVelocityController", "velocity", MotionFamily.FORWARD),
+        ("effort_controllers/JointEffortController", "effort", MotionFamily.FORWARD),
+        ("forward_command_controller/ForwardPositionController", "effort", MotionFamily.FORWARD),
     ],
 )
 def test_a_controller_of_positions_that_commands_something_else_closes_a_loop(
-    type_name: str, interface: str, family: Family
+    type_name: str, interface: str, family: MotionFamily
 ) -> None:
-    assert _loop(Family.FORWARD, type_name.rpartition("/")[2], type_name, interface, {}) is family
-    assert _loop(Family.TRAJECTORY, type_name.rpartition("/")[2], type_name, interface, {}) is Family.TRAJECTORY
+    assert _loop(MotionFamily.FORWARD, type_name.rpartition("/")[2], type_name, interface, {}) is family
+    assert (
+        _loop(MotionFamily.TRAJECTORY, type_name.rpartition("/")[2], type_name, interface, {})
+        is MotionFamily.TRAJECTORY
+    )
 
 
 @pytest.mark.parametrize("place", ["gains.j.", "j.pid.", "pid.", "gains.", ""])
 def test_gains_are_read_from_wherever_controllers_read_them(place: str) -> None:
     given = {f"{place}p": 1.0, f"{place}i": 2, f"{place}d": 0.5, f"{place}i_clamp": -3.0}
-    assert _gains(given, "j") == Gains(1.0, 2.0, 0.5, 3.0)
-    assert _gains({f"{place}d": 0.5}, "j") == Gains(0.0, 0.0, 0.5, math.inf)
+    assert _gains(given, "j") == PidGains(1.0, 2.0, 0.5, 3.0)
+    assert _gains({f"{place}d": 0.5}, "j") == PidGains(0.0, 0.0, 0.5, math.inf)
 
 
 def test_the_gains_of_the_joint_come_before_common_ones() -> None:
     assert _gains({"gains.j.p": 1.0, "pid.p": 2.0, "p": 3.0}, "j").p == 1.0
     assert _gains({"gains.other.p": 1.0, "p": 3.0}, "j").p == 3.0
-    assert _gains({"gains.j.p": "high", "gains.j.i": True}, "j") == Gains()
+    assert _gains({"gains.j.p": "high", "gains.j.i": True}, "j") == PidGains()
 
 
 @pytest.mark.parametrize(
@@ -180,10 +187,10 @@ def test_the_measures_of_two_sides_are_read_with_their_multipliers() -> None:
         "left_wheel_radius_multiplier": 1.1,
         "wheel_radius_multiplier": 0.9,
     }
-    made = _drive(Family.DIFFERENTIAL, given)
+    made = _drive(MotionFamily.DIFFERENTIAL, given)
     assert (made.left, made.right) == (("l",), ("r",))
     assert (made.separation, made.radius_of("l"), made.radius_of("r")) == pytest.approx((0.6, 0.11, 0.09))
-    assert _drive(Family.DIFFERENTIAL, {"wheel_separation": 0.4}).separation == 0.4
+    assert _drive(MotionFamily.DIFFERENTIAL, {"wheel_separation": 0.4}).separation == 0.4
 
 
 @pytest.mark.parametrize(
@@ -202,6 +209,6 @@ def test_the_older_names_of_steered_bases_depend_on_which_wheels_steer(
         "front_wheel_track": 0.4,
         "wheelbase": 1.0,
     }
-    made = _drive(Family.STEERED, given)
+    made = _drive(MotionFamily.STEERED, given)
     assert (made.driven, made.steered, made.radius, made.wheelbase) == ((driven,), (steered,), radius, 1.0)
     assert (made.track, made.steering_track) == ((0.5, 0.4) if front else (0.4, 0.5))

@@ -10,8 +10,8 @@ import pytest
 from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.model.stage import Stage
-from urdfctl.smoke.reports import how, render_smoke, report_of, steps
-from urdfctl.smoke.results import ControllerResult, Curve, Smoked, Verdict
+from urdfctl.smoke.reports import conditions, render_smoke, report_of, stages_reached
+from urdfctl.smoke.results import ControllerResult, Curve, RobotResult, Verdict
 
 PASSED = ControllerResult("arm", "acme/Arm", Verdict.PASSED, Stage.DEACTIVATE, tested=("moved",), seconds=0.5)
 FAILED = PASSED._replace(name="hand", verdict=Verdict.FAILED, stage=Stage.CONFIGURE, reason="its joint is unknown")
@@ -21,7 +21,7 @@ SKIPPED = PASSED._replace(name="lamp", verdict=Verdict.SKIPPED, stage=Stage.LOAD
 UNTESTED = PASSED._replace(name="leg", untested={"feedback": "it has no sensor"})
 
 
-def robot(*controllers: ControllerResult, ros: int = 2, **fields: object) -> Smoked:
+def robot(*controllers: ControllerResult, ros: int = 2, **fields: object) -> RobotResult:
     """Return the smoke test of a robot with some controllers, in MuJoCo."""
     linted = TargetResult(
         path="robot.urdf",
@@ -37,14 +37,14 @@ def robot(*controllers: ControllerResult, ros: int = 2, **fields: object) -> Smo
         outcome=Outcome([], []),
     )
     linted = linted._replace(**{name: fields.pop(name) for name in ("launch", "distro_from") if name in fields})
-    return Smoked(linted, controllers, "jazzy", "mujoco", 1.25, **fields)  # type: ignore[arg-type]
+    return RobotResult(linted, controllers, "jazzy", "mujoco", 1.25, **fields)  # type: ignore[arg-type]
 
 
-def text(*robots: Smoked) -> list[str]:
+def text(*robots: RobotResult) -> list[str]:
     return render_smoke(report_of(robots, []), "text").splitlines()
 
 
-def junit(*robots: Smoked) -> ET.Element:
+def junit(*robots: RobotResult) -> ET.Element:
     return ET.fromstring(render_smoke(report_of(robots, []), "junit"))
 
 
@@ -67,7 +67,7 @@ def test_the_summary_counts_one_controller_as_one() -> None:
 
 @pytest.mark.parametrize(("ros", "stages"), [(1, "load > activate"), (2, "load > configure > activate")])
 def test_controllers_of_ros_1_are_not_configured(ros: int, stages: str) -> None:
-    assert steps(PASSED._replace(stage=Stage.ACTIVATE), ros) == stages
+    assert stages_reached(PASSED._replace(stage=Stage.ACTIVATE), ros) == stages
 
 
 def test_a_robot_is_named_after_the_launch_file_that_starts_it_unless_that_is_its_file() -> None:
@@ -80,7 +80,7 @@ def test_a_robot_is_named_after_the_launch_file_that_starts_it_unless_that_is_it
     [("package.xml", "jazzy from package.xml; mujoco, 1.2 s"), ("--distro", "jazzy; mujoco, 1.2 s")],
 )
 def test_the_evidence_for_a_distro_is_told_unless_an_option_names_it(source: str, told: str) -> None:
-    assert how(robot(PASSED, distro_from=source)) == told
+    assert conditions(robot(PASSED, distro_from=source)) == told
 
 
 def test_each_controller_is_a_test_case_and_one_cause_is_one_failure() -> None:

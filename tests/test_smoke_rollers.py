@@ -11,9 +11,9 @@ from smoking import codes, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.rollers import Twist, commands, motion_of_base, wheel_speeds
-from urdfctl.smoke.tasks import Drive
+from urdfctl.smoke.motion.rollers import Twist, commands, motion_of_base, wheel_speeds
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.tasks.task import Drive
 
 MECANUM = """
 controller_manager:
@@ -146,7 +146,7 @@ def on_wheels(places: dict[str, tuple[float, float]], velocity: float = 20.0) ->
         Hinge(name, "continuous", "base_link", f"{name}_link", Pose((x, y, 0.1)), (0.0, 1.0, 0.0), velocity=velocity)
         for name, (x, y) in places.items()
     ]
-    bodies = [Body("base_link", 10.0), *(Body(hinge.child, 0.5, radius=0.1) for hinge in hinges)]
+    bodies = [LinkBody("base_link", 10.0), *(LinkBody(hinge.child, 0.5, radius=0.1) for hinge in hinges)]
     return Mechanism("base_link", {body.name: body for body in bodies}, tuple(hinges))
 
 

@@ -13,24 +13,24 @@ from pathlib import Path
 import pytest
 from folder import CHECKOUT
 from smoke_robots import Arm
-from smoking import target_of
+from smoking import smoked_in_workers, target_of
 from smoking_engines import needs_pybullet
 
 from urdfctl.config.settings import Settings
 from urdfctl.run.limits import CAN_FORK, WorkerFailure
-from urdfctl.smoke import runs
-from urdfctl.smoke.job import Wanted, smoke_all
-from urdfctl.smoke.mechanism import Mechanism
-from urdfctl.smoke.plan import Plan, Tried
-from urdfctl.smoke.progress import keep, kept, live_lines, stopped_early
-from urdfctl.smoke.results import Smoked, Trouble
-from urdfctl.smoke.tasks import Family, Task
+from urdfctl.smoke.motion import engine_workers
+from urdfctl.smoke.motion.plan import MotionPlan, SimulationResult
+from urdfctl.smoke.motion.progress import keep, kept, live_lines, stopped_early
+from urdfctl.smoke.results import RobotResult, Trouble
+from urdfctl.smoke.robot.mechanism import Mechanism
+from urdfctl.smoke.run import SmokeRequest
+from urdfctl.smoke.tasks.task import ControllerTask, MotionFamily
 
 needs_fork = pytest.mark.skipif(not CAN_FORK, reason="the system cannot fork")
-TASKS = tuple(Task(name, Family.FORWARD) for name in ("one", "two", "three"))
-PLAN = Plan(engine="mujoco", urdf="", mechanism=Mechanism("base", {}, ()), tasks=TASKS, rate=100.0, fixed=True)
+TASKS = tuple(ControllerTask(name, MotionFamily.FORWARD) for name in ("one", "two", "three"))
+PLAN = MotionPlan(engine="mujoco", urdf="", mechanism=Mechanism("base", {}, ()), tasks=TASKS, rate=100.0, fixed=True)
 SLIP = Trouble("UC932", "joint:a", "joint 'a' is too fast", "two")
-KNOWN = Tried((SLIP,), ("one",), tested={"one": ("started", "moved")}, times={"one": 0.25, "two": 0.5})
+KNOWN = SimulationResult((SLIP,), ("one",), tested={"one": ("started", "moved")}, times={"one": 0.25, "two": 0.5})
 ARM = Arm()
 TWO = """
 controller_manager:
@@ -46,13 +46,13 @@ second:
 """Two controllers that command in different ways, and so are tested one after the other."""
 
 
-def reasons(made: Smoked) -> dict[str, str]:
+def reasons(made: RobotResult) -> dict[str, str]:
     return {result.name: f"{result.verdict.value}: {result.reason}" for result in made.controllers}
 
 
 def test_what_is_known_is_kept_in_a_file(tmp_path: Path) -> None:
     path = str(tmp_path / "known")
-    assert kept(path) == Tried()
+    assert kept(path) == SimulationResult()
     keep(KNOWN, path)
     assert kept(path) == KNOWN
     assert os.listdir(tmp_path) == ["known"]
@@ -77,17 +77,17 @@ def test_each_controller_has_one_line_on_a_terminal() -> None:
 @needs_fork
 @needs_pybullet
 def test_a_worker_that_is_ended_for_its_time_loses_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def stuck(_plan: Plan, seen: object) -> Tried:
+    def stuck(_plan: MotionPlan, seen: object) -> SimulationResult:
         assert callable(seen)
-        seen(Tried(moved=("first",), tested={"first": ("started", "moved")}))
+        seen(SimulationResult(moved=("first",), tested={"first": ("started", "moved")}))
         time.sleep(60)
-        return Tried()
+        return SimulationResult()
 
-    monkeypatch.setattr(runs, "tried", stuck)
-    monkeypatch.setattr(runs, "WAITING", 0.0)
-    monkeypatch.setattr(runs, "STARTING", 0.5)
+    monkeypatch.setattr(engine_workers, "run_trial", stuck)
+    monkeypatch.setattr(engine_workers, "WAITING", 0.0)
+    monkeypatch.setattr(engine_workers, "STARTING", 0.5)
     target = target_of(tmp_path, {"robot.urdf": ARM.urdf(interface="position"), "controllers.yaml": TWO})
-    [made] = smoke_all([target], [Settings(distro="jazzy")], Wanted(engines=("pybullet",)))
+    [made] = smoked_in_workers([target], [Settings(distro="jazzy")], SmokeRequest(engines=("pybullet",)))
     assert reasons(made) == {
         "first": "passed: ",
         "second": "skipped: not tested: it takes longer than 0.5 s; 1 of 2 controllers tested",
@@ -96,9 +96,11 @@ def test_a_worker_that_is_ended_for_its_time_loses_nothing(tmp_path: Path, monke
 
 
 def test_a_worker_gets_a_multiple_of_its_processor_time_and_time_to_start() -> None:
-    limits = runs.Runs(Settings(), 1)._limits([PLAN._replace(budget=10.0), PLAN._replace(budget=20.0)])
+    limits = engine_workers.EngineWorkers(Settings(), 1)._limits(
+        [PLAN._replace(budget=10.0), PLAN._replace(budget=20.0)]
+    )
     assert limits.seconds == 20.0 * 12 + 60
-    assert runs.Runs(Settings(), 1)._limits([PLAN._replace(gui=True)]).seconds == 600.0
+    assert engine_workers.EngineWorkers(Settings(), 1)._limits([PLAN._replace(gui=True)]).seconds == 600.0
 
 
 def test_nothing_more_is_simulated_after_an_interruption() -> None:
@@ -106,7 +108,7 @@ def test_nothing_more_is_simulated_after_an_interruption() -> None:
         yield {"moved": 1}
         raise KeyboardInterrupt
 
-    simulations = runs.Runs(Settings(), 1)
+    simulations = engine_workers.EngineWorkers(Settings(), 1)
     results = list(simulations._until_interrupted(interrupted(), 3))  # type: ignore[arg-type]
     assert results == [{"moved": 1}, *[WorkerFailure("interrupted")] * 2]
     assert simulations.interrupted
@@ -139,23 +141,23 @@ def test_ctrl_c_reports_what_was_tested(tmp_path: Path) -> None:
 # -- which engine is believed ------------------------------------------------------------------------------------------
 
 WEAK = Trouble("UC932", "joint:a", "joint 'a' is too fast", "one")
-FAILED = Tried((WEAK,), ("one",))
-SOUND = Tried((), ("one",))
+FAILED = SimulationResult((WEAK,), ("one",))
+SOUND = SimulationResult((), ("one",))
 MESHES = PLAN._replace(engine="pybullet", urdf="<a/>\n<mesh/>\n<b/>")
 
 
 def settled(
-    monkeypatch: pytest.MonkeyPatch, plan: Plan, *results: Tried | WorkerFailure
+    monkeypatch: pytest.MonkeyPatch, plan: MotionPlan, *results: SimulationResult | WorkerFailure
 ) -> tuple[str, object, list[str]]:
     """What a run settles on if its simulations end with some results, one after the other, and what was simulated."""
     left, made = list(results), []
 
-    def simulate(_self: object, plans: list[Plan], _parallel: int, _folder: str) -> object:
+    def simulate(_self: object, plans: list[MotionPlan], _parallel: int, _folder: str) -> object:
         made.extend(f"{plan.engine}{' without meshes' if plan.shapeless else ''}" for plan in plans)
         return iter([left.pop(0) for _ in plans])
 
-    monkeypatch.setattr(runs.Runs, "_run", simulate)
-    [(engine, result)] = runs.Runs(Settings(), 1, ["mujoco"]).results([plan])
+    monkeypatch.setattr(engine_workers.EngineWorkers, "_run", simulate)
+    [(engine, result)] = engine_workers.EngineWorkers(Settings(), 1, ["mujoco"]).results([plan])
     return engine, result, made
 
 
@@ -166,10 +168,10 @@ def test_an_engine_that_finds_no_error_is_believed(monkeypatch: pytest.MonkeyPat
 def test_the_second_engine_is_asked_before_a_robot_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     engine, result, made = settled(monkeypatch, MESHES, FAILED, SOUND)
     assert (engine, made) == ("pybullet and mujoco", ["pybullet", "mujoco"])
-    assert isinstance(result, Tried)
+    assert isinstance(result, SimulationResult)
     assert result.troubles == ()
     engine, result, made = settled(monkeypatch, MESHES, FAILED, FAILED)
-    assert isinstance(result, Tried)
+    assert isinstance(result, SimulationResult)
     assert (engine, result.troubles) == ("pybullet and mujoco", (WEAK,))
 
 
@@ -188,7 +190,7 @@ def test_an_engine_that_crashes_is_tried_without_meshes_and_then_another_one_alo
 
 
 def test_an_engine_that_rejects_a_robot_leaves_it_to_another_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    refused = Tried(refused="two roots")
+    refused = SimulationResult(refused="two roots")
     assert settled(monkeypatch, MESHES, refused, SOUND)[:2] == ("mujoco", SOUND)
     assert settled(monkeypatch, MESHES, refused, refused)[:2] == ("pybullet", refused)
 
@@ -196,10 +198,10 @@ def test_an_engine_that_rejects_a_robot_leaves_it_to_another_one(monkeypatch: py
 def test_the_end_of_an_engines_output_is_shown_without_its_greeting(tmp_path: Path) -> None:
     path = tmp_path / "output"
     path.write_text(f"pybullet build time: today\n{'x' * 2000}\nbad  element\n", encoding="utf-8")
-    assert runs._engine_output(str(path)) == f"{'x' * 288} bad element"
+    assert engine_workers._engine_output(str(path)) == f"{'x' * 288} bad element"
     path.write_text("pybullet build time: today\nbad\n", encoding="utf-8")
-    assert runs._engine_output(str(path)) == "bad"
-    assert runs._engine_output(str(tmp_path / "none")) == ""
+    assert engine_workers._engine_output(str(path)) == "bad"
+    assert engine_workers._engine_output(str(tmp_path / "none")) == ""
 
 
 def test_processor_time_grows_with_joints_and_controllers() -> None:
@@ -212,5 +214,5 @@ def test_processor_time_grows_with_joints_and_controllers() -> None:
 @needs_fork
 def test_only_a_watched_simulation_sees_the_screen(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DISPLAY", ":0")
-    assert "DISPLAY" not in runs.Runs(Settings(), 1)._limits([PLAN]).environ
-    assert runs.Runs(Settings(), 1)._limits([PLAN._replace(gui=True)]).environ["DISPLAY"] == ":0"
+    assert "DISPLAY" not in engine_workers.EngineWorkers(Settings(), 1)._limits([PLAN]).environ
+    assert engine_workers.EngineWorkers(Settings(), 1)._limits([PLAN._replace(gui=True)]).environ["DISPLAY"] == ":0"

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from urdfctl.model.geometry import Pose, Vector, of_angles
-from urdfctl.smoke.shapes import MOST_POINTS, Shape, corners_of, rim_of
+from urdfctl.smoke.robot.shapes import MOST_POINTS, Shape, corners_of, rim_of
 
 LEFT = (0.0, 1.0, 0.0)
 TRIANGLE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 2.0, 0.0))

@@ -5,22 +5,25 @@ from __future__ import annotations
 import pytest
 from smoke_obedient import Obedient, hinge
 
-from urdfctl.smoke.engines import STEP, Standing
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.motions import Goal, motion_of
-from urdfctl.smoke.plan import Plan
+from urdfctl.smoke.engines.engine import STEP, BasePose
+from urdfctl.smoke.motion.motions import motion_of
+from urdfctl.smoke.motion.plan import MotionPlan
+from urdfctl.smoke.motion.simulation import Exploded, OutOfTime, RobotSimulation, Tipped
 from urdfctl.smoke.results import Curve
-from urdfctl.smoke.simulation import Exploded, OutOfTime, Simulation, Tipped
-from urdfctl.smoke.tasks import Family, Gains, Task
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.tasks.goals import Goal
+from urdfctl.smoke.tasks.task import ControllerTask, MotionFamily, PidGains
 
 JOINT = hinge("j", "arm")
-POSITION = Task("arm", Family.FORWARD, ("j",), "position")
+POSITION = ControllerTask("arm", MotionFamily.FORWARD, ("j",), "position")
 
 
-def simulation(engine: Obedient, *hinges: Hinge, tasks: tuple[Task, ...] = (), **fields: object) -> Simulation:
-    bodies = {name: Body(name) for name in ("base", *(one.child for one in hinges))}
-    plan = Plan("mujoco", "", Mechanism("base", bodies, hinges), tasks, 100.0, fixed=True)
-    return Simulation(plan._replace(**fields), engine, 0.0 if fields.get("budget") == 0.0 else 1e9)  # type: ignore[arg-type]
+def simulation(
+    engine: Obedient, *hinges: Hinge, tasks: tuple[ControllerTask, ...] = (), **fields: object
+) -> RobotSimulation:
+    bodies = {name: LinkBody(name) for name in ("base", *(one.child for one in hinges))}
+    plan = MotionPlan("mujoco", "", Mechanism("base", bodies, hinges), tasks, 100.0, fixed=True)
+    return RobotSimulation(plan._replace(**fields), engine, 0.0 if fields.get("budget") == 0.0 else 1e9)  # type: ignore[arg-type]
 
 
 class Loaded(Obedient):
@@ -30,7 +33,7 @@ class Loaded(Obedient):
         return 5.0
 
 
-def curve_of(task: Task, joint: Hinge = JOINT, seconds: float = 2.0) -> Curve:
+def curve_of(task: ControllerTask, joint: Hinge = JOINT, seconds: float = 2.0) -> Curve:
     """Return the curve of a joint that a controller moves by 0.2 rad."""
     engine = Loaded()
     made, goal = simulation(engine, joint), Goal(joint, 0.0, 0.2)
@@ -58,9 +61,9 @@ def test_a_short_motion_is_drawn_whole() -> None:
         (POSITION, "position", True, True, (-1.0, 1.0), "rad"),
         (POSITION._replace(interface="velocity"), "velocity", True, False, (-1.0, 1.0), "rad/s"),
         (POSITION._replace(interface="effort"), "position", False, False, (-1.0, 1.0), "rad"),
-        (POSITION._replace(family=Family.TRAJECTORY), "position", True, True, (-1.0, 1.0), "rad"),
+        (POSITION._replace(family=MotionFamily.TRAJECTORY), "position", True, True, (-1.0, 1.0), "rad"),
         (
-            Task("arm", Family.VELOCITY_PID, ("j",), "velocity", (Gains(),)),
+            ControllerTask("arm", MotionFamily.VELOCITY_PID, ("j",), "velocity", (PidGains(),)),
             "velocity",
             True,
             False,
@@ -70,7 +73,7 @@ def test_a_short_motion_is_drawn_whole() -> None:
     ],
 )
 def test_a_curve_shows_the_quantity_that_is_judged(
-    task: Task, quantity: str, is_commanded: bool, has_band: bool, limits: tuple[float, float], unit: str
+    task: ControllerTask, quantity: str, is_commanded: bool, has_band: bool, limits: tuple[float, float], unit: str
 ) -> None:
     curve = curve_of(task)
     assert (curve.quantity, bool(curve.commanded), curve.band is not None) == (quantity, is_commanded, has_band)
@@ -117,8 +120,8 @@ class Leaning(Obedient):
         super().__init__()
         self.pitch = pitch
 
-    def standing(self) -> Standing:
-        return super().standing()._replace(pitch=self.pitch)
+    def base_pose(self) -> BasePose:
+        return super().base_pose()._replace(pitch=self.pitch)
 
 
 @pytest.mark.parametrize(("pitch", "tips"), [(0.44, False), (0.46, True), (-0.24, False), (-0.26, True)])
@@ -126,7 +129,7 @@ def test_a_robot_tips_if_it_turns_by_a_third_of_a_radian_from_where_it_rested(pi
     """It rests with a pitch of 0.1 rad."""
     made = simulation(Leaning(pitch))
     made.update()
-    made.at_rest = Leaning(0.1).standing()
+    made.at_rest = Leaning(0.1).base_pose()
     if tips:
         with pytest.raises(Tipped):
             made.update()

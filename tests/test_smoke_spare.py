@@ -9,7 +9,7 @@ from smoke_robots import Rover
 from smoking import smoked, target_of, verdicts, whole
 
 from urdfctl.diagnostic import Severity
-from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.results import RobotResult
 
 OTHER = """
     other: {type: diff_drive_controller/DiffDriveController}
@@ -41,7 +41,7 @@ def two_drives(radius: float = 1.0) -> dict[str, str]:
     return {"robot.urdf": Rover().urdf(), "controllers.yaml": yaml}
 
 
-def misfits(result: Smoked) -> set[tuple[str, Severity, bool]]:
+def misfits(result: RobotResult) -> set[tuple[str, Severity, bool]]:
     """The controllers whose measures differ, how severe that is, and whether a note says that they are not started."""
     return {
         (finding.message.split("'")[1], finding.severity, bool(finding.notes))

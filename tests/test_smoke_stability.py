@@ -8,16 +8,17 @@ import random
 import pytest
 
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke import stability
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
+from urdfctl.smoke.matrices import eigenvalues, exponential
 from urdfctl.smoke.results import Trouble
-from urdfctl.smoke.stability import closed_loop, eigenvalues, exponential, loop_troubles
-from urdfctl.smoke.tasks import Family, Gains, Task
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.statics import stability
+from urdfctl.smoke.statics.stability import closed_loop, loop_troubles
+from urdfctl.smoke.tasks.task import ControllerTask, MotionFamily, PidGains
 
 UP = (0.0, 0.0, 1.0)
 
 
-def simulated_growth(inertia: float, damping: float, gains: Gains, period: float) -> float:
+def simulated_growth(inertia: float, damping: float, gains: PidGains, period: float) -> float:
     """The growth of a loop's motion in a period, from the motion itself: integrated in small steps between updates.
 
     The position starts at 1 rad, the target is 0. The motion is scaled back when it becomes large or small.
@@ -44,14 +45,14 @@ def test_a_loop_grows_as_fast_as_its_simulation(seed: int) -> None:
     chance = random.Random(seed)  # noqa: S311 (a sample)
     inertia, period = chance.uniform(0.1, 2.0), chance.choice([0.001, 0.01])
     fastest = inertia / period**2
-    gains = Gains(p=fastest * 10 ** chance.uniform(-3, 0), d=fastest * period * 10 ** chance.uniform(-2, 0.5))
+    gains = PidGains(p=fastest * 10 ** chance.uniform(-3, 0), d=fastest * period * 10 ** chance.uniform(-2, 0.5))
     damping = chance.choice([0.0, inertia / period / 50])
     growth, _ = closed_loop([[inertia]], [[0.0]], [damping], [gains], period)
     assert simulated_growth(inertia, damping, gains, period) == pytest.approx(growth, rel=2e-3)
 
 
 def test_a_loop_with_an_integral_part_grows_as_fast_as_its_simulation() -> None:
-    gains = Gains(p=200.0, i=4000.0, d=10.0)
+    gains = PidGains(p=200.0, i=4000.0, d=10.0)
     growth, _ = closed_loop([[1.0]], [[0.0]], [0.0], [gains], 0.01)
     assert growth > 1.0
     assert simulated_growth(1.0, 0.0, gains, 0.01) == pytest.approx(growth, rel=2e-3)
@@ -60,7 +61,7 @@ def test_a_loop_with_an_integral_part_grows_as_fast_as_its_simulation() -> None:
 @pytest.mark.parametrize(("d", "expected"), [(0.1, 0.05), (0.6, 0.3)])
 def test_the_damping_ratio_is_that_of_the_textbook(d: float, expected: float) -> None:
     """A mass of 1 kg m² on a gain of 1 N m/rad: the ratio is d / 2 if the updates are much faster than the motion."""
-    assert closed_loop([[1.0]], [[0.0]], [0.0], [Gains(p=1.0, d=d)], 0.001)[1] == pytest.approx(expected, rel=0.01)
+    assert closed_loop([[1.0]], [[0.0]], [0.0], [PidGains(p=1.0, d=d)], 0.001)[1] == pytest.approx(expected, rel=0.01)
 
 
 # -- limits ------------------------------------------------------------------------------------------------------------
@@ -73,25 +74,25 @@ def turning(inertia: float, joints: int = 1) -> Mechanism:
         Hinge(f"j{n}", "revolute", parent="base", child=f"l{n}", pose=Pose(), axis=UP)._replace(lower=-1.0, upper=1.0)
         for n in range(joints)
     ]
-    bodies = {f"l{n}": Body(f"l{n}", 0.1, inertia=square) for n in range(joints)}
-    return Mechanism("base", {"base": Body("base"), **bodies}, tuple(hinges))
+    bodies = {f"l{n}": LinkBody(f"l{n}", 0.1, inertia=square) for n in range(joints)}
+    return Mechanism("base", {"base": LinkBody("base"), **bodies}, tuple(hinges))
 
 
-def found(mechanism: Mechanism, gains: Gains, rate: float) -> list[Trouble]:
+def found(mechanism: Mechanism, gains: PidGains, rate: float) -> list[Trouble]:
     joints = tuple(hinge.name for hinge in mechanism.hinges)
-    task = Task("mover", Family.POSITION_PID, joints, "effort", (gains,) * len(joints))
+    task = ControllerTask("mover", MotionFamily.POSITION_PID, joints, "effort", (gains,) * len(joints))
     return list(loop_troubles(mechanism, [task], rate))
 
 
 @pytest.mark.parametrize(("d", "expected"), [(0.15, []), (9.0, ["UC918"]), (12.0, ["UC916"])])
 def test_a_rotor_of_a_twentieth_of_a_kilogram_square_metre_may_steady_a_joint(d: float, expected: list[str]) -> None:
     """Held for a period T, a damping of 2 J / T turns the speed round: 0.2 at 100 Hz, and 10.2 with a rotor."""
-    assert [trouble.code for trouble in found(turning(0.001), Gains(p=0.1, d=d), 100.0)] == expected
+    assert [trouble.code for trouble in found(turning(0.001), PidGains(p=0.1, d=d), 100.0)] == expected
 
 
 @pytest.mark.parametrize(("d", "advice"), [(0.0, "a d gain damps the loop"), (0.5, "lower the gains")])
 def test_the_advice_depends_on_whether_there_is_a_d_gain(d: float, advice: str) -> None:
-    (trouble,) = found(turning(1.0), Gains(p=1000.0, d=d), 1000.0)
+    (trouble,) = found(turning(1.0), PidGains(p=1000.0, d=d), 1000.0)
     assert (trouble.code, trouble.notes[0].startswith(advice)) == ("UC917" if d else trouble.code, True)
 
 
@@ -106,7 +107,7 @@ def test_joints_of_more_than_twelve_are_judged_alone(
         return 0.9, 1.0
 
     monkeypatch.setattr(stability, "closed_loop", closed)
-    assert found(turning(1.0, joints), Gains(p=10.0, d=1.0), 1000.0) == []
+    assert found(turning(1.0, joints), PidGains(p=10.0, d=1.0), 1000.0) == []
     assert seen == sizes
 
 
@@ -114,8 +115,8 @@ def test_joints_of_more_than_twelve_are_judged_alone(
 def test_the_integral_part_has_two_seconds_to_lift_a_weight(i: float, expected: list[str]) -> None:
     """98.1 N on a slide of 1 m may sag by 0.1 m: p + 2 s * i must be 981 N/m."""
     hinge = Hinge("j", "prismatic", parent="base", child="arm", pose=Pose(), axis=UP)._replace(lower=0.0, upper=1.0)
-    slide = Mechanism("base", {"base": Body("base"), "arm": Body("arm", 10.0)}, (hinge,))
-    task = Task("mover", Family.POSITION_PID, ("j",), "effort", (Gains(p=500.0, i=i, d=200.0),))
+    slide = Mechanism("base", {"base": LinkBody("base"), "arm": LinkBody("arm", 10.0)}, (hinge,))
+    task = ControllerTask("mover", MotionFamily.POSITION_PID, ("j",), "effort", (PidGains(p=500.0, i=i, d=200.0),))
     assert [trouble.code for trouble in loop_troubles(slide, [task], 1000.0)] == expected
 
 

@@ -8,7 +8,7 @@ from control_session import session
 from urdfctl.control.session import Configured
 from urdfctl.diagnostic import Finding, Severity, diagnosed
 from urdfctl.model.stage import Stage
-from urdfctl.smoke.stages import found_by_manager, stage_stopped, stops_controller, stops_parameters
+from urdfctl.smoke.lifecycle.lint_errors import found_by_manager, stage_stopped, stops_controller, stops_parameters
 from urdfctl.source.span import Place, SourceText
 
 NOWHERE = Finding(Place(SourceText("/c.yaml", b"x"), 0, end=1), "")

@@ -6,12 +6,13 @@ import math
 
 import pytest
 
-from urdfctl.model.build_robot import robot_of
 from urdfctl.model.robot import Robot
-from urdfctl.smoke.mechanism import Mechanism, mechanism_of
-from urdfctl.smoke.shapes import Shapes
-from urdfctl.smoke.statics import static_troubles
-from urdfctl.smoke.tasks import Family, Task
+from urdfctl.model.robot.build_robot import robot_of
+from urdfctl.smoke.robot.description import mechanism_of
+from urdfctl.smoke.robot.mechanism import Mechanism
+from urdfctl.smoke.robot.shapes import Shapes
+from urdfctl.smoke.statics.physics import static_troubles
+from urdfctl.smoke.tasks.task import ControllerTask, MotionFamily
 from urdfctl.source.span import SourceText
 from urdfctl.source.xml import parse
 
@@ -48,7 +49,7 @@ def read(*parts: str) -> tuple[Mechanism, Robot]:
 def found(*parts: str, interface: str = "position", joints: tuple[str, ...] = ("j",)) -> list[str]:
     """Return the codes and subjects of what is wrong with a robot whose joints one controller moves."""
     mechanism, robot = read(*parts)
-    task = Task("arm", Family.TRAJECTORY, joints, interface)
+    task = ControllerTask("arm", MotionFamily.TRAJECTORY, joints, interface)
     return [f"{one.code} {one.subject}" for one in static_troubles(mechanism, [task], robot, Shapes({}))]
 
 

@@ -9,7 +9,7 @@ from smoke_robots import link
 from smoking import codes, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
-from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.results import RobotResult
 
 WHEEL = '<origin xyz="0 0 0" rpy="1.5707963 0 0"/><geometry><cylinder radius="0.1" length="0.04"/></geometry>'
 
@@ -104,7 +104,7 @@ FAULTS = {
 }
 
 
-def driven(folder: Path, urdf: str, text: str, engine: str) -> Smoked:
+def driven(folder: Path, urdf: str, text: str, engine: str) -> RobotResult:
     return whole(target_of(folder, {"robot.urdf": urdf, "controllers.yaml": text}), engine, distro="jazzy")
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from urdfctl.model.geometry import Pose, Vector
-from urdfctl.smoke.gears import Gear, gear_troubles, with_gears
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.shapes import Shape, Shapes
-from urdfctl.smoke.support import Support, support_of
-from urdfctl.smoke.tasks import Drive, Family, Task
-from urdfctl.smoke.traction import traction_troubles
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.robot.shapes import Shape, Shapes
+from urdfctl.smoke.statics.ground import traction_troubles
+from urdfctl.smoke.statics.support import Support, support_of
+from urdfctl.smoke.statics.transmissions import JointTransmission, transmission_troubles, with_transmissions
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily
 
 CORNERS = ((0.2, 0.2), (0.2, -0.2), (-0.2, 0.2), (-0.2, -0.2))
 FOOT = Shape("box", Pose((0.0, 0.0, -0.3)), (0.06, 0.06, 0.02))
@@ -24,7 +24,10 @@ def on_legs(
         Hinge(f"j{n}", kind, "base", f"leg{n}", Pose((x, y, 0.0)), (0.0, 1.0, 0.0), lower=-1.0, upper=1.0)
         for n, (x, y) in enumerate(places)
     ]
-    bodies = {"base": Body("base", 5.0, centre=(0.0, 0.0, 0.1)), **{one.child: Body(one.child, 0.1) for one in hinges}}
+    bodies = {
+        "base": LinkBody("base", 5.0, centre=(0.0, 0.0, 0.1)),
+        **{one.child: LinkBody(one.child, 0.1) for one in hinges},
+    }
     shapes = Shapes({"base": own or (Shape("box", Pose(), (0.1, 0.1, 0.1)),), **{one.child: (FOOT,) for one in hinges}})
     return support_of(Mechanism("base", bodies, tuple(hinges)), shapes, moved)
 
@@ -59,7 +62,7 @@ def test_an_arm_that_carries_more_than_its_plate_tips_it_in_some_pose() -> None:
     plate = Shapes({"base": (Shape("box", Pose(), (0.4, 0.4, 0.02)),)})
     slide = Hinge("out", "prismatic", "base", "load", Pose(), (1.0, 0.0, 0.0), lower=0.0, upper=1.0)
     for mass, tips in ((1.0, False), (5.0, True)):
-        bodies = {"base": Body("base", 5.0), "load": Body("load", mass)}
+        bodies = {"base": LinkBody("base", 5.0), "load": LinkBody("load", mass)}
         made = support_of(Mechanism("base", bodies, (slide,)), plate, ["out"])
         assert made.tips.startswith("with out at ") == tips
         assert made.links == ("base",)
@@ -77,10 +80,10 @@ def slipping(grip: float | None, drag: float = 0.0) -> list[str]:
         for name, y in (("l", 0.2), ("r", -0.2))
     )
     ball = Hinge("b", "fixed", "base", "ball", Pose(), (0.0, 1.0, 0.0))
-    bodies = {"base": Body("base", 10.0), "ball": Body("ball", grip=drag)}
-    bodies |= {wheel.child: Body(wheel.child, grip=grip) for wheel in wheels}
+    bodies = {"base": LinkBody("base", 10.0), "ball": LinkBody("ball", grip=drag)}
+    bodies |= {wheel.child: LinkBody(wheel.child, grip=grip) for wheel in wheels}
     contacts: dict[str, list[Vector]] = {"lw": [(0.1, 0.2, 0.0)], "rw": [(0.1, -0.2, 0.0)], "ball": [(-0.1, 0.0, 0.0)]}
-    task = Task("base", Family.DIFFERENTIAL, ("l", "r"), "velocity", drive=TWO)
+    task = ControllerTask("base", MotionFamily.DIFFERENTIAL, ("l", "r"), "velocity", drive=TWO)
     found = traction_troubles(Mechanism("base", bodies, (*wheels, ball)), contacts, [task])
     return [f"{one.code} {note}" for one in found for note in (one.notes or ("",))]
 
@@ -105,13 +108,15 @@ def test_a_ball_that_does_not_slide_is_dragged() -> None:
 # -- gears -----------------------------------------------------------------------------------------------------------
 
 
-def gear(joint: str, reduction: float, ignored_by: str = "", offset: float = 0.0, *, coupled: bool = False) -> Gear:
-    return Gear(joint, reduction, offset, is_coupled=coupled, ignored_by=ignored_by)
+def gear(
+    joint: str, reduction: float, ignored_by: str = "", offset: float = 0.0, *, coupled: bool = False
+) -> JointTransmission:
+    return JointTransmission(joint, reduction, offset, is_coupled=coupled, ignored_by=ignored_by)
 
 
-def told(*gears: Gear) -> list[str]:
-    tasks = [Task("base", Family.DIFFERENTIAL, ("l", "r"), "velocity", drive=TWO)]
-    return [f"{one.code} {one.subject}" for one in gear_troubles(gears, tasks)]
+def told(*gears: JointTransmission) -> list[str]:
+    tasks = [ControllerTask("base", MotionFamily.DIFFERENTIAL, ("l", "r"), "velocity", drive=TWO)]
+    return [f"{one.code} {one.subject}" for one in transmission_troubles(gears, tasks)]
 
 
 @pytest.mark.parametrize(
@@ -146,7 +151,7 @@ def test_a_reduction_of_0_stops_what_uses_it_and_a_negative_one_is_ignored_where
 @pytest.mark.parametrize(("others", "more"), [(0, ""), (1, "of 1 more joint"), (2, "of 2 more joints")])
 def test_ignored_transmissions_are_one_finding(others: int, more: str) -> None:
     gears = [gear(f"j{n}", 2.0, "mock") for n in range(others + 1)]
-    [trouble] = gear_troubles(gears, [])
+    [trouble] = transmission_troubles(gears, [])
     assert more in trouble.message
     assert ("more joint" in trouble.message) == bool(more)
     assert "more joints" not in trouble.message or others == 2
@@ -163,8 +168,10 @@ def test_ignored_transmissions_are_one_finding(others: int, more: str) -> None:
         (gear("arm", 50.0), None),
     ],
 )
-def test_what_transmissions_do_in_the_hardware_is_named_as_not_simulated(given: Gear, what: str | None) -> None:
-    [task] = with_gears([given], [Task("base", Family.FORWARD, ("l", "r"), "velocity")])
+def test_what_transmissions_do_in_the_hardware_is_named_as_not_simulated(
+    given: JointTransmission, what: str | None
+) -> None:
+    [task] = with_transmissions([given], [ControllerTask("base", MotionFamily.FORWARD, ("l", "r"), "velocity")])
     assert task.left_out == ((("transmission", what),) if what else ())
 
 
@@ -177,5 +184,5 @@ def test_what_transmissions_do_in_the_hardware_is_named_as_not_simulated(given: 
         (gear("j", 1.0, coupled=True), True),
     ],
 )
-def test_a_direct_drive_is_no_gear(given: Gear, acts: bool) -> None:
+def test_a_direct_drive_is_no_gear(given: JointTransmission, acts: bool) -> None:
     assert given.acts == acts

@@ -14,10 +14,10 @@ from smoking import target_of
 from smoking_engines import EACH_ENGINE, needs_an_engine
 from typer.testing import CliRunner
 
-from urdfctl.cli.app import app
+from urdfctl.commands.app import app
 from urdfctl.errors import UserError
-from urdfctl.smoke.assignments import Assignment, Step, TaskFile, read_tasks
-from urdfctl.smoke.performing import Whereabouts, reference
+from urdfctl.smoke.motion.user_tasks import Odometry, reference
+from urdfctl.smoke.tasks.task_file import TaskFile, TaskStep, UserTask, read_tasks
 
 ARM = {"robot.urdf": Arm().urdf(interface="position"), "controllers.yaml": Arm().yaml(interface="position")}
 LEVEL = Arm("revolute", "0 0 1", 1.0, 0.2, "p: 50.0, i: 0.0, d: 3.0")
@@ -74,11 +74,11 @@ def test_a_file_is_read_with_its_lines(tmp_path: Path) -> None:
             "    drive: [{for: 1.5, forward: 0.2}, {for: 1, turn: -0.5}]\n",
         )
     )
-    arm, base = file.assignments
+    arm, base = file.user_tasks
     assert file.start == (("elbow", 0.5, 1),)
-    assert arm.steps == (Step(1.0, (("elbow", 0.1),), 5), Step(2.5, (("elbow", 0.2),), 6))
+    assert arm.steps == (TaskStep(1.0, (("elbow", 0.1),), 5), TaskStep(2.5, (("elbow", 0.2),), 6))
     assert (arm.tolerance, arm.path_tolerance, file.line_of(arm), file.line_of(base)) == (None, 0.3, 3, 8)
-    assert base.steps == (Step(1.5, (("forward", 0.2),), 9), Step(2.5, (("turn", -0.5),), 9))
+    assert base.steps == (TaskStep(1.5, (("forward", 0.2),), 9), TaskStep(2.5, (("turn", -0.5),), 9))
     assert TaskFile.from_json(json.loads(json.dumps(file))) == file
 
 
@@ -157,7 +157,9 @@ def test_tasks_need_an_engine(tmp_path: Path) -> None:
 
 # -- the motion ------------------------------------------------------------------------------------------------------
 
-PATH = Assignment("arm", "trajectory", (Step(1.0, (("a", 2.0),), 1), Step(3.0, (("a", 1.0), ("b", 5.0)), 2)), (0, 0))
+PATH = UserTask(
+    "arm", "trajectory", (TaskStep(1.0, (("a", 2.0),), 1), TaskStep(3.0, (("a", 1.0), ("b", 5.0)), 2)), (0, 0)
+)
 
 
 def test_a_path_passes_its_points_and_stops_there() -> None:
@@ -179,7 +181,7 @@ def test_its_velocity_is_the_derivative_of_its_position(seconds: float) -> None:
 
 
 def test_a_base_that_drives_a_circle_returns() -> None:
-    place, steps = Whereabouts(), 1000
+    place, steps = Odometry(), 1000
     for _ in range(steps):
         place = place.on(2 * math.pi * 0.5 / steps, 2 * math.pi / steps)
     assert (place.x, place.y, place.yaw, place.way) == pytest.approx((0.0, 0.0, 2 * math.pi, math.pi), abs=1e-6)

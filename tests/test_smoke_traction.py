@@ -9,8 +9,8 @@ from smoke_robots import Rover
 from smoking import codes, smoked, target_of, whole
 from smoking_engines import EACH_ENGINE
 
-from urdfctl.smoke.results import Smoked
-from urdfctl.smoke.traction import shares_of
+from urdfctl.smoke.results import RobotResult
+from urdfctl.smoke.statics.ground import shares_of
 
 ROVER = Rover()
 
@@ -25,7 +25,7 @@ def mu(value: float) -> str:
     return f"<mu1>{value}</mu1><mu2>{value}</mu2>"
 
 
-def run(folder: Path, urdf: str, engine: str | None = None) -> Smoked:
+def run(folder: Path, urdf: str, engine: str | None = None) -> RobotResult:
     target = target_of(folder, {"robot.urdf": urdf, "controllers.yaml": ROVER.yaml()})
     return whole(target, engine, distro="jazzy") if engine else smoked(target, distro="jazzy")
 

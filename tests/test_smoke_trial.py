@@ -8,22 +8,22 @@ from itertools import pairwise
 import pytest
 from smoke_obedient import Obedient, hinge, trial
 
-from urdfctl.smoke.engines import STEP, Standing
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.plan import Plan
-from urdfctl.smoke.tasks import Drive, Family, Task
-from urdfctl.smoke.trial import Trial, _skidding, _stiff, _tested, _untested, _wheels
+from urdfctl.smoke.engines.engine import STEP, BasePose
+from urdfctl.smoke.motion.plan import MotionPlan
+from urdfctl.smoke.motion.trial import MotionTrial, _skidding, _stiff, _tested, _untested, _wheels
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily
 
 
-def codes(made: Trial) -> list[str]:
+def codes(made: MotionTrial) -> list[str]:
     return [trouble.code for trouble in made.troubles]
 
 
 JOINTS = (hinge("leader", "a"), hinge("follower", "b", mimic=("leader", 1.0, 0.0)))
-MOVER = Task("mover", Family.FORWARD, ("leader",), "position")
+MOVER = ControllerTask("mover", MotionFamily.FORWARD, ("leader",), "position")
 WHEELS = (hinge("l", "lw", type="continuous"), hinge("r", "rw", type="continuous"))
-ROLLER = Task(
-    "roller", Family.DIFFERENTIAL, ("l", "r"), "velocity", drive=Drive(("l",), ("r",), radius=0.1, separation=0.4)
+ROLLER = ControllerTask(
+    "roller", MotionFamily.DIFFERENTIAL, ("l", "r"), "velocity", drive=Drive(("l",), ("r",), radius=0.1, separation=0.4)
 )
 
 
@@ -77,7 +77,7 @@ def test_a_joint_without_a_range_is_not_simulated() -> None:
 
 
 def test_a_controller_that_only_reads_needs_no_joint() -> None:
-    made = trial(Obedient(), JOINTS, (Task("states", Family.NOTHING),))
+    made = trial(Obedient(), JOINTS, (ControllerTask("states", MotionFamily.NOTHING),))
     assert made.acts == {"states": "reads"}
 
 
@@ -102,12 +102,12 @@ def test_a_robot_has_half_a_second_to_settle(seconds: float, expected: list[str]
 class Falling(Obedient):
     """An engine whose robot falls to the side as soon as it has driven some metres."""
 
-    def standing(self) -> Standing:
-        return super().standing()._replace(roll=0.5 if self.x > 0.1 else 0.0)
+    def base_pose(self) -> BasePose:
+        return super().base_pose()._replace(roll=0.5 if self.x > 0.1 else 0.0)
 
 
 def test_a_robot_that_tips_over_while_it_is_driven_ends_the_trial() -> None:
-    later = Task("later", Family.NOTHING)
+    later = ControllerTask("later", MotionFamily.NOTHING)
     made = trial(Falling(), WHEELS, (ROLLER, later), fixed=False)
     [trouble] = made.troubles
     assert (trouble.code, trouble.controller) == ("UC931", "roller")
@@ -120,11 +120,11 @@ def test_a_robot_that_tips_over_while_it_is_driven_ends_the_trial() -> None:
     [
         (MOVER, "follows"),
         (MOVER._replace(interface="velocity"), "moves"),
-        (MOVER._replace(family=Family.TRAJECTORY), "follows"),
-        (Task("states", Family.NOTHING), "reads"),
+        (MOVER._replace(family=MotionFamily.TRAJECTORY), "follows"),
+        (ControllerTask("states", MotionFamily.NOTHING), "reads"),
     ],
 )
-def test_a_controller_is_said_to_do_what_its_kind_does(task: Task, act: str) -> None:
+def test_a_controller_is_said_to_do_what_its_kind_does(task: ControllerTask, act: str) -> None:
     class Turning(Obedient):
         def step(self) -> None:
             super().step()
@@ -138,21 +138,23 @@ def test_a_controller_is_said_to_do_what_its_kind_does(task: Task, act: str) -> 
 @pytest.mark.parametrize(
     ("task", "why"),
     [
-        (Task("own", Family.STRUCTURAL, why="it is of your own"), "it is of your own"),
+        (ControllerTask("own", MotionFamily.STRUCTURAL, why="it is of your own"), "it is of your own"),
         (MOVER._replace(joints=("nowhere",)), "'nowhere' is not a movable joint"),
     ],
 )
-def test_a_controller_that_cannot_be_simulated_is_left_with_the_reason(task: Task, why: str) -> None:
+def test_a_controller_that_cannot_be_simulated_is_left_with_the_reason(task: ControllerTask, why: str) -> None:
     made = trial(Obedient(), JOINTS, (task,))
     assert (made.acts, made.unjudged) == ({}, {task.controller: f"not simulated: {why}"})
 
 
 def test_a_base_that_one_controller_cannot_drive_is_not_tried_with_the_next() -> None:
-    weak = ROLLER._replace(drive=Drive(("l",), ("r",), radius=0.3, separation=0.4, plain=True), family=Family.FORWARD)
+    weak = ROLLER._replace(
+        drive=Drive(("l",), ("r",), radius=0.3, separation=0.4, is_inferred=True), family=MotionFamily.FORWARD
+    )
     made = trial(Obedient(), WHEELS, (weak, weak._replace(controller="other")), fixed=False)
     assert {trouble.controller for trouble in made.troubles} == {"roller"}
     assert made.unjudged["other"] == "not simulated: controller 'roller' cannot drive the base with its wheels"
-    sound = weak._replace(drive=Drive(("l",), ("r",), radius=0.1, separation=0.4, plain=True))
+    sound = weak._replace(drive=Drive(("l",), ("r",), radius=0.1, separation=0.4, is_inferred=True))
     assert trial(Obedient(), WHEELS, (sound, sound._replace(controller="other")), fixed=False).moved == [
         "roller",
         "other",
@@ -175,10 +177,10 @@ def test_the_positions_of_a_slow_manager_are_commanded_in_small_steps() -> None:
 # -- what engines cannot model -----------------------------------------------------------------------------------------
 
 
-def plan(task: Task, hinges: tuple[Hinge, ...], inertia: float = 0.01, **fields: object) -> Plan:
+def plan(task: ControllerTask, hinges: tuple[Hinge, ...], inertia: float = 0.01, **fields: object) -> MotionPlan:
     square = ((inertia, 0.0, 0.0), (0.0, inertia, 0.0), (0.0, 0.0, inertia))
-    bodies = {name: Body(name, 0.0, inertia=square) for name in ("base", *(one.child for one in hinges))}
-    made = Plan("pybullet", "", Mechanism("base", bodies, hinges), (task,), 100.0, fixed=True)
+    bodies = {name: LinkBody(name, 0.0, inertia=square) for name in ("base", *(one.child for one in hinges))}
+    made = MotionPlan("pybullet", "", Mechanism("base", bodies, hinges), (task,), 100.0, fixed=True)
     return made._replace(**fields)  # type: ignore[arg-type]
 
 
@@ -198,7 +200,7 @@ def test_damping_that_halves_the_velocity_in_a_step_is_left_to_another_engine(
 def test_driven_wheels_and_what_a_pivot_turns_grip_the_ground() -> None:
     fork = hinge("s", "fork")
     wheel = hinge("w", "front", type="continuous")._replace(parent="fork")
-    steered = Task("base", Family.STEERED, drive=Drive(driven=("l",), steered=("s",), radius=0.1))
+    steered = ControllerTask("base", MotionFamily.STEERED, drive=Drive(driven=("l",), steered=("s",), radius=0.1))
     assert sorted(_wheels(plan(steered, (*WHEELS, fork, wheel)))) == ["fork", "front", "lw"]
 
 
@@ -215,11 +217,11 @@ def test_only_bases_of_more_than_two_wheels_skid() -> None:
         (MOVER, False, ["contact", "mass"]),
         (ROLLER, False, ["friction", "mass"]),
         (ROLLER._replace(drive=Drive(("l", "l2"), ("r",))), False, ["friction", "mass", "turning rate"]),
-        (Task("base", Family.ROLLERS, ("l",), rolling=Drive()), True, ["contact", "mass"]),
-        (Task("states", Family.NOTHING), True, []),
+        (ControllerTask("base", MotionFamily.ROLLERS, ("l",), rolling=Drive()), True, ["contact", "mass"]),
+        (ControllerTask("states", MotionFamily.NOTHING), True, []),
     ],
 )
-def test_what_was_not_modelled_is_named(task: Task, fixed: bool, missing: list[str]) -> None:
+def test_what_was_not_modelled_is_named(task: ControllerTask, fixed: bool, missing: list[str]) -> None:
     made = _untested(plan(task, (*JOINTS, *WHEELS), fixed=fixed), task, "the base is held in the air")
     assert sorted(made) == missing
     assert all("1 g was taken" in made[name] for name in missing if name == "mass")

@@ -5,45 +5,45 @@ from __future__ import annotations
 import pytest
 from smoke_obedient import Obedient, hinge, trial
 
-from urdfctl.smoke import trial as trials
-from urdfctl.smoke.engines import Refused, Setup
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.plan import Plan
-from urdfctl.smoke.tasks import Drive, Family, Gains, Task
-from urdfctl.smoke.trial import Trial, tried
+from urdfctl.smoke.engines.engine import EngineSetup, RobotRejected
+from urdfctl.smoke.motion import trial as trials
+from urdfctl.smoke.motion.plan import MotionPlan
+from urdfctl.smoke.motion.trial import MotionTrial, run_trial
+from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily, PidGains
 
 LEADER, OTHER = hinge("leader", "a"), hinge("other", "b")
-MOVER = Task("mover", Family.FORWARD, ("leader",), "position")
-SECOND = Task("second", Family.FORWARD, ("other",), "position")
+MOVER = ControllerTask("mover", MotionFamily.FORWARD, ("leader",), "position")
+SECOND = ControllerTask("second", MotionFamily.FORWARD, ("other",), "position")
 WHEELS = tuple(hinge(name, f"{name}w", type="continuous") for name in ("l", "r", "l2", "r2"))
 SKID = Drive(("l", "l2"), ("r", "r2"), radius=0.1, separation=0.4)
 
 
-def codes(made: Trial) -> list[str]:
+def codes(made: MotionTrial) -> list[str]:
     return [trouble.code for trouble in made.troubles]
 
 
 # -- before anything moves ---------------------------------------------------------------------------------------------
 
 
-def setup_of(monkeypatch: pytest.MonkeyPatch, task: Task, *hinges: Hinge, **bodies: Body) -> Setup:
+def setup_of(monkeypatch: pytest.MonkeyPatch, task: ControllerTask, *hinges: Hinge, **bodies: LinkBody) -> EngineSetup:
     """Return what an engine is told, which then refuses the robot."""
-    told: list[Setup] = []
+    told: list[EngineSetup] = []
 
-    def refusing(_name: str, setup: Setup) -> Obedient:
+    def refusing(_name: str, setup: EngineSetup) -> Obedient:
         told.append(setup)
-        raise Refused("no")
+        raise RobotRejected("no")
 
     monkeypatch.setattr(trials, "open_engine", refusing)
-    known = {name: bodies.get(name, Body(name)) for name in ("base", *(one.child for one in hinges))}
-    plan = Plan("pybullet", "", Mechanism("base", known, hinges), (task,), 100.0, fixed=False)
-    assert tried(plan).refused == "no"
+    known = {name: bodies.get(name, LinkBody(name)) for name in ("base", *(one.child for one in hinges))}
+    plan = MotionPlan("pybullet", "", Mechanism("base", known, hinges), (task,), 100.0, fixed=False)
+    assert run_trial(plan).refused == "no"
     return told[0]
 
 
 def test_an_engine_is_told_which_wheels_skid_and_how_parts_grip(monkeypatch: pytest.MonkeyPatch) -> None:
-    skidding = Task("base", Family.DIFFERENTIAL, SKID.wheels, "velocity", drive=SKID)
-    slick, afloat = Body("lw", grip=0.3), Body("rw", falls=False)
+    skidding = ControllerTask("base", MotionFamily.DIFFERENTIAL, SKID.wheels, "velocity", drive=SKID)
+    slick, afloat = LinkBody("lw", grip=0.3), LinkBody("rw", falls=False)
     told = setup_of(monkeypatch, skidding, *WHEELS, OTHER, lw=slick, rw=afloat)
     assert set(told.skidding) == {"lw", "rw", "l2w", "r2w"}
     assert (told.grips, told.weightless) == ({"lw": 0.3}, ["rw"])
@@ -75,7 +75,9 @@ class Recording(Obedient):
 
 
 def test_a_base_settles_on_braked_wheels_and_free_casters_with_its_other_joints_held() -> None:
-    base = Task("base", Family.DIFFERENTIAL, ("l", "r"), "velocity", drive=Drive(("l",), ("r",), radius=0.1))
+    base = ControllerTask(
+        "base", MotionFamily.DIFFERENTIAL, ("l", "r"), "velocity", drive=Drive(("l",), ("r",), radius=0.1)
+    )
     hinges = (*WHEELS[:2], hinge("caster", "c", type="continuous"), hinge("mast", "m"))
     standing = Recording()
     trial(standing, hinges, (base,), fixed=False)
@@ -129,8 +131,8 @@ def test_a_motor_that_another_one_disturbs_is_tested_again_alone() -> None:
     assert codes(trial(Disturbed(), (LEADER, OTHER), (both,))) != []
 
 
-HOLDS = MOVER._replace(family=Family.POSITION_PID, interface="effort", gains=(Gains(p=1.0),))
-FOLLOWS = SECOND._replace(family=Family.TRAJECTORY, interface="effort", gains=(Gains(p=1.0),))
+HOLDS = MOVER._replace(family=MotionFamily.POSITION_PID, interface="effort", gains=(PidGains(p=1.0),))
+FOLLOWS = SECOND._replace(family=MotionFamily.TRAJECTORY, interface="effort", gains=(PidGains(p=1.0),))
 
 
 def test_loops_that_are_still_alone_are_run_together_with_a_small_step() -> None:
@@ -143,10 +145,10 @@ def test_loops_that_are_still_alone_are_run_together_with_a_small_step() -> None
 
 @pytest.mark.parametrize(
     "tasks",
-    [(HOLDS,), (HOLDS, SECOND), (HOLDS, FOLLOWS._replace(family=Family.VELOCITY_PID))],
+    [(HOLDS,), (HOLDS, SECOND), (HOLDS, FOLLOWS._replace(family=MotionFamily.VELOCITY_PID))],
     ids=["one loop", "a loop and a motor", "a loop of velocities"],
 )
-def test_there_is_nothing_to_run_together_with_one_loop_of_positions(tasks: tuple[Task, ...]) -> None:
+def test_there_is_nothing_to_run_together_with_one_loop_of_positions(tasks: tuple[ControllerTask, ...]) -> None:
     assert "UC934" not in codes(trial(Disturbed(), (LEADER, OTHER), tasks))
 
 
@@ -167,13 +169,13 @@ def test_an_explosion_is_reported_once_for_the_controller_that_moved() -> None:
 
 
 def test_what_was_not_modelled_is_said_of_controllers_that_did_something_only() -> None:
-    own = Task("own", Family.STRUCTURAL, why="it is of your own")
+    own = ControllerTask("own", MotionFamily.STRUCTURAL, why="it is of your own")
     made = trial(Obedient(), (LEADER, OTHER), (MOVER, own)).result()
     assert set(made.tested) == set(made.untested) == {"mover"}
 
 
 def test_only_the_links_that_a_controller_moves_need_a_mass() -> None:
-    bodies = {"base": Body("base", 1.0), "a": Body("a", 1.0), "b": Body("b")}
-    plan = Plan("mujoco", "", Mechanism("base", bodies, (LEADER, OTHER)), (MOVER,), 100.0, fixed=True)
+    bodies = {"base": LinkBody("base", 1.0), "a": LinkBody("a", 1.0), "b": LinkBody("b")}
+    plan = MotionPlan("mujoco", "", Mechanism("base", bodies, (LEADER, OTHER)), (MOVER,), 100.0, fixed=True)
     assert "mass" not in trials._untested(plan, MOVER, "")
     assert trials._untested(plan, SECOND, "")["mass"] == "link 'b' has none; 1 g was taken"

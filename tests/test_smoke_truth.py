@@ -14,7 +14,7 @@ from smoking import smoked
 
 from urdfctl.load.target import Target
 from urdfctl.model.stage import Stage
-from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.results import RobotResult
 
 TRUTH = SHARED / "truth"
 EVERY = 7
@@ -56,10 +56,10 @@ class Case(NamedTuple):
     refused: bool
     stage: str | None
     of_controllers: dict[str, str]
-    smoked: Smoked
+    smoked: RobotResult
 
 
-def _smoked(file: Path, case: dict[str, Any], distro: str) -> Smoked:
+def _smoked(file: Path, case: dict[str, Any], distro: str) -> RobotResult:
     order = case.get("activation_order") or case.get("controllers")
     started = tuple(order) if isinstance(order, list) and all(isinstance(name, str) for name in order) else None
     names = [str(file.parent / name) for name in case["files"]]
@@ -86,7 +86,7 @@ def cases(suites: tuple[str, ...]) -> tuple[Case, ...]:
     return tuple(made)
 
 
-def refused(made: Smoked) -> bool:
+def refused(made: RobotResult) -> bool:
     """Return whether a manager would reject anything, leaving out what only a simulation shows."""
     return any(finding.code <= "UC905" for finding in made.linted.outcome.diagnostics)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from work import assert_little_time
 
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
 
@@ -180,3 +181,41 @@ def test_a_chain_tells_the_innermost_call_first() -> None:
         ("macro", "<xacro:m/>"),
         ("include", "<xacro:include filename='x'/>"),
     ]
+
+
+LONG = st.lists(
+    st.tuples(st.text(st.sampled_from("ab\xe9\u2028\U0001f916"), min_size=1, max_size=3), st.integers(1, 900))
+)
+
+
+@given(LONG, st.booleans(), st.data())
+def test_a_column_in_a_long_line_is_counted_as_in_a_short_one(
+    pieces: list[tuple[str, int]], has_bom: bool, data: st.DataObject
+) -> None:
+    line = "".join(text * times for text, times in pieces)
+    read = source(BOM * has_bom + f"{line}\n{line}".encode())
+    column = data.draw(st.integers(0, len(line)))
+    before = len(line[:column].encode())
+    second = len(BOM) * has_bom + len(line.encode()) + 1
+    assert read.position(len(BOM) * has_bom + before) == (1, column + 1)
+    assert read.position(second + before) == (2, column + 1)
+
+
+@given(LONG, st.data())
+def test_an_excerpt_of_a_long_line_surrounds_its_place(pieces: list[tuple[str, int]], data: st.DataObject) -> None:
+    line = "".join(text * times for text, times in pieces)
+    read = source(f"first\n{line}\r\nlast")
+    column = data.draw(st.integers(0, len(line)))
+    start = max(0, column - 20) if len(line) > 40 else 0
+    shown = read.excerpt(len("first\n") + len(line[:column].encode()), 40)
+    assert shown == (line[start : start + 40], start + 1)
+
+
+def test_the_places_in_one_long_line_are_found_in_little_time() -> None:
+    def locate(places: int) -> None:
+        read = source("\xe9" + "<a/>" * places)
+        for place in range(places):
+            read.position(2 + 4 * place)
+            read.excerpt(2 + 4 * place, 400)
+
+    assert_little_time(locate, 3000)

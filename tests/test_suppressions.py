@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from work import assert_linear
+from work import assert_few_steps, assert_linear
 
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
-from urdfctl.source.suppressions import Suppressed, is_reached, suppressions
+from urdfctl.source.suppressions import Reach, Suppressed, suppressions
 from urdfctl.source.xml import parse
 
 
@@ -142,4 +142,62 @@ def test_a_comment_in_a_macro_that_is_not_called_is_not_reached(line: str, is_in
     root = parse(source('<robot xmlns:xacro="x">\n\n\n\n<c/>\n</robot>')).documentElement
     assert root is not None
     start = read.data.index(line.encode())
-    assert is_reached(SourceSpan(read, start, start + len(line)), root) is is_in_use
+    assert Reach(root).contains(SourceSpan(read, start, start + len(line))) is is_in_use
+
+
+def test_the_innermost_macro_or_condition_decides_whether_a_comment_is_reached() -> None:
+    text = """<robot xmlns:xacro="x">
+<xacro:macro name="m"><a/><xacro:if value="0"><!-- inner --><b/></xacro:if><!-- outer --></xacro:macro><!-- after -->
+<xacro:unless value="1"><xacro:if value="0"/></xacro:unless><xacro:if value="1">
+</robot>"""
+    read = source(text)
+    root = parse(source(text.replace('<xacro:if value="1">', ""))).documentElement
+    assert root is not None
+    for element in list(root.walk()):
+        if element.tagName == "b" and element.parentNode is not None:
+            element.parentNode.removeChild(element)
+    reach = Reach(root)
+    found = {
+        text: reach.contains(SourceSpan(read, read.data.index(text), read.data.index(text) + 1))
+        for text in (b"<!-- inner", b"<!-- outer", b"<!-- after", b'<xacro:if value="0"/>', b"</robot>")
+    }
+    assert list(found.values()) == [False, True, True, True, True]
+
+
+def test_many_comments_are_told_apart_in_few_steps() -> None:
+    def judge(comments: int) -> None:
+        pair = '<xacro:if value="1"><!-- urdfctl: ignore[UC201, UC2, UC301] --><a/>\n</xacro:if>'
+        read = source(f'<robot xmlns:xacro="x">{pair * comments}</robot>')
+        root = parse(read).documentElement
+        assert root is not None
+        reach, suppressed = Reach(root), Suppressed([read])
+        assert all(suppressed.covers("UC201", element.at) for element in root.walk() if element.tagName == "a")
+        assert not suppressed.covers("UC401", root.at)
+        assert all(reach.contains(item.span) for item in suppressed.all)
+        assert len(suppressed.used) == comments
+
+    assert_few_steps(judge, 200)
+
+
+def test_many_comments_on_one_line_cover_many_findings_in_few_steps() -> None:
+    def judge(comments: int) -> None:
+        read = source(f"<robot>{'<!-- urdfctl: ignore[UC201] -->' * comments}{'<a/>' * comments}</robot>")
+        root = parse(read).documentElement
+        assert root is not None
+        suppressed = Suppressed([read])
+        assert all(suppressed.covers("UC201", element.at) for element in root.walk())
+        assert len(suppressed.used) == comments
+
+    assert_few_steps(judge, 200)
+
+
+def test_a_comment_with_many_codes_is_compared_in_few_steps() -> None:
+    def judge(codes: int) -> None:
+        listed = ",".join(f"UC{number}" for number in range(1000, 1000 + codes))
+        read = source(f"<robot><!-- urdfctl: ignore[{listed}] -->{'<a/>' * codes}</robot>")
+        root = parse(read).documentElement
+        assert root is not None
+        suppressed = Suppressed([read])
+        assert not any(suppressed.covers("UC201", element.at) for element in root.walk())
+
+    assert_few_steps(judge, 200)

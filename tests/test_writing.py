@@ -10,8 +10,9 @@ import sys
 import pytest
 from folder import Folder
 
-from urdfctl.cli.writing import encoded, print_message, write_file
 from urdfctl.errors import UserError
+from urdfctl.output.printing import print_message
+from urdfctl.output.writing import encoded, write_file
 
 READER = """
 import os

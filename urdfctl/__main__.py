@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-import gc
 import os
 import sys
 
 
 def main() -> None:
     """Run a command, and exit with its status: 2 after a UserError, 3 after a crash."""
+    from urdfctl.startup.isolation import leave_current_folder
+
+    leave_current_folder()
     from urdfctl.startup.quick_imports import import_quickly
 
     import_quickly()
@@ -18,21 +20,28 @@ def main() -> None:
     try:
         status = _run(sys.argv[1:])
     except UserError as error:
-        from urdfctl.cli.writing import print_message
-
-        print_message(str(error))
-        status = 2
+        status = _refused(str(error))
     except BrokenPipeError:  # `urdfctl lint | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         status = 1
     except KeyboardInterrupt:
         status = 130
+    except RecursionError:
+        status = _refused("something in these files is nested too deeply to be read")
     except Exception:  # noqa: BLE001 (the last place where it can be reported)
-        from urdfctl.cli.crash import report_crash
+        from urdfctl.commands.crash import report_crash
 
         sys.stderr.write(report_crash())
         status = 3
     _leave(status)
+
+
+def _refused(why: str) -> int:
+    """Print why nothing is done, and return the exit status."""
+    from urdfctl.output.printing import print_message
+
+    print_message(why)
+    return 2
 
 
 def _open_closed_streams() -> None:
@@ -52,30 +61,14 @@ def _leave(status: int) -> None:
 
 
 def _run(words: list[str]) -> int:
-    from urdfctl.cli.fast_path import COMMANDS, options_of
-
-    options = options_of(words[0], words[1:]) if words and words[0] in COMMANDS else None
-    if options is not None:
-        gc.disable()  # the process is short-lived, and its workers have their own memory limit
-        if words[0] == "smoke":
-            from urdfctl.cli.smoke_command import run_smoke
-
-            return run_smoke(options)
-        from urdfctl.cli.lint_command import run_lint
-
-        return run_lint(options)
     if words in (["--version"], ["-V"]):  # a common call in scripts, without the import of typer
         from urdfctl import __version__
 
         sys.stdout.write(f"urdfctl {__version__}\n")
         return 0
-    from urdfctl.cli.app import app
+    from urdfctl.commands.running import run_words
 
-    try:
-        app(prog_name="urdfctl")
-    except SystemExit as leaving:
-        return leaving.code if isinstance(leaving.code, int) else 0
-    return 0
+    return run_words(words)
 
 
 if __name__ == "__main__":

@@ -154,7 +154,7 @@ def diagnosed(code: str, name: str, severity: Severity, finding: Finding, url: s
     """Return a finding as plain data."""
     fix = finding.fix
     at = located(finding.at.span)
-    excerpt, excerpt_column = _excerpt(finding.at.source.line(at.line), at.column)
+    excerpt, excerpt_column = excerpt_at(finding.at.span)
     return Diagnostic(
         code=code,
         name=name,
@@ -175,15 +175,12 @@ def diagnosed(code: str, name: str, severity: Severity, finding: Finding, url: s
 _MOST_EXCERPT = 400
 
 
-def _excerpt(line: str, column: int) -> tuple[str, int]:
-    """The part of a line to show, and its first column, from 1.
+def excerpt_at(span: SourceSpan) -> tuple[str, int]:
+    """Return the part of a span's first line to show, and its first column, from 1.
 
     It is limited because a robot may be written on one line and have a thousand faults there.
     """
-    if len(line) <= _MOST_EXCERPT:
-        return line, 1
-    start = max(0, column - 1 - _MOST_EXCERPT // 2)
-    return line[start : start + _MOST_EXCERPT], start + 1
+    return span.source.excerpt(span.start, _MOST_EXCERPT)
 
 
 def _readable(message: str) -> str:

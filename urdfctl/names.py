@@ -12,14 +12,37 @@ _FEW = 3
 """A prefix that fewer names than this share says nothing."""
 _LONG = 200
 """From this length on, `difflib` ignores letters that are frequent."""
+_MOST_COMPARED = 300_000
+"""Names that may be compared for the hints of one rule; a hundred unknown names among a thousand joints are fewer."""
+_CLOSELY = 10
+"""Names that are compared in the time of one close comparison."""
+_compared = 0
+
+
+def forget_comparisons() -> None:
+    """Allow as many comparisons for hints again: each rule is to find the same, whatever ran before it."""
+    global _compared  # noqa: PLW0603 (counts what `nearest` does, wherever it is called)
+    _compared = 0
+
+
+def _may_compare(count: int) -> bool:
+    """Count comparisons. Return whether there were not too many yet."""
+    global _compared  # noqa: PLW0603 (see above)
+    _compared += count
+    return _compared <= _MOST_COMPARED
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
     """Return the known name most similar to `name`, or None if none is similar.
 
-    A namespace or a robot's name before most names makes none of them more similar.
+    A namespace or a robot's name before most names makes none of them more similar. After too many comparisons, see
+    `forget_comparisons`, none is looked for.
     """
+    if not _may_compare(0):
+        return None
     candidates = sorted({candidate for candidate in known if candidate})
+    if not _may_compare(len(candidates)):
+        return None
     by_folded = {_folded(candidate): candidate for candidate in candidates}
     same = by_folded.get(_folded(name))
     if same is not None and same != name:
@@ -27,7 +50,7 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     similar = [
         candidate for candidate in candidates if candidate != name and _may_be_alike(name, candidate, _LEAST_SIMILARITY)
     ]
-    if not similar:
+    if not similar or not _may_compare(_CLOSELY * len(similar)):
         return None
     prefix = _prefix_of_most(name, candidates)
     ratio, closest = max((_similarity_past(prefix, name, candidate), candidate) for candidate in similar)

@@ -1,178 +1,217 @@
-"""A fuzzer that keeps what reaches new code: `python tests/fuzz/guided.py launch --seconds 120`; it needs `atheris`.
-
-Each input stands in the place of one file of a small package, and what reads it runs in this process. A fault is an
-exception that is neither a refusal nor out of budget, a rule that crashed, or more time than it may take. Each is told
-once, and its input kept in `fuzz-faults`.
-"""
+"""Guided inputs for one reader: what reaches new code is kept, and changed further."""
 
 from __future__ import annotations
 
-import argparse
+import gc
 import os
 import re
 import resource
-import signal
-import sys
 import tempfile
 import time
 import traceback
-from collections.abc import Callable
+import warnings
+from base64 import b64encode
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from functools import lru_cache
+from itertools import chain, islice
 from pathlib import Path
 from random import Random
-from typing import Any
+from typing import NamedTuple
 
-import atheris
+import processes
 from mutations import mutated
-from seeds import CHECKOUT, OTHER_TEXTS, trees
+from outside import watch
+from package import PACKAGE
+from probes import REACHED
+from processes import MEMORY, Page, Tell
+from readers import ANSWERS, READERS, Reader, of_package
+from seeds import trees
 
-with atheris.instrument_imports(include=["urdfctl", "xacro"]):
-    import urdfctl.load.controller_files  # noqa: F401 (what is imported later is not instrumented)
-    from urdfctl.config.file import Config, config_of
-    from urdfctl.config.settings import Settings
-    from urdfctl.errors import UserError
-    from urdfctl.expand.job import expand_work
-    from urdfctl.lint.job import job_for, perform_alone
-    from urdfctl.lint.merging import merge
-    from urdfctl.lint.selection import Selection
-    from urdfctl.lint.target import lint_target
-    from urdfctl.load.loader import Loader
-    from urdfctl.load.target import Target
-    from urdfctl.logs.digest import digest
-    from urdfctl.logs.reading import Lines
-    from urdfctl.report.common import Report
-    from urdfctl.report.log_text import render_log
-    from urdfctl.report.sarif import render
-    from urdfctl.rules import all_rules
-    from urdfctl.source.budget import OverBudget
-    from urdfctl.source.problem import ReadError
+from urdfctl.source.budget import OverBudget
+from urdfctl.source.shown import forget_files
 
-    all_rules()
-
-SECONDS, MOST_BYTES, DISTROS = 10, 20_000, ("noetic", "humble", "rolling")
-LAUNCH = b"""<launch><arg name="prefix" default=""/>
-<rosparam file="$(find arm)/config/controllers.yaml" subst_value="true"/>
-<param name="robot_description" command="$(find xacro)/xacro '$(find arm)/urdf/arm.xacro' prefix:=$(arg prefix)"/>
-<group ns="a" if="$(eval 1 == 1)"><node name="s" pkg="controller_manager" type="spawner" args="arm --timeout 3"/>
-</group><include file="$(find arm)/launch/x.launch" pass_all_args="true"/></launch>
-"""
-PACKAGE = {
-    "launch/arm.launch": LAUNCH,
-    **{name: OTHER_TEXTS[name] for name in ("package.xml", "joints.yaml", "urdf/arm.xacro", "config/controllers.yaml")},
-}
+MOST_BYTES = 6000
+MOST_SEEDS = 500
+SLOW = 0.25
+"""An input that takes longer, in s, is not changed further."""
+SECRET = b"<secret>what nobody may read</secret>"
+_GROWTH = 300 << 20
+"""By how many bytes a process may grow before another one goes on."""
+_EVERY = 200
+"""Inputs between two collections of garbage."""
+_NUMBERS = re.compile(r"0x[0-9a-f]+|'[^']*'|\"[^\"]*\"|\d+")
 
 
-def lint(settings: Settings, **files: Any) -> None:
-    """Lint a robot with what belongs to it, and report it."""
-    outcome = lint_target(Loader(settings), Target("urdf/arm.xacro", **files), Selection()).result.outcome
-    if outcome.crashed:
-        raise RuntimeError(next(one.message for one in outcome.diagnostics if one.code == "UC000"))
-    render(Report((), tuple(merge([outcome], Selection()))))
+@lru_cache(1)
+def _files() -> list[tuple[str, bytes]]:
+    return [item for tree in [of_package(), *trees()] for item in tree.items()]
 
 
-def read_xacro(settings: Settings) -> None:
-    perform_alone(job_for(expand_work, Target("urdf/arm.xacro"), settings))
-    lint(settings)
+def seeds_of(reader: Reader) -> list[bytes]:
+    """Return what the inputs of a reader begin with: the small files of its kind, the package's own first."""
+    fitting = (data for name, data in _files() if name == reader.file or name.endswith(reader.ends))
+    own = [PACKAGE[reader.file]] if reader.file else []
+    return [*islice(dict.fromkeys(data for data in chain(own, fitting) if len(data) <= MOST_BYTES), MOST_SEEDS)]
 
 
-def read_toml(settings: Settings) -> None:
-    config = config_of("urdfctl.toml") or Config()
-    config.excludes("urdf/arm.xacro")
-    config.ignores("urdf/arm.xacro", "UC101")
-    lint(settings._replace(additions=config.additions), controllers=("config/controllers.yaml",))
+def warm_up() -> None:
+    """Read the package in this process with each reader, so that forks share what is imported and read once."""
+    before = os.getcwd()
+    with tempfile.TemporaryDirectory(prefix="urdfctl-fuzz-") as held:
+        os.chdir(lay_out(PACKAGE, Path(held)))
+        for name, reader in READERS.items():
+            data = seeds_of(reader)[0]
+            for number in range(30 if name == "robot" else 1):
+                with suppress(Exception):
+                    reader.read(data, Random(number))  # noqa: S311 (nothing secret)
+        os.chdir(before)
 
 
-def read_log(_: Settings) -> None:
-    with open("gazebo.log", "rb") as log:
-        render_log(digest(Lines(log), pasted=False), pasted=False, complete=True)
+class Batch(NamedTuple):
+    """Some inputs for one reader.
+
+    number: tells this batch from others: the same number and seeds give the same inputs.
+    inputs: how many to try; those of `seeds` from `first` on are tried as they are before any is changed.
+    seconds: after this time on the clock, no other input is tried.
+    """
+
+    reader: str
+    number: str
+    seeds: Sequence[bytes]
+    known: bytes
+    inputs: int
+    first: int = 0
+    seconds: float = 60.0
+
+    def __call__(self, page: Page, tell: Tell) -> None:
+        """Try the inputs, and tell what is kept, what is wrong, and at last how many were tried."""
+        with tempfile.TemporaryDirectory(prefix="urdfctl-fuzz-") as held:
+            try:
+                _Trials(self, page, tell, Path(held)).all()
+            finally:
+                os.chdir("/")
 
 
-YAML, XML = "config/controllers.yaml", "launch/arm.launch"
-READERS: dict[str, tuple[str, tuple[str, ...], Callable[[Settings], None]]] = {
-    "xacro": ("urdf/arm.xacro", (".xacro", ".urdf"), read_xacro),
-    "yaml": (YAML, (".yaml", ".yml"), lambda settings: lint(settings, controllers=(YAML,))),
-    "launch": (XML, (".launch", ".launch.xml"), lambda settings: lint(settings, launch=XML)),
-    "toml": ("urdfctl.toml", (".toml",), read_toml),
-    "log": ("gazebo.log", (".log",), read_log),
-}
-"""What is read, how the names of files end that may stand in its place, and what reads it."""
+class _Trials:
+    def __init__(self, batch: Batch, page: Page, tell: Tell, held: Path) -> None:
+        self.batch, self.page, self.tell = batch, page, tell
+        self.reader = READERS[batch.reader]
+        self.random = Random(batch.number)  # noqa: S311 (nothing secret)
+        self.pool = list(batch.seeds)
+        self.known = batch.known
+        self.tried, self.slowest = 0, 0.0
+        self.said: set[str] = set()
+        self.heard: list[str] = []
+        self.watching = False
+        self.folder = lay_out(PACKAGE, held)
+        tempfile.tempdir = str(held / "tmp")
+        os.mkdir(tempfile.tempdir)
+        os.chdir(self.folder)
+        REACHED[:] = batch.known.ljust(len(REACHED), b"\0")
+        self.known = bytes(REACHED)
+        warnings.simplefilter("always")
+        for hidden in (DeprecationWarning, PendingDeprecationWarning, ImportWarning, ResourceWarning):
+            warnings.simplefilter("ignore", hidden)  # as Python does by default
+        warnings.showwarning = lambda message, *_, **__: self._hear(f"warns: {message!r}")
+        watch(self._hear, [str(self.folder), tempfile.tempdir])
+        processes.bounded(resource.RLIMIT_AS, _mapped() + 2 * MEMORY)
+        processes.bounded(resource.RLIMIT_FSIZE, 64 << 20)
 
+    def all(self) -> None:
+        began, at_start = time.monotonic(), processes.peak()
+        gc.freeze()
+        gc.disable()
+        for data in islice(self._inputs(), self.batch.inputs):
+            self._try(data)
+            peak = processes.peak()
+            if peak > MEMORY:
+                self._fault(f"needs more memory than {MEMORY >> 20} MiB", data)
+            if peak - at_start > _GROWTH or time.monotonic() - began > self.batch.seconds:
+                break
+            if self.tried % _EVERY == 0:
+                gc.collect()
+        self.tell({"tried": self.tried, "slowest": self.slowest, "peak": processes.peak()})
 
-class Trials:
-    """What was tried until the time was over, and the faults that were found, by where they came from."""
+    def _inputs(self) -> Iterator[bytes]:
+        yield from self.batch.seeds[self.batch.first :] if self.batch.first < len(self.batch.seeds) else ()
+        while True:
+            others = [self.random.choice(self.pool) for _ in range(2)]
+            yield mutated(self._parent(), self.random, others)[:MOST_BYTES]
 
-    def __init__(self, target: str, seconds: float) -> None:
-        self.target, self.until = target, time.monotonic() + seconds
-        self.file, _, self.read = READERS[target]
-        self.keep = Path("fuzz-faults").resolve()
-        self.tried, self.slowest, self.faults = 0, 0.0, set[str]()
+    def _parent(self) -> bytes:
+        """An input to change: one of all, or twice as often one of the newest, the shorter of two."""
+        newest = self.pool[-max(20, len(self.pool) // 5) :] if self.random.random() < 0.6 else self.pool
+        return min(self.random.choice(newest), self.random.choice(newest), key=len)
 
-    def __call__(self, data: bytes) -> None:
-        if time.monotonic() > self.until:
-            print(
-                f"{self.target}: {self.tried} tried, {len(self.faults)} faults, the slowest took {self.slowest:.1f} s"
-            )
-            sys.stdout.flush()
-            os._exit(bool(self.faults))
+    def _try(self, data: bytes) -> None:
         self.tried += 1
-        Path(self.file).write_bytes(data)
+        random = Random(data)  # noqa: S311 (the same input finds the same fault again)
+        self.page.write(self.tried, data)
+        if self.reader.file:
+            Path(self.reader.file).write_bytes(data)
+        forget_files()
         began = time.process_time()
-        signal.setitimer(signal.ITIMER_REAL, SECONDS)
+        processes.start_clock()
+        self.watching = True
         try:
-            with suppress(UserError, ReadError, OverBudget, MemoryError):
-                self.read(Settings(distro=DISTROS[self.tried % len(DISTROS)]))
-        except Exception as error:  # noqa: BLE001 (whatever it is, it is a fault)
-            self.blame(error, data)
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            self.slowest = max(self.slowest, time.process_time() - began)
+            with suppress(*ANSWERS, OverBudget):
+                self.reader.read(data, random)
+        except MemoryError:
+            self._fault(f"needs more memory than {MEMORY >> 20} MiB at once", data)
+        except BaseException as error:  # noqa: BLE001 (whatever it is, it is a fault)
+            self._fault(_described(error), data)
+        self.watching = False
+        took = time.process_time() - began
+        self.slowest = max(self.slowest, took)
+        for what in self.heard:
+            self._fault(what, data)
+        self.heard.clear()
+        if self.known != REACHED:
+            if took < SLOW:
+                new = [index for index, (old, now) in enumerate(zip(self.known, REACHED, strict=True)) if old != now]
+                self.pool.append(data)
+                self.tell({"kept": b64encode(data).decode(), "reached": new})
+            self.known = bytes(REACHED)
 
-    def blame(self, error: Exception, data: bytes) -> None:
-        last = traceback.extract_tb(error.__traceback__)[-1]
-        key = re.sub(r"'[^']*'|\d+", "…", f"{error!r} {last.filename} {last.name}")
-        if key not in self.faults:
-            self.faults.add(key)
-            self.keep.mkdir(exist_ok=True)
-            path = self.keep / f"{self.target}-{len(self.faults)}"
-            path.write_bytes(data)
-            print(f"FAULT {path}: {error!r} in {last.name}, {last.filename}:{last.lineno}", flush=True)
+    def _fault(self, what: str, data: bytes) -> None:
+        what = what.replace(str(self.folder.parent), "HELD")
+        key = key_of(what)
+        if key not in self.said:
+            self.said.add(key)
+            self.tell({"fault": what, "key": key, "input": b64encode(data).decode()})
 
-
-def too_late(_signal: int, _frame: object) -> None:
-    raise TimeoutError(f"takes longer than {SECONDS} s")
-
-
-def main() -> None:
-    options = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    options.add_argument("target", choices=READERS)
-    options.add_argument("--seconds", type=float, default=60)
-    options.add_argument("--seed", type=int, default=1)
-    given = options.parse_args()
-    pieces = {
-        data for tree in [PACKAGE, *trees()] for name, data in tree.items() if name.endswith(READERS[given.target][1])
-    }
-    if given.target == "toml":
-        pieces.update(re.findall(rb"(?s)```toml\n(.*?)```", (CHECKOUT / "docs/configuration.md").read_bytes()))
-    seeds = sorted(piece for piece in pieces if len(piece) < MOST_BYTES)
-    trials = Trials(given.target, given.seconds)
-
-    def change(data: bytes, most: int, seed: int) -> bytes:
-        random = Random(seed)  # noqa: S311 (nothing secret)
-        if random.random() < 0.3:
-            return bytes(atheris.Mutate(data, most))
-        return mutated(data, random, [random.choice(seeds)])[:most]
-
-    with tempfile.TemporaryDirectory() as folder:
-        os.chdir(folder)
-        for name, data in {**PACKAGE, **{f"seeds/{number}": seed for number, seed in enumerate(seeds)}}.items():
-            Path(name).parent.mkdir(exist_ok=True)
-            Path(name).write_bytes(data)
-        resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
-        signal.signal(signal.SIGALRM, too_late)
-        flags = [f"-seed={given.seed}", f"-max_len={MOST_BYTES}", "-timeout=0", "-rss_limit_mb=0", "-verbosity=0"]
-        atheris.Setup([sys.argv[0], "seeds", *flags], trials, custom_mutator=change)
-        atheris.Fuzz()
+    def _hear(self, what: str) -> None:
+        if self.watching:
+            self.heard.append(what)
 
 
-if __name__ == "__main__":
-    main()
+def key_of(what: str) -> str:
+    """Return what is the same in two reports of one fault: the words without names and numbers."""
+    return _NUMBERS.sub("…", what)[:300]
+
+
+def _described(error: BaseException) -> str:
+    places = [frame for frame in traceback.extract_tb(error.__traceback__) if "/tests/" not in frame.filename]
+    last = places[-1] if places else traceback.extract_tb(error.__traceback__)[-1]
+    ours = next((frame for frame in reversed(places) if "/urdfctl/" in frame.filename), last)
+    where = f"{ours.filename.rpartition('/urdfctl/')[2]}:{ours.lineno} in {ours.name}"
+    return f"{type(error).__name__}: {str(error)[:200]} at {where}"
+
+
+def lay_out(tree: dict[str, bytes], held: Path) -> Path:
+    """Write a package into a folder, beside a file that nothing in it may read; return the package's folder."""
+    (held / "secret").write_bytes(SECRET)
+    folder = held / "arm"
+    for name, data in tree.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+    (folder / "out").symlink_to(held)
+    return folder
+
+
+def _mapped() -> int:
+    """The bytes of address space that this process has mapped, as far as the system tells."""
+    statm = Path("/proc/self/statm")
+    return int(statm.read_text().split()[0]) * resource.getpagesize() if statm.exists() else 4 * MEMORY

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -15,6 +14,7 @@ CHECKOUT = Path(__file__).parents[2]
 SHARED = CHECKOUT.parent / "shared"
 MOST_FILES, MOST_BYTES = 60, 60_000
 _TEXTS = {".xacro", ".urdf", ".xml", ".yaml", ".yml", ".launch", ".py", ".txt", ".gazebo", ".toml", ".trans", ".csv"}
+_TEXTS |= {".srdf", ".world", ".sdf"}
 
 ARM = b"""\
 <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -38,8 +38,8 @@ OTHER_TEXTS: Tree = {
     "setup.py": b"import os\nfrom glob import glob\nfrom setuptools import setup\npackage_name = 'arm'\n"
     b"setup(name=package_name, data_files=[(os.path.join('share', package_name, 'urdf'), glob('urdf/*.xacro')),\n"
     b"    ('share/' + package_name, ['package.xml'])])\n",
-    "urdfctl.toml": b'distro = "jazzy"\nselect = ["UC"]\nignore = ["UC999"]\nexclude = ["build/**", "[a-z]"]\n'
-    b'package-path = ["."]\n[per-file-ignores]\n"*.urdf" = ["UC2"]\n',
+    "urdfctl.toml": b'distro = "jazzy"\nselect = ["UC"]\nignore = ["UC970"]\nexclude = ["build/**", "[a-z]"]\n'
+    b'package-paths = ["."]\n[per-file-ignores]\n"*.urdf" = ["UC2"]\n',
     ".git/info/exclude": b"*.bak\n",
     ".gitignore": b"build/\n*.log\n!keep.log\n/a/**/b\n[a-c]x\n\\#y\n",
     "joints.yaml": b"joints:\n  - {name: elbow, type: revolute, lower: -1.0, upper: 1.0, gains: {p: 1, d: 0.1}}\n"
@@ -89,7 +89,8 @@ def generate_launch_description():
     return LaunchDescription([DeclareLaunchArgument("prefix", default_value="", choices=["", *names]), node, later,
         OpaqueFunction(function=more), *[x for x in (node, None) if x]])
 """,
-    "known.json": json.dumps({"findings": [{"code": "UC201", "file": "urdf/arm.xacro", "fingerprint": "x"}]}).encode(),
+    "known.json": b'{"version": 1, "tool": "urdfctl", "findings": [\n  {"code": "UC154", "file": "urdf/arm.xacro", '
+    b'"message": "<lnk> of the robot is ignored", "mark": "c805e5b5521075a042fe1ec0c20e1965", "times": 1}\n]}\n',
 }
 
 
@@ -105,9 +106,8 @@ def _samples() -> list[Tree]:
 
 def _examples() -> Iterator[Tree]:
     for rule in (rule for family in FAMILIES for rule in family.load()):
-        for example in (rule.bad, rule.good):
-            if example:
-                yield {name: text.encode() for name, text in unmarked(example)[0].items()}
+        for example in (*rule.bad, *rule.good):
+            yield {name: text.encode() for name, text in unmarked(example.files)[0].items()}
 
 
 def _corpus() -> list[Tree]:

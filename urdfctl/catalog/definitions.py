@@ -32,7 +32,11 @@ class Definition(NamedTuple):
 
 
 def definition_of(file: YamlFile) -> Definition | None:
-    """Return the definition in a YAML file; None if the file is not a definition of parameters."""
+    """Return the definition in a YAML file; None if the file is not a definition of parameters, or has tags that
+    Python's safe reader rejects, and so the generator of the code.
+    """
+    if file.python_tags:
+        return None
     root = file.documents[0] if len(file.documents) == 1 else None
     if not isinstance(root, YamlMap) or len(root.entries) != 1:
         return None

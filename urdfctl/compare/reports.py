@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from urdfctl.compare.changes import Change
-from urdfctl.report.common import as_json, visible
+from urdfctl.output.printing import visible
+from urdfctl.report.common import as_json
 from urdfctl.report.pages import page
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
@@ -115,27 +116,25 @@ def _markdown(comparison: Comparison) -> str:
         lines += [f"- {what}: {_code(name)}" for name in names] + ([""] if names else [])
     for robot in comparison.robots:
         if robot.changes:
-            lines += [f"**{_escaped(robot.name)}**", "", "| | Part | Before | After |", "|---|---|---|---|"]
+            lines += [f"**{_code(robot.name)}**", "", "| | Part | Before | After |", "|---|---|---|---|"]
             lines += [_row(area, change) for area, found in by_area(robot) for change in found] + [""]
         if not robot.complete:
-            lines += [f"{_escaped(robot.name)}: {_incomplete(robot)}.", ""]
+            lines += [f"{_code(robot.name)}: {_incomplete(robot)}.", ""]
     return "\n".join([*lines, f"From {_code(comparison.before)} to {_code(comparison.after)}."]) + "\n"
 
 
 def _row(area: str, change: Change) -> str:
     before, after = (_code(value) if value and value != "none" else "" for value in values(change))
     what = f"{area}, {change.kind}" if change.kind != "changed" else area
-    return f"| {what} | {_code(visible(change.address))} | {before} | {after} |"
+    return f"| {what} | {_code(change.address)} | {before} | {after} |"
 
 
 def _code(text: str) -> str:
-    """A text as code in a table of Markdown."""
-    fence = "``" if "`" in text else "`"
-    return f"{fence}{visible(text)}{fence}".replace("|", "\\|")
-
-
-def _escaped(text: str) -> str:
-    return "".join(f"\\{letter}" if letter in "\\`*_<>[]|" else letter for letter in visible(text))
+    """A text as code in a table of Markdown, in which nothing of it is Markdown or HTML."""
+    shown = visible(text)
+    if "`" in shown or "|" in shown:  # they would end the code, or the cell
+        return f"<code>{''.join(letter if letter.isalnum() else f'&#{ord(letter)};' for letter in shown)}</code>"
+    return f"`{shown}`" if shown else ""
 
 
 def _html(comparison: Comparison) -> str:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from tempfile import TemporaryDirectory
 
-from urdfctl.compare.revisions import is_revision, lay_out, repository_of
+from urdfctl.compare.revisions import is_revision, lay_out
 from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
+from urdfctl.output.scratch import scratch_folder
+from urdfctl.run.git import repository_of
 from urdfctl.source.packages import package_around
 from urdfctl.source.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
@@ -47,7 +48,7 @@ def sides_of(words: Sequence[str], workspace: str | None) -> Iterator[tuple[Side
     """
     named = _named(words)
     paths = [_path_in(word) for word, _ in named]
-    with TemporaryDirectory(prefix="urdfctl-") as temporary:
+    with scratch_folder() as temporary:
         folder = os.path.realpath(temporary)
         sides = []
         for number, (word, arguments) in enumerate(named):

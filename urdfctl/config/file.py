@@ -11,10 +11,13 @@ from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.config.robots import ConfiguredRobot, robots_of
 from urdfctl.errors import UserError
 from urdfctl.source.files import first_bytes
+from urdfctl.source.gate import admit, admits, is_file
+from urdfctl.source.packages import ELSEWHERE
 from urdfctl.source.workspace import workspace_of
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
+_PACKAGE_PATHS = "URDFCTL_PACKAGE_PATHS"
 NAMES = ("urdfctl.toml", "pyproject.toml")
 _MOST_BYTES = 1 << 20
 _MOST_DOTS = 4000
@@ -74,7 +77,8 @@ class Config(NamedTuple):
 def config_for(paths: tuple[str, ...], workspace: str | None = None) -> Config:
     """Return the nearest configuration in the folders above the first path, within the workspace.
 
-    Without paths, start at the current folder. Raises UserError if the configuration is invalid.
+    Without paths, start at the current folder. Raises UserError if the configuration is invalid, or if it is or names
+    anything outside of what the run may read.
     """
     start = os.path.abspath(paths[0] if paths else os.curdir)
     folder = start if os.path.isdir(start) else os.path.dirname(start)
@@ -82,16 +86,21 @@ def config_for(paths: tuple[str, ...], workspace: str | None = None) -> Config:
     for ancestor in _upwards(folder, top):
         for name in NAMES:
             file = os.path.join(ancestor, name)
-            config = config_of(os.path.relpath(file)) if os.path.isfile(file) else None
+            if os.path.islink(file) and not admits(file):
+                raise UserError(
+                    f"{os.path.relpath(file)}: leads outside the workspace; name what it leads to: --config FILE"
+                )
+            config = config_of(os.path.relpath(file)) if is_file(file) else None
             if config is not None:
                 return config
     return Config()
 
 
-def config_of(file: str) -> Config | None:
+def config_of(file: str, *, is_own: bool = False) -> Config | None:
     """Return the configuration in a file; None for a pyproject.toml without [tool.urdfctl].
 
-    Raises UserError if it is invalid.
+    is_own: whether it is the user's own, outside of what others wrote: what it names may be read.
+    Raises UserError if it is invalid, or names anything outside of what the run may read.
     """
     table: Any = _toml(file)
     prefix = ""
@@ -104,7 +113,18 @@ def config_of(file: str) -> Config | None:
 
     for flaw in flaws(table, "config", prefix):
         raise UserError(f"{file}: {flaw.path + ': ' if flaw.path else ''}{flaw.message}")
+    if is_own:
+        _admit_named(table, os.path.dirname(file))
     return _config(table, file)
+
+
+def _admit_named(table: Mapping[str, Any], folder: str) -> None:
+    """Let the run read what a configuration names: folders with packages, and the workspaces of robots."""
+    for path in table.get("package-paths", ()):
+        admit(os.path.join(folder, path))
+    for robot in table.get("robot", ()):
+        for path in (robot["path"], *robot.get("controllers", ()), *robot.get("launch", ())):
+            admit(workspace_of(os.path.join(folder, path)))
 
 
 def with_environ(config: Config, environ: Mapping[str, str]) -> Config:
@@ -118,7 +138,7 @@ def with_environ(config: Config, environ: Mapping[str, str]) -> Config:
     simulator = environ.get("URDFCTL_SIMULATOR")
     if simulator:
         config = config._replace(simulator=simulator, simulator_from="$URDFCTL_SIMULATOR")
-    folders = environ.get("URDFCTL_PACKAGE_PATHS")
+    folders = environ.get(_PACKAGE_PATHS)
     return config._replace(
         package_paths=tuple(folders.split(os.pathsep)) if folders else config.package_paths,
         select=_listed(environ, "URDFCTL_SELECT") or config.select,
@@ -126,6 +146,12 @@ def with_environ(config: Config, environ: Mapping[str, str]) -> Config:
         extend_select=_listed(environ, "URDFCTL_EXTEND_SELECT") or config.extend_select,
         fail_on=environ.get("URDFCTL_FAIL_ON") or config.fail_on,
     )
+
+
+def package_folders_in(environ: Mapping[str, str]) -> list[str]:
+    """Return the folders with packages that the user's environment names: those of urdfctl, and those of ROS."""
+    texts = (environ.get(name, "") for name in (_PACKAGE_PATHS, *ELSEWHERE))
+    return [folder for text in texts for folder in text.split(os.pathsep) if folder]
 
 
 def _listed(environ: Mapping[str, str], name: str) -> tuple[str, ...]:
@@ -162,6 +188,9 @@ def _config(table: Mapping[str, Any], file: str) -> Config:
 
 def _folder(folder: str, path: str, file: str) -> str:
     joined = os.path.join(folder, path)
+    if not admits(joined):
+        way_out = "name it with --package-path, or in URDFCTL_PACKAGE_PATHS"
+        raise UserError(f"{file}: package-paths: folder '{path}' is outside the workspace; {way_out}")
     if not os.path.isdir(joined):
         raise UserError(f"{file}: package-paths: folder '{path}' does not exist")
     return joined

@@ -9,6 +9,7 @@ from math import prod
 
 from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
+from urdfctl.source.gate import admits
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
@@ -71,6 +72,9 @@ def _files(entry: Mapping[str, Any], kind: str, file: str, key: str) -> Iterator
 
 def _file(path: str, file: str, key: str) -> str:
     joined = os.path.normpath(os.path.join(os.path.dirname(file), path))
+    if not admits(joined):
+        way_out = "name it on the command line, or use a wider --workspace"
+        raise UserError(f"{file}: {key}: file '{path}' is outside the workspace; {way_out}")
     if not os.path.isfile(joined):
         raise UserError(f"{file}: {key}: file '{path}' does not exist{nearest_path(joined)}")
     return joined

@@ -10,8 +10,7 @@ from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import ROS1, ROS2, generation
 from urdfctl.catalog.entries import Replacement
 from urdfctl.control.readers import controllers_in, is_of_ros2, type_of
-from urdfctl.model.controllers import Controller
-from urdfctl.model.parameters import Value
+from urdfctl.model.controllers import Controller, Value
 from urdfctl.model.project import Project
 from urdfctl.names import is_alike, nearest
 from urdfctl.startup.per_object import once_for_the_last

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.model.parameters import Kind, Parameters, Value
+from urdfctl.model.controllers import Kind, Parameters, Value
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.per_object import once_per_object
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from urdfctl.model.parts import Reference
-from urdfctl.model.robot import Robot
-from urdfctl.model.semantic import Chain, Group, Semantic, VirtualJoint
+from urdfctl.model.moveit import Chain, Group, Semantic, VirtualJoint
+from urdfctl.model.robot import Reference, Robot
 
 _ROOT = ""
 """The joint above the root link, which every robot model has: a virtual joint, or a fixed one."""
@@ -31,7 +30,7 @@ class Groups:
         children = set(self._above)
         self.root = next((link.name for link in robot.links if link.name and link.name not in children), None)
         self.virtual = {joint.name.text: joint for joint in semantic.virtual if joint.name}
-        top = next((link for link in robot.links if link.name == self.root), None)
+        top = robot.link(self.root) if self.root else None
         self._is_dummy = (
             self.root == "world" and top is not None and not any(child.name in _SHAPES for child in top.tag.children)
         )

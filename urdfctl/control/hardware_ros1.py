@@ -10,9 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer, by_component, fixed_joints
-from urdfctl.model.parts import Text
-from urdfctl.model.robot import Robot
-from urdfctl.model.transmission import Transmission
+from urdfctl.model.robot import Robot, Text, Transmission
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 

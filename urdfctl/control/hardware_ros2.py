@@ -12,8 +12,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.hardware import HardwareType
 from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer, by_component, fixed_joints
-from urdfctl.model.robot import Robot
-from urdfctl.model.ros2_control import Interface, Part, Ros2Control
+from urdfctl.model.robot import Interface, Part, Robot, Ros2Control
 from urdfctl.source.opaque import UNKNOWN
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.control.hardware import Kind
 from urdfctl.control.session import Configured, Session
-from urdfctl.model.parameters import Value
+from urdfctl.model.controllers import Value
 from urdfctl.startup.records import NamedTuple
 
 _STATES = "hardware_components_initial_state"

@@ -9,8 +9,7 @@ from urdfctl.catalog.entries import ControllerType, FormerParameter, Parameter
 from urdfctl.control.given import given_values
 from urdfctl.control.robots import whole_robot_in
 from urdfctl.diagnostic import Finding, Note, Severity
-from urdfctl.model.controllers import Controller, Controllers, Manager
-from urdfctl.model.parameters import Kind, Parameters
+from urdfctl.model.controllers import Controller, Controllers, Kind, Manager, Parameters
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import Place

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 
-from urdfctl.model.parts import Tag
 from urdfctl.model.project import Project
-from urdfctl.model.robot import Robot
+from urdfctl.model.robot import Robot, Tag
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 

@@ -8,10 +8,8 @@ from urdfctl.catalog.distros import ROS1, ROS2, since
 from urdfctl.catalog.hardware import PluginChild, SimulatorPlugin, library_of
 from urdfctl.control.gazebo_plugins import DRIVES, LIBRARIES, MOVERS
 from urdfctl.control.robots import robot_in
-from urdfctl.model.parts import Tag
 from urdfctl.model.project import Project
-from urdfctl.model.robot import Plugin
-from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.model.robot import Plugin, Ros2Control, Tag
 from urdfctl.source.opaque import is_known
 from urdfctl.startup.per_object import once_for_the_last
 from urdfctl.startup.records import NamedTuple

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator, Mapping
+from itertools import islice, takewhile
 
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import expected, matching
@@ -14,6 +16,7 @@ class Values(Mapping[str, object]):
     def __init__(self, controller: ControllerType, given: Mapping[str, object]) -> None:
         self._parameters = controller.parameters
         self._given = given
+        self._sorted: list[tuple[str, int]] | None = None
 
     def __getitem__(self, name: str) -> object:
         matched = matching(name, self._parameters)
@@ -35,4 +38,11 @@ class Values(Mapping[str, object]):
     def given_below(self, name: str) -> list[str]:
         """Return the given names equal to a name or below it: for `gains` (or `gains.*`) `gains.elbow.p`."""
         bare = name.removesuffix(".*")
-        return [each for each in self._given if each == bare or each.startswith(f"{bare}.")]
+        if self._sorted is None:
+            self._sorted = sorted((each, number) for number, each in enumerate(self._given))
+        start = f"{bare}."
+        found = takewhile(
+            lambda one: one[0].startswith(start), islice(self._sorted, bisect_left(self._sorted, (start,)), None)
+        )
+        below = [each for each, _ in sorted(found, key=lambda one: one[1])]
+        return [bare, *below] if bare in self._given else below

@@ -8,6 +8,7 @@ from itertools import islice
 
 from urdfctl.discover.launch_files import is_launch_file, launch_roots, may_launch
 from urdfctl.discover.walk import files_below, text_of
+from urdfctl.source.gate import is_folder, names_in
 from urdfctl.source.packages import package_around, package_name
 from urdfctl.source.workspace import workspace_of
 
@@ -104,13 +105,13 @@ class _Neighbours:
         """The folders `launch` of the folders in a folder."""
         if folder not in self._in_children:
             folders = (os.path.join(folder, name, "launch") for name in _listed(folder))
-            self._in_children[folder] = [each for each in folders if os.path.isdir(each)]
+            self._in_children[folder] = [each for each in folders if is_folder(each)]
         return self._in_children[folder]
 
 
 def _listed(folder: str) -> list[str]:
     try:
-        return sorted(name for name in os.listdir(folder) if not name.startswith("."))
+        return [name for name in names_in(folder) if not name.startswith(".")]
     except OSError:
         return []
 

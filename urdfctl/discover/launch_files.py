@@ -25,6 +25,8 @@ _MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"
 _TYPE = rb"(?m)(?:^[ \t]*|[{,][ \t]*)[\"']?type[\"']?[ \t]*:[ \t]*[\"']?\w*(?:controller|broadcaster)\w*/\w"
 _TEMPLATE = rb"\{\{|\{%|<%"
 _MOST_BYTES = 1 << 18
+_MOST_BRACES = 10_000
+"""Python needs time that grows with the square of the values in an f-string, until 3.12."""
 _MOST_TEXTS = 512
 _ONLY_PARSE = 0x400  # ast.PyCF_ONLY_AST, without the import of ast
 
@@ -62,6 +64,8 @@ def is_broken(path: str, text: bytes) -> bool:
 def _is_broken_python(text: bytes) -> bool:
     import warnings
 
+    if text.count(b"{") > _MOST_BRACES:
+        return False
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:

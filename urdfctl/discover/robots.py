@@ -14,8 +14,9 @@ from urdfctl.discover.launch_files import is_broken, is_controllers_file, is_lau
 from urdfctl.discover.walk import DESCRIPTIONS, files_below, text_of
 from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
-from urdfctl.source.files import is_launch, is_yaml, remembered
+from urdfctl.source.files import is_launch, is_yaml
 from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.shown import remembered
 
 _INCLUDE = rb"(?s)<(?:xacro:)?include\s[^<>]*?filename\s*=\s*[\"']([^\"']+)[\"']"
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
@@ -23,6 +24,8 @@ _ROBOT = rb"<robot[\s>/]"
 _ROOT = rb"(?s)<robot(?:\s[^<>]*)?>"
 _NAMED = rb"\sname\s*="
 _LINK = rb"(?s)<link\s[^<>]*?name\s*=\s*[\"']([^\"']*)[\"']"
+_COMMON = (".urdf", ".xacro", ".yaml")
+"""Files that exist and end so need no closer look."""
 _PARENT = rb"(?s)<parent\s[^<>]*?link\s*=\s*[\"']([^\"']*)[\"']"
 
 
@@ -92,6 +95,7 @@ def discover_files(paths: Sequence[str], excluded: Callable[[str], bool] = lambd
     """
     files = DiscoveredFiles()
     for path in paths or (_enclosing_package(),):
+        _check(path)
         if not os.path.lexists(path):
             raise UserError(f"file or folder '{path}' does not exist{nearest_path(path)}")
         if os.path.isdir(path):
@@ -104,6 +108,14 @@ def discover_files(paths: Sequence[str], excluded: Callable[[str], bool] = lambd
         else:
             files.robots.append(path)
     return files
+
+
+def _check(path: str) -> None:
+    """Raise UserError, which says what is wrong, if a path cannot name a file of a robot."""
+    if not (os.path.isdir(path) or (path.endswith(_COMMON) and os.path.exists(path))):
+        from urdfctl.discover.paths import check_path
+
+        check_path(path)
 
 
 def check_readable(folder: str) -> None:

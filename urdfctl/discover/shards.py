@@ -13,8 +13,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from urdfctl.discover.robots import DiscoveredFiles, is_match
 from urdfctl.discover.walk import text_of
 from urdfctl.errors import UserError
-from urdfctl.source.files import folders_upwards, remembered
+from urdfctl.source.files import folders_upwards
+from urdfctl.source.gate import is_file
 from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.shown import remembered
 from urdfctl.startup.records import NamedTuple
 
 _MOST = 1000
@@ -72,7 +74,7 @@ def grouped(paths: Iterable[str], ties: Iterable[Sequence[str]] = ()) -> list[li
         file = waiting.pop()
         for other in naming.files_of(file):
             together.join(file, other)
-            if other not in seen and os.path.isfile(other):
+            if other not in seen and is_file(other):
                 seen.add(other)
                 waiting.append(other)
     for tie in ties:
@@ -112,7 +114,7 @@ class _Naming:
         if "$" not in rest:
             roots = self._packages.get(package, ()) if package else [folder]
             exact = [os.path.normpath(os.path.join(root, rest)) for root in roots]
-            if existing := [path for path in exact if os.path.isfile(path)]:
+            if existing := [path for path in exact if is_file(path)]:
                 return existing
         end = re.sub(r"\A(?:\.\.?/)+", "", re.sub(_EXPRESSION, "*", rest))
         return self._ending(f"*/{end.removeprefix('*/')}" if match or not end.startswith("*") else f"*{end}", package)

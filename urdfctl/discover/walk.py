@@ -5,8 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfctl.source.files import open_text, start_of
+from urdfctl.source.files import start_of
+from urdfctl.source.gate import size_of, walk
 from urdfctl.source.gitignore import GitIgnore
+from urdfctl.source.shown import open_text
 
 DESCRIPTIONS = (".urdf", ".xacro")
 LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py", ".launch.yaml", ".launch.yml")
@@ -22,7 +24,7 @@ def files_below(folder: str, *, ignored: list[str] | None = None) -> Iterator[st
     ignored: if given, the folders that colcon or catkin ignore are added to it, and read all the same.
     """
     git = GitIgnore(folder)
-    for current, folders, files in os.walk(folder):
+    for current, folders, files in walk(folder):
         if IGNORE_FILES & set(files):
             if ignored is None:
                 folders.clear()
@@ -46,7 +48,7 @@ def text_of(path: str) -> bytes:
     if text is not None:
         return text if len(text) <= _MAX_BYTES else b"<robot "
     try:
-        if os.path.getsize(path) > _MAX_BYTES:
+        if size_of(path) > _MAX_BYTES:
             return b"<robot "  # the loader reports why it cannot be read
         return start_of(path, _MAX_BYTES)
     except OSError:

@@ -18,23 +18,6 @@ class Splice(NamedTuple):
     text: str
 
 
-class Change(NamedTuple):
-    """The bytes of a file before and after edits; None for a file that does not exist. `file` is its real path."""
-
-    file: str
-    before: bytes | None
-    after: bytes | None
-
-
-def bytes_of(path: str) -> bytes | None:
-    """Return the content of a file, None if it does not exist."""
-    try:
-        with open(path, "rb") as file:
-            return file.read()
-    except FileNotFoundError:
-        return None
-
-
 def edited(data: bytes, edits: Iterable[Splice]) -> bytes:
     """Return the bytes after edits, which must not clash. ValueError if an edit is out of range."""
     parts: list[bytes] = []

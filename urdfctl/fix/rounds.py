@@ -7,13 +7,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.fix.edits import Change, Splice, Taken, edited
+from urdfctl.fix.edits import Splice, Taken, edited
 from urdfctl.fix.files import EditableFiles
 from urdfctl.fix.trial import TrialResult, splices_of, texts, trial_work
 from urdfctl.lint.job import Workers, run_on_targets, shared_loader
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.load.target import Target
+from urdfctl.output.change import Change
 from urdfctl.run.limits import WorkerFailure, processors
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple

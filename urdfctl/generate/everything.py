@@ -22,11 +22,11 @@ from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.fit import check_fit
 from urdfctl.generate.hardware import has_host, takes_namespace
 from urdfctl.generate.mjcf import MODEL, commanded, mjcf_file
+from urdfctl.generate.mounting import needs_world
 from urdfctl.generate.moveit import moveit_file
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.parse_again import checked
-from urdfctl.generate.stance import needs_world
 from urdfctl.generate.templates import Templates
 from urdfctl.source.files import named_bytes
 from urdfctl.startup.records import NamedTuple

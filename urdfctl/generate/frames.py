@@ -19,8 +19,7 @@ from urdfctl.model.geometry import (
     transposed,
     turned,
 )
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Geometry, Joint, Link, Robot
+from urdfctl.model.robot import Geometry, Joint, Link, Robot, Tag
 from urdfctl.startup.records import NamedTuple
 
 

@@ -19,9 +19,9 @@ from urdfctl.load.description import expansion_of
 from urdfctl.load.distro import Beside, detect_distro
 from urdfctl.load.meshes import mesh_path
 from urdfctl.load.target import Target
-from urdfctl.model.build_robot import robot_of
 from urdfctl.model.geometry import Vector
 from urdfctl.model.project import Project
+from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.source.packages import package_name
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import RobotFacts
+from urdfctl.generate.mounting import spawn_height
 from urdfctl.generate.options import Options
-from urdfctl.generate.stance import spawn_height
 from urdfctl.startup.records import NamedTuple
 
 NAMESPACE = "namespace"

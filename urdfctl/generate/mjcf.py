@@ -9,10 +9,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.mounting import is_fixed
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import xml_text
-from urdfctl.generate.stance import is_fixed
 from urdfctl.generate.templates import Templates
 from urdfctl.startup.records import NamedTuple
 

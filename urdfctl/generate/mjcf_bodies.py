@@ -13,9 +13,9 @@ from urdfctl.generate.facts import JointFacts, Skeleton
 from urdfctl.generate.frames import axis_of, geometries_of, number_of, origin_of, outwards, root_of
 from urdfctl.generate.scalars import xml_text
 from urdfctl.model.geometry import Pose, Rotation, Vector, product, transposed
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Geometry, Joint, Link, Robot
+from urdfctl.model.robot import Geometry, Joint, Link, Robot, Tag
 from urdfctl.source.files import first_bytes
+from urdfctl.source.gate import admits, size_of
 from urdfctl.startup.records import NamedTuple
 
 MeshPath = Callable[[str], str | None]
@@ -228,10 +228,15 @@ def _mesh_fault(path: str) -> str:
     kind = os.path.splitext(path)[1].lower()
     if kind not in _MESHES:
         return f"has the type '{kind}', which MuJoCo does not read"
+    if not admits(path):
+        return "is outside the workspace"
     if kind != ".stl":
         return ""
-    data = first_bytes(path, 84)
+    try:
+        data, size = first_bytes(path, 84), size_of(path)
+    except OSError as error:
+        return f"cannot be read: {error.strerror}"
     triangles = int.from_bytes(data[80:84], "little")
-    if len(data) < 84 or os.path.getsize(path) != 84 + 50 * triangles:  # noqa: PLR2004 (STL's header and triangles)
+    if len(data) < 84 or size != 84 + 50 * triangles:  # noqa: PLR2004 (STL's header and triangles)
         return "is not a binary STL file"
     return "" if 0 < triangles <= _MOST_TRIANGLES else f"has {triangles} triangles"

@@ -13,7 +13,7 @@ from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.values import Values
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import JointFacts
-from urdfctl.generate.least import checked, least_settings
+from urdfctl.generate.minimal_parameters import checked, minimal_settings
 from urdfctl.generate.recipes import recipe_of
 from urdfctl.generate.settings import Setting
 from urdfctl.generate.values import Left, Task, answer, gains
@@ -69,7 +69,7 @@ def _check(made: Controller) -> None:
 def _settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
     recipe = recipe_of(controller)
     if recipe is None:
-        yield from (checked(setting, task) for setting in least_settings(controller, task))
+        yield from (checked(setting, task) for setting in minimal_settings(controller, task))
         return
     given: set[str] = set()
     for name, (value, comment) in recipe.items():
@@ -79,7 +79,7 @@ def _settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
         given.add(name)
         for setting in _of_parameter(name, value, comment, task):
             yield _fitted(setting, parameter.type)
-    for setting in least_settings(controller, task):
+    for setting in minimal_settings(controller, task):
         if setting.name not in given:
             yield checked(setting, task)
 

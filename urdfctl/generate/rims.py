@@ -8,8 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.generate.frames import geometries_of, number_of, origin_of
 from urdfctl.model.geometry import Pose, Vector, dot, minus, scaled
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Joint, Link
+from urdfctl.model.robot import Joint, Link, Tag
 from urdfctl.startup.records import NamedTuple
 
 Corners = Callable[[str], Sequence[Vector]]

@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from urdfctl.generate.facts import JointFacts, Load, PartFacts, RobotFacts
 from urdfctl.generate.frames import Measured, axis_of, frames_of, measured, number_of, root_of
 from urdfctl.generate.loads import loads_of
+from urdfctl.generate.mounting import lowest_of
 from urdfctl.generate.rims import Corners, no_corners, rim_of
-from urdfctl.generate.stance import lowest_of
 from urdfctl.model.geometry import Pose
-from urdfctl.model.parts import Number
-from urdfctl.model.robot import Joint, Robot
+from urdfctl.model.robot import Joint, Number, Robot
 from urdfctl.source.span import Place
 
 _MOVING = ("revolute", "continuous", "prismatic")

@@ -7,7 +7,8 @@ import os
 from urdfctl.errors import UserError
 from urdfctl.generate.scalars import json_text, one_line, python_text, xacro_text, xml_comment, xml_text, yaml_text
 from urdfctl.report.template_folder import own_folder
-from urdfctl.startup.hints import TYPE_CHECKING
+from urdfctl.source.files import MAX_BYTES, first_bytes
+from urdfctl.startup.hints import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import jinja2
@@ -49,10 +50,21 @@ class Templates:
 
 def _environment(folder: str | None) -> jinja2.Environment:
     import jinja2
+    from jinja2.loaders import split_template_path
     from jinja2.sandbox import ImmutableSandboxedEnvironment
 
+    class Users(jinja2.FileSystemLoader):
+        """Reads templates as other files of the user: regular ones, within what the run may read."""
+
+        def get_source(self, environment: jinja2.Environment, template: str) -> Any:  # noqa: ARG002 (jinja's signature)
+            path = os.path.join(folder or "", *split_template_path(template))
+            if not os.path.lexists(path):
+                raise jinja2.TemplateNotFound(template)
+            return first_bytes(path, MAX_BYTES).decode("utf-8"), path, None
+
+    own = jinja2.FileSystemLoader(own_folder())
     environment = ImmutableSandboxedEnvironment(
-        loader=jinja2.FileSystemLoader([path for path in (folder, own_folder()) if path]),
+        loader=own if folder is None else jinja2.ChoiceLoader([Users(folder), own]),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,

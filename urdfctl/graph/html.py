@@ -16,7 +16,7 @@ def html(graph: Graph) -> str:
         "graph",
         title=f"{graph.robot or shown(graph.file)}: what is wired to what",
         drawing=svg(graph, style=False),
-        drawing_style=STYLE,
+        styles={"drawing.css": STYLE},
         file=shown(graph.file),
         distro=graph.distro,
         complete=graph.complete,

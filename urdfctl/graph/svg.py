@@ -6,6 +6,7 @@ from html import escape
 
 from urdfctl.graph.layout import HEIGHT, LETTER, Box, laid_out
 from urdfctl.graph.parts import Edge, Graph
+from urdfctl.output.printing import visible
 from urdfctl.report.common import as_text
 
 STYLE = """
@@ -35,7 +36,7 @@ def svg(graph: Graph, *, style: bool = True) -> str:
     """
     layout = laid_out(graph)
     width, height = f"{layout.width:.0f}", f"{layout.height:.0f}"
-    title = escape(f"What is wired to what in {graph.robot or graph.file}")
+    title = _text(f"What is wired to what in {graph.robot or graph.file}")
     size = f'viewBox="0 0 {width} {height}" width="{width}" height="{height}"'
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" class="graph" {size} role="img" aria-label="{title}">',
@@ -68,7 +69,7 @@ def _edge(edge: Edge, source: Box, target: Box, numbers: dict[str, int]) -> list
     found = [f'<path class="{classes}" {ends} d="{path}"/>']
     if edge.rules:
         x, y = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2 - 4
-        text = escape(" ".join(edge.rules))
+        text = _text(" ".join(edge.rules))
         found.append(f'<text class="rule" {ends} x="{x:.0f}" y="{y:.0f}" text-anchor="middle">{text}</text>')
     return found
 
@@ -77,13 +78,18 @@ def _node(box: Box, number: int) -> str:
     node = box.node
     classes = _classes(f"node {node.kind}", active=node.active, rules=node.rules)
     letters = int((box.width - 14) / LETTER)
-    label = node.label if len(node.label) <= letters + 1 else f"{node.label[:letters]}…"
+    shown = visible(node.label)
+    label = shown if len(shown) <= letters + 1 else f"{shown[:letters]}…"
     said = [f"{node.kind} {node.name}", node.detail, ", ".join(node.members), *node.rules]
-    title = escape("\n".join(text for text in said if text))
+    title = "\n".join(_text(text) for text in said if text)
     radius = HEIGHT / 2 if node.kind in {"joint", "input", "output"} else 4
     return (
-        f'<g class="{classes}" data-node="{number}" data-name="{escape(node.name)}" tabindex="0">'
+        f'<g class="{classes}" data-node="{number}" data-name="{_text(node.name)}" tabindex="0">'
         f"<title>{title}</title>"
         f'<rect x="{box.x:.0f}" y="{box.y:.1f}" width="{box.width:.0f}" height="{HEIGHT:.0f}" rx="{radius:.0f}"/>'
-        f'<text x="{box.x + 8:.0f}" y="{box.y + HEIGHT / 2 + 4:.1f}">{escape(label)}</text></g>'
+        f'<text x="{box.x + 8:.0f}" y="{box.y + HEIGHT / 2 + 4:.1f}">{_text(label)}</text></g>'
     )
+
+
+def _text(text: str) -> str:
+    return escape(visible(text))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.graph.parts import Edge, Graph, Node
+from urdfctl.output.printing import visible
 
 _SHAPES = {
     "group": ("[[", "]]"), "input": ("([", "])"), "controller": ("[", "]"), "command": ("(", ")"),
@@ -39,7 +40,7 @@ def mermaid(graph: Graph) -> str:
 
 def _mermaid_text(node: Node) -> str:
     texts = [node.label, *([node.detail] if _has_detail(node) else []), " ".join(node.rules)]
-    return "<br/>".join("".join(_ENTITIES.get(letter, letter) for letter in text) for text in texts if text)
+    return "<br/>".join("".join(_ENTITIES.get(letter, letter) for letter in visible(text)) for text in texts if text)
 
 
 def _arrow(edge: Edge) -> str:
@@ -78,4 +79,4 @@ def _quoted(text: str) -> str:
 
 
 def _escaped(text: str) -> str:
-    return text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ")
+    return visible(text.replace("\n", " ")).replace("\\", "\\\\").replace('"', '\\"')

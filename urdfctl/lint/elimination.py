@@ -1,4 +1,5 @@
-"""Robots and controller files that belong together by elimination: a weak link, so findings are warnings at most."""
+"""Robots and controller files that belong together by elimination, and descriptions that nobody starts as they are
+linted: a weak link, so findings are warnings at most."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Remark, Severity
+from urdfctl.lint.planning import Origin, PlannedTarget
 from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
@@ -80,3 +82,21 @@ def _key(diagnostic: Diagnostic) -> tuple[str, str, int, int]:
 def _package_of(path: str) -> str:
     """The folder of the package that a file is in; empty if it is in none."""
     return package_around(os.path.dirname(os.path.abspath(path))) or ""
+
+
+def as_started(entry: PlannedTarget, result: TargetResult, launched: Iterable[TargetResult]) -> TargetResult:
+    """Return the result of a description; its own findings are warnings at most if nobody starts it like that.
+
+    This is so for a description in a folder that is linted with the defaults of its arguments, if all launch files that
+    start it give it arguments. What is found there too keeps its severity.
+    """
+    starts = [each for each in launched if each.path == result.path] if _is_with_defaults(entry) else []
+    if not starts or not all(each.arguments for each in starts):
+        return result
+    return result._replace(outcome=weakened(result.outcome, [each.outcome for each in starts], UNSTARTED))
+
+
+def _is_with_defaults(entry: PlannedTarget) -> bool:
+    target = entry.target
+    settings: Sequence[object] = (target.arguments, target.controllers, target.launch)
+    return entry.origin is Origin.FOUND and not any(settings)

@@ -6,12 +6,13 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import lru_cache
 
 from urdfctl.catalog.distros import APPLIES, applies_to
-from urdfctl.diagnostic import Diagnostic, Finding, Note, diagnosed, located
+from urdfctl.diagnostic import Diagnostic, Finding, Note, diagnosed, excerpt_at, located
 from urdfctl.lint.results import Outcome, SuppressionUse
 from urdfctl.lint.selection import Selection
 from urdfctl.model.project import Project
+from urdfctl.names import forget_comparisons
 from urdfctl.rule import Rule
-from urdfctl.rules import all_rules, rule_of, rules_for
+from urdfctl.rules import all_faults, faults_found_by, rules_for
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan, SourceText
@@ -44,6 +45,7 @@ def lint(
     for rule in rules_for(project) if rules is None else rules:
         if not (selection.admits(rule.code) and _applies(rule, project)):
             continue
+        forget_comparisons()
         try:
             diagnostics.extend(
                 _diagnostic(rule, project, finding, selection)
@@ -73,10 +75,12 @@ def _known(findings: Iterable[Finding], sources: Sequence[SourceText]) -> Iterat
 
 
 def _silent_codes(project: Project, selection: Selection) -> set[str]:
-    """Return the codes of rules that did not run, or could not see the whole robot."""
-    selected = [rule for rule in all_rules() if not rule.of_smoke and selection.admits(rule.code)]
-    ran = [rule for rule in selected if _applies(rule, project)]
-    return {rule.code for rule in all_rules()} - {rule.code for rule in ran if project.complete}
+    """Return the codes of faults that nothing looked for, or not in the whole robot."""
+    heard: set[str] = set()
+    if project.complete:
+        selected = (fault for fault in faults_found_by("lint") if selection.admits(fault.code))
+        heard.update(fault.code for fault in selected if not isinstance(fault, Rule) or _applies(fault, project))
+    return {fault.code for fault in all_faults()} - heard
 
 
 def _uses(
@@ -86,11 +90,11 @@ def _uses(
 
     It counts as used if that is unknown: not all its rules ran, or it is in a macro that this robot does not call.
     """
+    unjudged = {code[:length] for code in silent for length in range(1, len(code) + 1)}
     for index, item in enumerate(suppressed.all):
-        judged = [code for code in item.codes if not any(rule.startswith(code) for rule in silent)]
+        judged = [code for code in item.codes if code not in unjudged]
         used = index in suppressed.used or (bool(item.codes) and not judged) or not reached(item.span)
-        excerpt = item.span.source.line(item.span.source.position(item.span.start).line)
-        yield SuppressionUse(located(item.span), tuple(judged), used, excerpt)
+        yield SuppressionUse(located(item.span), tuple(judged), used, *excerpt_at(item.span))
 
 
 def _applies(rule: Rule, project: Project) -> bool:
@@ -119,11 +123,11 @@ def _diagnostic(rule: Rule, project: Project, finding: Finding, selection: Selec
 def _crash(rule: Rule, project: Project, error: Exception) -> Diagnostic:
     import traceback
 
+    from urdfctl.rules.reading.rule_crashed import rule_crashed
+
     where = traceback.extract_tb(error.__traceback__)[-1]
     place = project.robot.at if project.robot else Place(SourceText(project.path, b""), 0, end=0)
-    message = (
-        f"rule {rule.code} {rule.name} crashed: {type(error).__name__}: {error} ({where.name}, line {where.lineno})"
-    )
+    why = f"{type(error).__name__}: {error} ({where.name}, line {where.lineno})"
+    message = rule_crashed.message(f"rule {rule.code} {rule.name}", why)
     finding = Finding(place, message, notes=(Note("this is a bug in urdfctl: please report it with this robot"),))
-    crashed = rule_of("UC000")
-    return diagnosed(crashed.code, crashed.name, crashed.severity, finding)
+    return diagnosed(rule_crashed.code, rule_crashed.name, rule_crashed.severity, finding)

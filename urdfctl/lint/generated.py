@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable
 
 from urdfctl.lint.results import TargetResult
 from urdfctl.source.dom import COMMENT, Element, Text
+from urdfctl.source.gate import is_file
 from urdfctl.startup.blake2 import blake2b
 
 _ENDINGS = (".urdf.xacro", ".xacro", ".urdf")
@@ -17,7 +18,7 @@ def twin_digest(path: str, root: Element | None) -> str | None:
     ending = next((ending for ending in _ENDINGS if path.endswith(ending)), "")
     stem = path.removesuffix(ending)
     others = [stem + other for other in (_ENDINGS[:2] if ending == ".urdf" else _ENDINGS[2:])]
-    if root is None or not ending or not any(map(os.path.isfile, others)):
+    if root is None or not ending or not any(map(is_file, others)):
         return None
     digest = blake2b(digest_size=16)
     pending = [root]

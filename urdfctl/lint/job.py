@@ -10,6 +10,7 @@ from importlib import import_module
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Finding, diagnosed
+from urdfctl.fault import Fault
 from urdfctl.lint.memory import RuleMemory
 from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.lint.selection import Selection
@@ -17,7 +18,7 @@ from urdfctl.lint.serialising import outcome_from_json, result_from_json, result
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
-from urdfctl.rules import all_rules, rule_of
+from urdfctl.rules import all_faults
 from urdfctl.run.limits import Json, Limits, Result, WorkerFailure, processors
 from urdfctl.run.pool import Division, run_jobs
 from urdfctl.source.files import is_launch
@@ -137,7 +138,8 @@ def job_for(
 def perform(function: WorkFunction, loader: Loader, job: Json, *, memory: RuleMemory | None = None) -> Json:
     """Do a job with what this process shares among its jobs."""
     target, selection = Target.from_json(job["target"]), Selection.from_json(job["selection"])
-    return function(Work(loader, target, selection, job["details"], memory))
+    with loader.reading_for(target.path):
+        return function(Work(loader, target, selection, job["details"], memory))
 
 
 def perform_alone(job: Json) -> Json:
@@ -213,7 +215,7 @@ def _preload() -> None:
     import urdfctl.load.launch_files  # noqa: F401
     from urdfctl.catalog.store import prepare
 
-    all_rules()
+    all_faults()
     prepare()
     private_module.release(private_module.load())
     gc.freeze()
@@ -221,11 +223,16 @@ def _preload() -> None:
 
 def failed(target: Target, settings: Settings, failure: WorkerFailure) -> TargetResult:
     """Return the result of a target whose worker failed: one finding that says why."""
+    from urdfctl.rules.reading.over_budget import over_budget
+    from urdfctl.rules.reading.rule_crashed import rule_crashed
+
     path = os.path.abspath(target.path)
     place = Place(SourceText(path, b""), 0, end=0)
-    rule = rule_of("UC000" if failure.our_fault else "UC014")
-    what = "urdfctl crashed" if failure.our_fault else "the description is not linted"
-    finding = diagnosed(rule.code, rule.name, rule.severity, Finding(place, f"{what}: {failure.reason}"))
+    fault: Fault = over_budget
+    message = f"the description is not linted: {failure.reason}"
+    if failure.our_fault:
+        fault, message = rule_crashed, rule_crashed.message("urdfctl", failure.reason)
+    finding = diagnosed(fault.code, fault.name, fault.severity, Finding(place, message))
     return TargetResult(
         path=path,
         ros=None,

@@ -16,7 +16,7 @@ from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.run.here import run_all_here
 from urdfctl.run.limits import Json, Limits, Result
-from urdfctl.source.files import real_path
+from urdfctl.source.shown import real_path
 
 Focus = tuple[str, ...]
 _now = getattr(time, "thread_time", time.monotonic)  # a browser has no threads

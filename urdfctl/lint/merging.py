@@ -8,10 +8,11 @@ from collections.abc import Iterable, Iterator
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
 from urdfctl.lint.causes import LINKS_OF_RUN, without_consequences
 from urdfctl.lint.likeness import difference
-from urdfctl.lint.results import Outcome, SuppressionUse
+from urdfctl.lint.results import Outcome, SuppressionUse, TargetResult
 from urdfctl.lint.selection import Selection
-from urdfctl.rules import rule_of
 
+_OF_OTHER_ROBOTS = frozenset({"UC156"})
+"""Rules about a part that refers to what the robot does not have, and that does no harm."""
 _MAX_LIKEWISE = 3
 """How many names of other messages a merged diagnostic lists. Of messages that are not alike, it quotes one."""
 
@@ -63,12 +64,13 @@ def _one_diagnostic(group: list[Diagnostic]) -> Diagnostic:
         group, key=lambda diagnostic: (-diagnostic.severity.weight, diagnostic.expanded_from, diagnostic.message)
     )
     chains = sorted({chain for diagnostic in group for chain in diagnostic.expanded_from})
-    others = sorted({diagnostic.message for diagnostic in group} - {first.message})
+    messages = {diagnostic.message for diagnostic in group}
+    others = sorted(messages - {first.message})
     notes = first.notes
     if others:
         different = list(dict.fromkeys(filter(None, (difference(first.message, other) for other in others))))
-        named = [name for name in different if name not in others] or different
-        most = _MAX_LIKEWISE if named and named[0] not in others else 1
+        named = [name for name in different if name not in messages] or different
+        most = _MAX_LIKEWISE if named and named[0] not in messages else 1
         rest = len(named) - most
         shown = "; ".join(named[:most]) + (f"; and {rest} more" if rest > 0 else "")
         notes = (Remark(f"likewise: {shown}"), *notes) if named else notes
@@ -83,15 +85,63 @@ def _unused(outcomes: Iterable[Outcome], selection: Selection) -> Iterator[Diagn
             uses[use.at] = use._replace(used=use.used or (known is not None and known.used))
     unused = [use for use in uses.values() if not use.used]
     if unused and selection.admits("UC099"):
-        rule = rule_of("UC099")
+        from urdfctl.rules.reading.suppression_unused import suppression_unused as fault
+
         for use in unused:
-            codes = ", ".join(use.codes) or "no code"
-            message = f"unused suppression: there is no finding of {codes} on this line or the next"
-            severity = selection.severity(rule.code, rule.severity)
-            yield Diagnostic(rule.code, rule.name, severity, message, use.at, excerpt=use.excerpt)
+            message = fault.message(", ".join(use.codes) or "no code")
+            severity = selection.severity(fault.code, fault.severity)
+            yield Diagnostic(
+                code=fault.code,
+                name=fault.name,
+                severity=severity,
+                message=message,
+                at=use.at,
+                excerpt=use.excerpt,
+                excerpt_column=use.excerpt_column,
+            )
 
 
 def worst(diagnostics: Iterable[Diagnostic]) -> Severity | None:
     """Return the worst severity; None if there are no diagnostics."""
     severities = (diagnostic.severity for diagnostic in diagnostics)
     return max(severities, key=lambda severity: severity.weight, default=None)
+
+
+# -- files that several robots include: a part that suits one of them is not wrong for the others -------------------
+
+
+def outcomes_of(results: Iterable[TargetResult]) -> list[Outcome]:
+    """Return the outcomes of targets. A finding of such a rule is info if the part suits another robot of the run."""
+    results = list(results)
+    shown = Counter(place for result in results for place in _places(result.outcome))
+    if not shown:
+        return [result.outcome for result in results]
+    readers = Counter(file for result in results if result.complete and result.links for file in set(result.files))
+
+    def judged(finding: Diagnostic) -> Diagnostic:
+        others = readers[finding.at.file] - shown[_place(finding)] if finding.code in _OF_OTHER_ROBOTS else 0
+        return _of_another(finding, others) if others > 0 else finding
+
+    return [
+        result.outcome._replace(diagnostics=[judged(finding) for finding in result.outcome.diagnostics])
+        for result in results
+    ]
+
+
+def _places(outcome: Outcome) -> set[tuple[str, str, int]]:
+    return {_place(finding) for finding in outcome.diagnostics if finding.code in _OF_OTHER_ROBOTS}
+
+
+def _place(finding: Diagnostic) -> tuple[str, str, int]:
+    return finding.code, finding.at.file, finding.at.start
+
+
+def _of_another(finding: Diagnostic, others: int) -> Diagnostic:
+    """The finding without a hint: the name is right."""
+    robots = "1 other robot has" if others == 1 else f"{others} other robots have"
+    return finding._replace(
+        severity=Severity.INFO,
+        message=finding.message.partition("; did you mean")[0],
+        fix=None,
+        notes=(*finding.notes, Remark(f"this file is shared: {robots} it")),
+    )

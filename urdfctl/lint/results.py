@@ -1,11 +1,11 @@
-"""Results of linting: of one project, and of one target."""
+"""Results of linting: of one project, of one target, and of a run."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
 
-from urdfctl.diagnostic import Diagnostic, Location
+from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.load.bringup import Bringup
 from urdfctl.startup.records import NamedTuple
 
@@ -17,12 +17,13 @@ def among(files: Iterable[str], focus: Sequence[str]) -> set[str]:
 
 
 class SuppressionUse(NamedTuple):
-    """A suppression comment, and whether it suppressed anything in one project."""
+    """A suppression comment, and whether it suppressed anything in one project. For the excerpt, see Diagnostic."""
 
     at: Location
     codes: tuple[str, ...]
     used: bool
     excerpt: str
+    excerpt_column: int = 1
 
 
 class Outcome(NamedTuple):
@@ -80,3 +81,25 @@ class TargetResult(NamedTuple):
     missing_packages: tuple[str, ...] = ()
     twin: str | None = None
     idle: int = 0
+
+
+class Report(NamedTuple):
+    """What a run found: the robots it looked at (and controllers' files and launch files named alone), the findings in
+    their stable order, the other files that were linted (macro libraries, fragments and controller files in folders,
+    which no robot uses), from which severity on findings make it fail, how many more findings the baseline hides,
+    whether the rules are to be counted, the declared packages that are not in the workspace, whether only the findings
+    are shown, and the path of the robot if nothing controls it."""
+
+    targets: tuple[TargetResult, ...]
+    findings: tuple[Diagnostic, ...]
+    unused: tuple[str, ...] = ()
+    fail_on: Severity = Severity.ERROR
+    known: int = 0
+    statistics: bool = False
+    missing_packages: tuple[str, ...] = ()
+    quiet: bool = False
+    uncontrolled: str = ""
+
+    def count(self, severity: Severity) -> int:
+        """Return the number of findings with a severity."""
+        return sum(finding.severity is severity for finding in self.findings)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
-from urdfctl.rules import all_rules
+from urdfctl.rules import all_faults
 from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
@@ -79,6 +79,6 @@ def validate_selection(selection: Selection) -> Selection:
         *selection.extend,
         *(prefix for prefix, _ in selection.severities),
     ):
-        if not any(rule.code.startswith(prefix) for rule in all_rules()):
+        if not any(fault.code.startswith(prefix) for fault in all_faults()):
             raise UserError(f"no rule's code begins with '{prefix}'; see urdfctl rules")
     return selection

@@ -29,7 +29,7 @@ def outcome_to_json(outcome: Outcome) -> dict[str, Any]:
     """Return an outcome as plain data."""
     return {
         "diagnostics": [diagnostic_to_json(diagnostic) for diagnostic in outcome.diagnostics],
-        "suppressions": [[_span(use.at), use.codes, use.used, use.excerpt] for use in outcome.suppressions],
+        "suppressions": [[_span(use.at), *use[1:]] for use in outcome.suppressions],
         "crashed": outcome.crashed,
     }
 
@@ -38,7 +38,7 @@ def outcome_from_json(data: dict[str, Any]) -> Outcome:
     """Return the outcome that `outcome_to_json` was given."""
     return Outcome(
         [diagnostic_from_json(item) for item in data["diagnostics"]],
-        [SuppressionUse(Location(*at), tuple(codes), used, text) for at, codes, used, text in data["suppressions"]],
+        [SuppressionUse(Location(*at), tuple(codes), *rest) for at, codes, *rest in data["suppressions"]],
         data["crashed"],
     )
 

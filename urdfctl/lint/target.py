@@ -17,7 +17,7 @@ from urdfctl.source.dom import Element
 from urdfctl.source.files import is_launch
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.source.suppressions import is_reached
+from urdfctl.source.suppressions import Reach
 from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
@@ -55,9 +55,7 @@ def lint_target(
     robot, controllers = project.robot, project.controllers
     launch_arguments = target.arguments if is_launch(target.path) else ()
 
-    def reached(span: SourceSpan) -> bool:
-        return root is None or is_reached(span, root)
-
+    reached = Reach(root).contains if root is not None else _everywhere
     run = partial(lint, sources=list(loaded.sources.values()), selection=selection, reached=reached, memory=memory)
     if focus and not among(loaded.sources, focus):
         outcome = Outcome([], [])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.gate import is_file
 from urdfctl.source.packages import Packages
 from urdfctl.source.span import Place
 
@@ -13,7 +14,7 @@ def absent_sources(packages: Packages, files: Files) -> tuple[tuple[str, Place],
     """Return the files and folders that CMakeLists.txt of a file's own package installs and that do not exist."""
     folder = packages.own()
     path = os.path.join(folder, "CMakeLists.txt") if folder else ""
-    if not folder or not os.path.isfile(path):
+    if not folder or not is_file(path):
         return ()
     from urdfctl.source.install_maps import missing_sources
 

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 from collections.abc import Sequence as Several
 
 from urdfctl.load.inline_parameters import inline_tree
-from urdfctl.model.build_controllers import Loaded, controllers_of
-from urdfctl.model.controller_forms import form_of
 from urdfctl.model.controllers import Controllers, FileReference, MoveItList
+from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
+from urdfctl.model.controllers.controller_forms import form_of
 from urdfctl.model.launch import InlineParameters, Launch, ParameterLoad
 from urdfctl.model.robot import Robot
 from urdfctl.source.dom import Document
@@ -153,7 +153,7 @@ class _Reader:
             if any(
                 isinstance(document, Mapping) and any(map(document.get, _LISTED)) for document in loaded.yaml.documents
             ):
-                from urdfctl.model.moveit import moveit_lists
+                from urdfctl.model.moveit.build_moveit import moveit_lists
 
                 yield from moveit_lists(loaded.yaml, loaded.namespace)
 

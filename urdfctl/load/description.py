@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from urdfctl.model.build_robot import TOP_LEVEL
+from urdfctl.model.robot.build_robot import TOP_LEVEL
 from urdfctl.source.dom import Document
 from urdfctl.source.files import FileProblem
 from urdfctl.source.opaque import UNKNOWN

@@ -16,7 +16,7 @@ from urdfctl.load.evidence import (
     items_of_package,
     items_of_robot,
 )
-from urdfctl.model.evidence import Evidence, Item
+from urdfctl.model.project import Evidence, EvidenceItem
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import SourceText
 from urdfctl.startup.hints import TYPE_CHECKING
@@ -25,7 +25,7 @@ from urdfctl.startup.records import NamedTuple
 if TYPE_CHECKING:
     from urdfctl.load.controller_files import ControllerFiles
     from urdfctl.model.launch import Launch
-    from urdfctl.model.moveit_parts import MoveIt
+    from urdfctl.model.moveit import MoveIt
 
 _ANY = (*ROS1, *ROS2)
 _SIMULATORS = {
@@ -65,11 +65,11 @@ def _distro(robot: Robot | None, beside: Beside, settings: Settings) -> Evidence
     if named is None and settings.environ.get("ROS_DISTRO", "") in ALL:
         named, source = settings.environ["ROS_DISTRO"], "$ROS_DISTRO"
     if named is not None:
-        return Evidence(named, (named,), source, items=(Item("user", source, (named,), EXPLICIT),))
+        return Evidence(named, (named,), source, items=(EvidenceItem("user", source, (named,), EXPLICIT),))
     return weighed(_items(robot, beside))
 
 
-def _items(robot: Robot | None, beside: Beside) -> Iterator[Item]:
+def _items(robot: Robot | None, beside: Beside) -> Iterator[EvidenceItem]:
     yield from items_of_robot(robot)
     yield from items_of_package(beside.package)
     yield from items_of_controllers(beside.controllers)
@@ -78,7 +78,7 @@ def _items(robot: Robot | None, beside: Beside) -> Iterator[Item]:
     yield from items_of_headers(beside.sources)
 
 
-def weighed(items: Iterable[Item]) -> Evidence:
+def weighed(items: Iterable[EvidenceItem]) -> Evidence:
     """Return the generation that most of the evidence is for, and those of its distros that fit it best.
 
     If both generations have the same weight, the first item decides. Items that only distros without support have
@@ -97,7 +97,7 @@ def weighed(items: Iterable[Item]) -> Evidence:
     return Evidence(distros[0] if len(distros) == 1 else None, distros, most.what, items=items)
 
 
-def _weight(items: Iterable[Item]) -> int:
+def _weight(items: Iterable[EvidenceItem]) -> int:
     """The weight of items together: of each kind, the heaviest counts."""
     by_kind: dict[str, int] = {}
     for item in items:
@@ -105,7 +105,7 @@ def _weight(items: Iterable[Item]) -> int:
     return sum(by_kind.values())
 
 
-def _narrowed(family: tuple[str, ...], items: Sequence[Item]) -> tuple[str, ...]:
+def _narrowed(family: tuple[str, ...], items: Sequence[EvidenceItem]) -> tuple[str, ...]:
     """The distros of a generation that most items allow."""
     living = {*MAINTAINED, "noetic"} & set(family)
     narrowing = [item for item in items if not set(family) <= set(item.distros)]

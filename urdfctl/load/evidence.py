@@ -8,9 +8,10 @@ from collections.abc import Iterable, Iterator
 
 from urdfctl.catalog.distros import ALL, ROS2, since, until
 from urdfctl.load.package_distros import distros_of_package
-from urdfctl.model.evidence import Item
+from urdfctl.model.project import EvidenceItem
 from urdfctl.model.robot import Robot
 from urdfctl.source.files import first_bytes
+from urdfctl.source.gate import names_in
 from urdfctl.source.span import SourceText
 from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.patterns import lazy_pattern
@@ -18,7 +19,7 @@ from urdfctl.startup.patterns import lazy_pattern
 if TYPE_CHECKING:
     from urdfctl.load.controller_files import ControllerFiles
     from urdfctl.model.launch import Launch
-    from urdfctl.model.moveit_parts import MoveIt, Pipeline
+    from urdfctl.model.moveit import MoveIt, Pipeline
 
 ROS1 = since("indigo")
 """What a robot of ROS 1 may be for when nothing says more: hydro read transmissions in another form, ten years ago."""
@@ -37,24 +38,24 @@ _BUILD_SYSTEM = r"<(?:build_type|buildtool_depend)[^<>]*>\s*(ament|catkin)"
 _ROS2_NUMBER = 2
 
 
-def items_of_robot(robot: Robot | None) -> Iterator[Item]:
+def items_of_robot(robot: Robot | None) -> Iterator[EvidenceItem]:
     """Yield what a description says: its hardware components, its plugins, its transmissions."""
     if robot is None:
         return
     if robot.ros2_controls:
-        yield Item("components", "<ros2_control>", ROS2, 6)
+        yield EvidenceItem("components", "<ros2_control>", ROS2, 6)
     for filename in dict.fromkeys(plugin.filename or "" for plugin in robot.plugins):
         distros = _distros_of_library(filename)
         if distros:
             weight = 4 if "_control" in filename else 2
-            yield Item("plugins", f"the plugin '{filename}'", distros, weight)
+            yield EvidenceItem("plugins", f"the plugin '{filename}'", distros, weight)
     names = (plugin.value for control in robot.ros2_controls for part in control.hardware for plugin in part.plugins)
     for name in dict.fromkeys(names):
         distros = _distros_of_hardware(name)
         if distros:
-            yield Item("hardware", f"the hardware '{name}'", distros, 2)
+            yield EvidenceItem("hardware", f"the hardware '{name}'", distros, 2)
     if robot.transmissions:
-        yield Item("transmissions", "<transmission>", ROS1, 1)
+        yield EvidenceItem("transmissions", "<transmission>", ROS1, 1)
 
 
 def _distros_of_library(filename: str) -> tuple[str, ...]:
@@ -88,7 +89,7 @@ def _usual(distros: Iterable[str]) -> tuple[str, ...]:
     return tuple(distro for distro in distros if distro in ROS1 or distro in ROS2)
 
 
-def items_of_package(folder: str | None) -> Iterator[Item]:
+def items_of_package(folder: str | None) -> Iterator[EvidenceItem]:
     """Yield what the manifest, the build file and the launch folder of a package say."""
     if folder is None:
         return
@@ -98,33 +99,33 @@ def items_of_package(folder: str | None) -> Iterator[Item]:
     systems = set(re.findall(_BUILD_SYSTEM, text))
     ament, catkin = "ament" in systems, "catkin" in systems
     if ament != catkin:
-        yield Item("manifest", "package.xml", ROS2 if ament else ROS1, 6, manifest)
+        yield EvidenceItem("manifest", "package.xml", ROS2 if ament else ROS1, 6, manifest)
     if not (ament and catkin):
         yield from _of_dependencies(dict.fromkeys(_DEPENDENCY.findall(text)), manifest)
     build = os.path.join(folder, "CMakeLists.txt")
     found = {name.lower() for name in re.findall(_FOUND_BY_CMAKE, _text(build))}
     if found and ("catkin" in found) != (found != {"catkin"}):
-        yield Item("build", f"find_package({min(found)})", ROS1 if "catkin" in found else ROS2, 3, build)
+        yield EvidenceItem("build", f"find_package({min(found)})", ROS1 if "catkin" in found else ROS2, 3, build)
     yield from _of_launch_folder(os.path.join(folder, "launch"))
 
 
-def _of_dependencies(names: Iterable[str], manifest: str) -> Iterator[Item]:
+def _of_dependencies(names: Iterable[str], manifest: str) -> Iterator[EvidenceItem]:
     """What dependencies say that only some distros have."""
     for name in names:
         distros = distros_of_package(name)
         if distros:
-            yield Item("dependencies", f"the dependency '{name}'", distros, 3, manifest)
+            yield EvidenceItem("dependencies", f"the dependency '{name}'", distros, 3, manifest)
 
 
-def _of_launch_folder(folder: str) -> Iterator[Item]:
+def _of_launch_folder(folder: str) -> Iterator[EvidenceItem]:
     try:
-        names = os.listdir(folder)
+        names = names_in(folder)
     except OSError:
         return
     python, xml = (any(name.endswith(end) for name in names) for end in (".launch.py", ".launch"))
     if python != xml:
         what = f"the launch files *{'.launch.py' if python else '.launch'}"
-        yield Item("launch folder", what, ROS2 if python else ROS1, 2, folder)
+        yield EvidenceItem("launch folder", what, ROS2 if python else ROS1, 2, folder)
 
 
 def _text(path: str) -> str:
@@ -141,52 +142,52 @@ def ament_package(packages: Iterable[str]) -> str | None:
     return folders[0] if len(folders) > 1 and said == {_ROS2_NUMBER} else None
 
 
-def items_of_controllers(controllers: ControllerFiles | None) -> Iterator[Item]:
+def items_of_controllers(controllers: ControllerFiles | None) -> Iterator[EvidenceItem]:
     """Yield what controller files say by their form and by the types that they name."""
     if controllers is None:
         return
     from urdfctl.catalog.catalog import CATALOG
-    from urdfctl.model.controller_forms import form_of, types_in
+    from urdfctl.model.controllers.controller_forms import form_of, types_in
 
     for yaml in {loaded.yaml.source.path: loaded.yaml for loaded in controllers.files}.values():
         form = form_of(yaml)
         if form is not None:
             is_ros2 = form == _ROS2_NUMBER
             what, weight = ("ros__parameters", 4) if is_ros2 else ("its controllers' types", 3)
-            yield Item("controller files", what, ROS2 if is_ros2 else ROS1, weight, yaml.source.path)
+            yield EvidenceItem("controller files", what, ROS2 if is_ros2 else ROS1, weight, yaml.source.path)
         for name in dict.fromkeys(types_in(yaml)):
             distros = CATALOG.distros_of(name)
             kind = CATALOG.controller(name, distros[-1]) if distros else None
             if kind is not None and not kind.external:
                 what = f"the controller type '{name}'"
-                yield Item("controller types", what, _usual(distros), 2, yaml.source.path)
+                yield EvidenceItem("controller types", what, _usual(distros), 2, yaml.source.path)
 
 
-def items_of_launch(launch: Launch | None) -> Iterator[Item]:
+def items_of_launch(launch: Launch | None) -> Iterator[EvidenceItem]:
     """Yield what a launch file says by its form, its spawners and the packages that it names."""
     if launch is None:
         return
     is_ros2 = launch.ros == _ROS2_NUMBER
-    yield Item("launch file", "its launch file", ROS2 if is_ros2 else ROS1, 4 if is_ros2 else 3, launch.path)
+    yield EvidenceItem("launch file", "its launch file", ROS2 if is_ros2 else ROS1, 4 if is_ros2 else 3, launch.path)
     if is_ros2:
         from urdfctl.control.spawner_options import DISTROS, INSTEAD
 
         options = {option.name for spawn in launch.spawns for option in spawn.options if spawn.program is not None}
         for name in sorted(options):
             if name in DISTROS and name not in INSTEAD:  # a removed option is a fault rather
-                yield Item("spawner", f"the spawner's option '{name}'", DISTROS[name], 2, launch.path)
+                yield EvidenceItem("spawner", f"the spawner's option '{name}'", DISTROS[name], 2, launch.path)
     for name in sorted({word.text for word in launch.packages}):
         distros = distros_of_package(name)
         if distros:
-            yield Item("launched packages", f"the package '{name}'", distros, 2, launch.path)
+            yield EvidenceItem("launched packages", f"the package '{name}'", distros, 2, launch.path)
 
 
-def items_of_moveit(moveit: MoveIt | None) -> Iterator[Item]:
+def items_of_moveit(moveit: MoveIt | None) -> Iterator[EvidenceItem]:
     """Yield the distros that MoveIt's planning pipelines are written for, if all are written in one form."""
     pipelines = moveit.pipelines if moveit else ()
     forms = {form for each in pipelines if (form := _form_of_pipeline(each))}
     if len(forms) == 1:
-        yield Item("MoveIt", "the form of MoveIt's planning pipelines", forms.pop(), 2)
+        yield EvidenceItem("MoveIt", "the form of MoveIt's planning pipelines", forms.pop(), 2)
 
 
 def _form_of_pipeline(pipeline: Pipeline) -> tuple[str, ...]:
@@ -196,11 +197,11 @@ def _form_of_pipeline(pipeline: Pipeline) -> tuple[str, ...]:
     return since("jazzy") if new else (*ROS1, *until("iron"))
 
 
-def items_of_headers(sources: Iterable[SourceText]) -> Iterator[Item]:
+def items_of_headers(sources: Iterable[SourceText]) -> Iterator[EvidenceItem]:
     """Yield the distros that files were generated for, by their first lines."""
     for source in sources:
         head = source.data[:_HEADER_BYTES]
         made = re.search(_MADE_FOR, head) if _MADE in head else None
         distro = made[1].decode() if made else ""
         if distro in ALL:
-            yield Item("headers", "the header of a generated file", (distro,), EXPLICIT, source.path)
+            yield EvidenceItem("headers", "the header of a generated file", (distro,), EXPLICIT, source.path)

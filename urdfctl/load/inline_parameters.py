@@ -5,11 +5,9 @@ from __future__ import annotations
 import re
 
 from urdfctl.model.launch import InlineParameters
-from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import Entry, Mapping, Scalar, YamlFile, read_yaml
+from urdfctl.source.yaml import Entry, Mapping, Scalar, YamlFile, read_yaml_in
 
 _CDATA = re.compile(rb"<!\[CDATA\[|\]\]>")
-_BLANK = re.compile(rb"[^\n]")
 
 
 def inline_tree(inline: InlineParameters) -> YamlFile:
@@ -21,8 +19,8 @@ def inline_tree(inline: InlineParameters) -> YamlFile:
         document = Mapping((Entry(name, value),), None, source, span.start, span.end)
         return YamlFile(source, (document,), (), ())
     text = _CDATA.sub(lambda mark: b" " * len(mark[0]), source.data[span.start : span.end])
-    before = _BLANK.sub(b" ", source.data[: span.start])
-    read = read_yaml(SourceText(source.path, before + text))
+    start = source.line_starts()[source.position(span.start).line - 1]
+    read = read_yaml_in(source, start, b" " * (span.start - start) + text)
     if not inline.name or not read.documents:
         return read
     name = Scalar(text=inline.name, style="", tag=None, source=source, start=span.start, end=span.start)

@@ -8,8 +8,8 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from urdfctl.load.description import MakeExpander
 from urdfctl.load.expanding import expanded
 from urdfctl.load.meshes import mesh_finder
-from urdfctl.model.build_robot import robot_of
 from urdfctl.model.robot import Robot
+from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.source.dom import Element
 from urdfctl.source.files import Files
 from urdfctl.source.packages import Packages

@@ -3,26 +3,36 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Mapping
 
-from urdfctl.model.build_launch import is_of_ros2, launch_of
-from urdfctl.model.build_package import package_around
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.launch import Launch, Reference, Word
-from urdfctl.model.launch_scope import Sources
+from urdfctl.model.launch import InlineParameters, Launch, Reference, Word
+from urdfctl.model.launch.build_launch import is_of_ros2, launch_of
+from urdfctl.model.launch.package import package_around
+from urdfctl.model.launch.scope import Sources
 from urdfctl.names import is_slip, nearest
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.gate import is_file, names_in
 from urdfctl.source.launch.terms import Term
+from urdfctl.source.lengths import TOO_LONG
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.packages import PackageNotFound, Packages
-from urdfctl.source.problem import Problem, ReadError
+from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xml import parse
+from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 
+if TYPE_CHECKING:
+    from urdfctl.source.yaml import YamlFile
+
 _MOST_BYTES = 1 << 18
+_MOST_LOADS = 200
+_OF_PYTHON = b"python/"
+_TEMPLATE = rb"\{\{|\{%|<%"
 _parsed = once_per_object(parse)
 """Several launch files include the same ones."""
 
@@ -53,6 +63,7 @@ def read_launch(
         references = tuple(one._replace(has_siblings=_has_siblings(one)) for one in launch.references)
         launch = launch._replace(references=references)
         launch = launch._replace(packages=named, package=package, misspelt=_misspelt(named, packages, path))
+        reader.look_for_tags(launch.inline)
     return LaunchFile(launch, files, tuple(reader.problems))
 
 
@@ -62,7 +73,7 @@ def _has_siblings(reference: Reference) -> bool:
     if reference.use != "argument" or reference.file.exists is not False or not path:
         return False
     try:
-        names = os.listdir(os.path.dirname(path))
+        names = names_in(os.path.dirname(path))
     except FileNotFoundError:
         return True
     except OSError:
@@ -117,6 +128,7 @@ class _Reader:
         self.named: list[Word] = []
         self._terms: dict[str, Term | None] = {}
         self._blank = ""
+        self._loads = 0
         self.has_blank = False
         """Whether the launch file, or an included one, has an argument with an empty default that is not given."""
 
@@ -136,15 +148,27 @@ class _Reader:
         self.has_blank = True
         return self._blank
 
+    def _too_long(self, at: Place) -> None:
+        """Report the first place at which a text is too long: others follow from it."""
+        if not any(problem.message == TOO_LONG for problem in self.problems):
+            self.problems.append(Problem(ProblemKind.BUDGET, at, TOO_LONG))
+
     def ros1(self, arguments: Mapping[str, str]) -> Launch | None:
         """Return the facts of a ROS 1 launch file."""
-        sources = Sources(self.tree, self.locate, self.folder, self.environ, self._of_blank)
+        sources = Sources(
+            read=self.tree,
+            locate=self.locate,
+            find=self.folder,
+            environ=self.environ,
+            blank=self._of_blank,
+            too_long=self._too_long,
+        )
         return launch_of(self.path, arguments, sources)
 
     def ros2(self, arguments: Mapping[str, str]) -> Launch | None:
         """Return the facts of a ROS 2 launch file. Its reader is imported only here."""
-        from urdfctl.model.build_launch_ros2 import Sources as SourcesOfRos2
-        from urdfctl.model.build_launch_ros2 import launch_of_ros2
+        from urdfctl.model.launch.ros2 import Sources as SourcesOfRos2
+        from urdfctl.model.launch.ros2 import launch_of_ros2
 
         sources = SourcesOfRos2(
             read=self.term,
@@ -153,6 +177,7 @@ class _Reader:
             environ=self.environ,
             values=self.yaml,
             blank=self._of_blank,
+            too_long=self._too_long,
         )
         return launch_of_ros2(self.path, arguments, sources)
 
@@ -189,13 +214,11 @@ class _Reader:
     def _term(self, path: str) -> Term | None:
         if path.endswith(".py"):
             return self._of_python(path)
-        from urdfctl.source.launch.frontend import of_xml, of_yaml
+        from urdfctl.source.launch.frontend import of_xml
 
         if path.endswith((".yaml", ".yml")):
-            from urdfctl.source.yaml import read_yaml
-
             source = self._source(path)
-            return of_yaml(read_yaml(source)) if source else None
+            return self._launch_in_yaml(source) if source else None
         root = self._root(path)
         return of_xml(root) if root is not None and root.tagName == "launch" and is_of_ros2(root) else None
 
@@ -205,7 +228,7 @@ class _Reader:
         source = self._source(path)
         if source is None:
             return None
-        script = read_python(source, Surroundings(self.find, self.environ, self.module, self.yaml))
+        script = read_python(source, Surroundings(self.find, self.environ, self.module, self.yaml, self._too_long))
         if script.problem is not None:
             self.problems.append(script.problem)
         return script.term
@@ -215,8 +238,33 @@ class _Reader:
         from urdfctl.source.launch.yaml_terms import term_of_yaml
         from urdfctl.source.yaml import read_yaml
 
-        source = self._source(self.packages.source_of(path))
-        return term_of_yaml(read_yaml(source)) if source and len(source.data) <= _MOST_BYTES else None
+        self._loads += 1
+        source = self._source(self.packages.source_of(path)) if self._loads <= _MOST_LOADS else None
+        if source is None or len(source.data) > _MOST_BYTES:
+            return None
+        return term_of_yaml(self._read_by_python(read_yaml(source)))
+
+    def look_for_tags(self, inline: Iterable[InlineParameters]) -> None:
+        """Look for tags that rosparam refuses in the parameters that ROS 1 launch files contain."""
+        suspicious = [one for one in inline if _OF_PYTHON in one.at.source.data[one.at.span.start : one.at.span.end]]
+        if suspicious:
+            from urdfctl.load.inline_parameters import inline_tree
+
+            self.problems += [problem for one in suspicious for problem in inline_tree(one).refused_tags]
+
+    def _read_by_python(self, file: YamlFile) -> YamlFile:
+        """A YAML file that launch, or a launch file, reads."""
+        self.problems += [problem for problem in file.refused_tags if problem not in self.problems]
+        return file
+
+    def _launch_in_yaml(self, source: SourceText) -> Term | None:
+        from urdfctl.source.launch.frontend import of_yaml
+        from urdfctl.source.yaml import read_yaml
+
+        file = self._read_by_python(read_yaml(source))
+        if not file.readable and not re.search(_TEMPLATE, source.data):
+            self.problems += [problem for problem in file.problems if problem not in self.problems]
+        return of_yaml(file)
 
     def module(self, name: str, importer: str) -> SourceText | None:
         """The text of a Python module of the workspace; None if there is no such module."""
@@ -231,7 +279,7 @@ class _Reader:
             bases.append(os.path.join(os.path.dirname(importer), top, tail))
         for base in bases:
             for path in (f"{os.path.normpath(base)}.py", os.path.join(os.path.normpath(base), "__init__.py")):
-                if os.path.isfile(path):
+                if is_file(path):
                     return self._source(path)
         return None
 
@@ -242,7 +290,7 @@ class _Reader:
         source = self.packages.source_of(path)
         if not self.files.may_read(source):
             return source, None
-        return source, os.path.isfile(source) or (None if self.packages.may_be_made(source) else False)
+        return source, is_file(source) or (None if self.packages.may_be_made(source) else False)
 
     def find(self, package: str, at: Place) -> str | None:
         """Return the folder of a package that is named at a place; None if it was not found."""

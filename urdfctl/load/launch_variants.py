@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 
 from urdfctl.model.launch import Launch
+from urdfctl.source.gate import matching
 from urdfctl.startup.records import NamedTuple
 
 _MARK = "\ue001"
@@ -105,7 +106,7 @@ def _in_files(path: str) -> Iterator[str]:
     parts = path.split(_MARK)
     first, *rest = map(re.escape, parts)
     pattern = re.compile(first + r"([\w.-]+)" + r"\1".join(rest))
-    for found in glob.iglob("*".join(map(glob.escape, parts))):
+    for found in matching("*".join(map(glob.escape, parts))):
         match = pattern.fullmatch(found)
         if match:
             yield match.group(1)

@@ -13,12 +13,11 @@ from urdfctl.load.evidence import ament_package
 from urdfctl.load.known import Described, Known
 from urdfctl.load.open_decisions import decisions_in, unread
 from urdfctl.load.target import Target
-from urdfctl.model.evidence import Evidence
-from urdfctl.model.own_types import NO_OWN_TYPES, OwnTypes
-from urdfctl.model.project import Project
+from urdfctl.model.project import NO_OWN_TYPES, Evidence, OwnTypes, Project
 from urdfctl.model.robot import Robot
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.files import Files, is_launch, is_yaml
+from urdfctl.source.gate import is_file, reading_within
 from urdfctl.source.opaque import is_known
 from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.span import Place, SourceText
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
     from urdfctl.load.launch_files import LaunchFile
     from urdfctl.load.own_types import Exports
     from urdfctl.model.launch import Description, Launch
-    from urdfctl.model.moveit_parts import MoveIt
+    from urdfctl.model.moveit import MoveIt
 
 
 class LoadedTarget(NamedTuple):
@@ -114,6 +113,12 @@ class Loader:
             for named in self.settings.named_files:
                 self._files[index.workspace].allow(named)
         return self._files[index.workspace].again(packages.source_of), packages
+
+    def reading_for(self, path: str) -> reading_within:
+        """Return a context in which this thread reads nothing but what may be read for a file."""
+        index = self.index_for(path)
+        roots = [index.workspace, *index.extra, *index.elsewhere(), *self.settings.named_files]
+        return reading_within(None if self.settings.trust else roots)
 
     def expander(self, path: str, kind: type[Expander] = Expander, *, strict: bool = False) -> Expander:
         """Return an expander for one file."""
@@ -205,6 +210,7 @@ class Loader:
         problems = (
             *(launch_file.problems if launch_file else ()),
             *(controller_files.problems if controller_files else ()),
+            *(moveit.problems if moveit else ()),
         )
         absent, todos = absent_sources(packages, files), self._todos(sources, packages)
         project = Project(None, path, problems=problems, absent=absent, todos=todos, moveit=moveit)
@@ -230,6 +236,7 @@ class Loader:
             *expansion.problems,
             *(launch_file.problems if launch_file else ()),
             *(controller_files.problems if controller_files else ()),
+            *(moveit.problems if moveit else ()),
         )
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
         listed, absent = _listed_joints(path, files), absent_sources(described.packages, files)
@@ -253,7 +260,7 @@ class Loader:
         controllers = [loaded.yaml.source.path for loaded in controller_files.files] if controller_files else []
         beside = (file for file in controllers if os.path.basename(file) == "ros2_controllers.yaml")
         semantic = f"{path.removesuffix('.xacro').removesuffix('.urdf')}.srdf"
-        if not (launch and launch.moveit) and not any(beside) and not os.path.isfile(semantic):
+        if not (launch and launch.moveit) and not any(beside) and not is_file(semantic):
             return None
         from urdfctl.load.moveit_files import read_moveit
 
@@ -353,7 +360,7 @@ def _listed_joints(path: str, files: Files) -> tuple[tuple[str, Place], ...]:
     """Return the joints that a ROS-Industrial support package lists: urdf/arm.xacro has config/joint_names_arm.yaml."""
     folder, name = os.path.split(path)
     file = os.path.join(os.path.dirname(folder), "config", f"joint_names_{name.partition('.')[0]}.yaml")
-    if not os.path.isfile(file):
+    if not is_file(file):
         return ()
     from urdfctl.load.controller_files import listed_joints
 

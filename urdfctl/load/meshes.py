@@ -7,13 +7,15 @@ from collections.abc import Callable
 
 from urdfctl.model.robot import MeshFile
 from urdfctl.names import nearest
+from urdfctl.source.gate import admits, is_file, names_in
 from urdfctl.source.packages import PackageNotFound, Packages
 
 
 def mesh_finder(packages: Packages, robot_file: str) -> Callable[[str], MeshFile | None]:
     """Return a function that finds the file of a mesh address.
 
-    It returns None for addresses that are not files, and for missing files that git ignores: they are made later.
+    It returns None for addresses that are not files, for files outside of what the run may read, and for missing files
+    that git ignores: they are made later.
     """
     known: dict[str, MeshFile | None] = {}
 
@@ -26,7 +28,10 @@ def mesh_finder(packages: Packages, robot_file: str) -> Callable[[str], MeshFile
 
 
 def mesh_path(address: str, packages: Packages, robot_file: str) -> str | None:
-    """Return the file of a mesh address; None if it is unknown or does not exist."""
+    """Return the file of a mesh address; None if it is unknown or does not exist.
+
+    A path outside of what the run may read is returned without a look at it: whoever opens it learns that.
+    """
     if address.startswith("package://"):
         package, _, rest = address.removeprefix("package://").partition("/")
         try:
@@ -39,7 +44,7 @@ def mesh_path(address: str, packages: Packages, robot_file: str) -> str | None:
             return None
         path = os.path.join(os.path.dirname(robot_file), path)
     path = packages.source_of(path)
-    return path if os.path.isfile(path) else None
+    return path if not admits(path) or os.path.isfile(path) else None
 
 
 def _mesh_file(address: str, packages: Packages, robot_file: str) -> MeshFile | None:
@@ -65,19 +70,19 @@ def _in_package(address: str, packages: Packages) -> MeshFile | None:
             package=package,
             package_found=False,
             nearest=nearest(package, error.known),
-            meant=packages.address_of(own) if os.path.isfile(own) else None,
+            meant=packages.address_of(own) if is_file(own) else None,
             package_declared=bool(packages.declares(package)),
         )
     return _file(packages.source_of(os.path.join(folder, path)), package, packages)
 
 
 def _file(path: str, package: str | None, packages: Packages) -> MeshFile | None:
-    if os.path.isfile(path):
+    if is_file(path):
         return MeshFile(True, package)  # noqa: FBT003
-    if packages.is_ignored_by_git(path):
+    if not admits(path) or packages.is_ignored_by_git(path):
         return None
     try:
-        beside = os.listdir(os.path.dirname(path))
+        beside = names_in(os.path.dirname(path))
     except OSError:
         beside = []
     return MeshFile(False, package, nearest=nearest(os.path.basename(path), beside))  # noqa: FBT003

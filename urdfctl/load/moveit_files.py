@@ -6,10 +6,10 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.load.description import expansion_of
-from urdfctl.model.build_semantic import semantic_of
 from urdfctl.model.controllers import FileReference, MoveItController
 from urdfctl.model.launch import Launch
-from urdfctl.model.moveit import (
+from urdfctl.model.moveit import MoveIt, MoveItFiles, Pipeline, Semantic
+from urdfctl.model.moveit.build_moveit import (
     empty_controller_list,
     empty_values,
     limits_of,
@@ -18,10 +18,9 @@ from urdfctl.model.moveit import (
     solvers_of,
     unlisted_controllers,
 )
-from urdfctl.model.moveit_files import MoveItFiles
-from urdfctl.model.moveit_parts import MoveIt, Pipeline
-from urdfctl.model.semantic import Semantic
+from urdfctl.model.moveit.build_semantic import semantic_of
 from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.gate import is_file, names_in
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.yaml import YamlFile, read_yaml
@@ -73,14 +72,14 @@ def _beside(path: str, controllers: Sequence[str]) -> MoveItFiles | None:
     stem = next((name.removesuffix(ending) for ending in _DESCRIPTIONS if name.endswith(ending)), "")
     semantic = os.path.join(folder, f"{stem}.srdf")
     folders = [os.path.dirname(file) for file in controllers if os.path.basename(file) == _CONTROLLERS]
-    described = os.path.isfile(semantic) and bool(stem)
+    described = is_file(semantic) and bool(stem)
     home = folder if described else next(iter(folders), None)
-    if home is None or not (described or os.path.isfile(os.path.join(home, _OF_MOVEIT))):
+    if home is None or not (described or is_file(os.path.join(home, _OF_MOVEIT))):
         return None
 
     def file(name: str) -> FileReference | None:
         whole = os.path.join(home, name)
-        return FileReference(whole, _start_of(whole), whole, True) if os.path.isfile(whole) else None  # noqa: FBT003
+        return FileReference(whole, _start_of(whole), whole, True) if is_file(whole) else None  # noqa: FBT003
 
     of_moveit = file(_OF_MOVEIT)
     return MoveItFiles(
@@ -95,8 +94,7 @@ def _beside(path: str, controllers: Sequence[str]) -> MoveItFiles | None:
 
 
 def _pipelines(folder: str, file: Callable[[str], FileReference | None]) -> Iterator[tuple[str, FileReference]]:
-    names = sorted(name for name in os.listdir(folder) if name.endswith(_PIPELINE))
-    for name in names:
+    for name in (one for one in names_in(folder) if one.endswith(_PIPELINE)):
         found = file(name)
         if found is not None:
             yield name.removesuffix(_PIPELINE), found
@@ -118,6 +116,7 @@ class _Reader:
         pipelines = [(name, tree) for name, file in found.pipelines if (tree := self._tree(file))]
         lists = (empty_controller_list(tree) for tree in trees)
         known = [tree for tree in (kinematics, limits, *trees, *(tree for _, tree in pipelines)) if tree]
+        tags = [problem for tree in known for problem in tree.refused_tags]
         values = [empty for tree in known for empty in empty_values(tree)] if found.as_values and ros != 1 else []
         return MoveIt(
             files=found if is_given else None,
@@ -129,6 +128,7 @@ class _Reader:
             empty=tuple(values),
             no_controllers=next((place for place in lists if place), None),
             unlisted=tuple(key for tree in trees for key in unlisted_controllers(tree)),
+            problems=tuple(dict.fromkeys(tags)),
         )
 
     @staticmethod

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Collection, Iterator
 
 from urdfctl.source.files import first_bytes, start_of
+from urdfctl.source.gate import walk
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.todo import has_todos, todos_in
 
@@ -31,7 +32,7 @@ def unread(decisions: Collection[tuple[str, Place]], read: Collection[str]) -> t
 
 
 def _files(folder: str) -> Iterator[str]:
-    for current, folders, names in os.walk(folder):
+    for current, folders, names in walk(folder):
         folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in _PRUNED)
         yield from (os.path.join(current, name) for name in sorted(names) if name.endswith(_ENDINGS))
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 
 from urdfctl.catalog.definitions import Definition, definition_of
-from urdfctl.model.own_types import OwnTypes
+from urdfctl.model.project import OwnTypes
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.plugin_exports import ExportedClass, definition_files, exported_classes, sources_of_class
 from urdfctl.source.yaml import read_yaml

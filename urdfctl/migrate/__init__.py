@@ -20,5 +20,6 @@ A migration is made in a copy of the packages (`Scratch`), judged there, and wri
   error or warning of a new kind appears, or the kinematics of a robot change without being listed in `Proposal.moves`.
   A warning is accepted if without the step there would be an error in its file.
 
-Steps are in `ros1/`, `classic/` and `distro/`; each of these lists its own in `STEPS`.
+Steps are in `ros1/`, `classic/` and `distro/`; each of these lists its own in `STEPS`. A step has examples, as a rule
+has: `before` and `after`. The tests apply it alone to each of the packages before, and compare.
 """

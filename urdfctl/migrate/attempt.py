@@ -7,12 +7,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
-from urdfctl.fix.edits import Shift, Splice, Taken, bytes_of, clash, edited
+from urdfctl.fix.edits import Shift, Splice, Taken, clash, edited
 from urdfctl.migrate.acceptance import Before, Objection, objections
 from urdfctl.migrate.line_ends import with_line_ends_of
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
 from urdfctl.migrate.todo import with_todos
+from urdfctl.output.change import bytes_of
 
 MOST_ROUNDS = 12
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.fix.edits import Change, bytes_of
 from urdfctl.lint.grouping import grouped
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.acceptance import Before, Objection, before
@@ -22,6 +20,8 @@ from urdfctl.migrate.step import EntryKind, Step
 from urdfctl.migrate.todo import without_punctuation
 from urdfctl.migrate.trials import Trials
 from urdfctl.migrate.wishes import Wishes
+from urdfctl.output.change import Change, bytes_of
+from urdfctl.source.gate import is_file
 from urdfctl.source.span import SourceText
 from urdfctl.source.todo import todos_in
 from urdfctl.startup.records import NamedTuple
@@ -82,7 +82,7 @@ def _done(scratch: Scratch, noted: Iterable[Noted]) -> Iterator[ReportLine]:
     for one in noted:
         entry, file = one.entry, scratch.real(one.file) if one.file else ""
         line = 0
-        if os.path.isfile(one.file):
+        if is_file(one.file):
             own = todos.setdefault(one.file, _todos(one.file))
             line = _line(one.file, one.offset) if entry.at else 0
             todo = _taken(own, entry.message) if entry.kind is EntryKind.FOR_YOU else 0

@@ -9,7 +9,7 @@ from urdfctl.fix.trial import splices_of
 from urdfctl.migrate.packages import Linted, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
 from urdfctl.migrate.wishes import Part
-from urdfctl.rules import rule_of
+from urdfctl.rules import fault_of
 from urdfctl.source.span import Place, SourceSpan
 
 
@@ -35,4 +35,4 @@ def _proposal(packages: Packages, finding: Diagnostic) -> Proposal:
     )
     at = Place(packages.read(finding.at.file), finding.at.start, end=finding.at.end)
     message = f"fixed {finding.code}: {finding.message}"
-    return Proposal(edits, entries=(Entry(EntryKind.DONE, message, at, authority=rule_of(finding.code).authority),))
+    return Proposal(edits, entries=(Entry(EntryKind.DONE, message, at, authority=fault_of(finding.code).authority),))

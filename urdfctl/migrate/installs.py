@@ -11,6 +11,7 @@ from urdfctl.migrate.install_rules import install_rule
 from urdfctl.migrate.packages import Linted, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
 from urdfctl.migrate.wishes import Part
+from urdfctl.source.gate import is_file, is_folder
 from urdfctl.source.span import SourceSpan, SourceText
 
 _CODE = "UC615"
@@ -41,7 +42,7 @@ def _missing(finding: Diagnostic) -> Iterator[tuple[str, str]]:
     manifest = next((note.at.file for note in finding.notes if note.at), "")
     build_file = os.path.join(os.path.dirname(manifest), "CMakeLists.txt")
     named = re.match(r"'([^'/]+)", finding.message)
-    if named and os.path.isfile(build_file):
+    if named and is_file(build_file):
         yield build_file, named[1]
 
 
@@ -53,7 +54,7 @@ def _end(source: SourceText) -> SourceSpan:
 
 
 def _rules(folder: str, names: list[str]) -> str:
-    folders = [name for name in names if os.path.isdir(os.path.join(folder, name))]
+    folders = [name for name in names if is_folder(os.path.join(folder, name))]
     files = [name for name in names if name not in folders]
     rules = [install_rule(*folders)] if folders else []
     rules += [f"install(FILES {' '.join(files)}\n  DESTINATION share/${{PROJECT_NAME}}\n)\n"] if files else []

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Robot
+from urdfctl.model.robot import Robot, Tag
 
 _OF_LINK = ("inertial", "collision")
 _OF_JOINT = ("origin", "axis", "limit", "parent", "child")

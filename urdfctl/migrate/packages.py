@@ -15,7 +15,8 @@ from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.scratch import Scratch, Written
 from urdfctl.migrate.wishes import Wishes
 from urdfctl.source.budget import OverBudget
-from urdfctl.source.files import MAX_BYTES
+from urdfctl.source.files import MAX_BYTES, first_bytes
+from urdfctl.source.gate import exists
 from urdfctl.source.span import SourceText
 
 Value = TypeVar("Value")
@@ -102,16 +103,11 @@ class Packages:
         return (path for path in self._files if not endings or path.endswith(endings))
 
     def read(self, path: str) -> SourceText:
-        """Return the content of a file; empty if it does not exist or is too large. Each state is read once."""
+        """Return the content of a file; empty if it cannot be read or is too large. Each state is read once."""
         written = self.scratch.written.get(os.path.realpath(path))
         state, source = self._sources.get(path, (None, None))
         if source is None or state is not written:
-            is_small = os.path.isfile(path) and os.path.getsize(path) <= MAX_BYTES
-            data = b""
-            if is_small:
-                with open(path, "rb") as file:
-                    data = file.read()
-            source = SourceText(path, data)
+            source = SourceText(path, _text(path))
             self._sources[path] = written, source
         return source
 
@@ -124,7 +120,7 @@ class Packages:
     def targets(self) -> list[Target]:
         """Return the targets before the migration whose files still exist, and that lint read within its limits."""
         wanted = (target for target, result in self.linted if _was_read(result))
-        return [target for target in wanted if os.path.exists(target.path)]
+        return [target for target in wanted if exists(target.path)]
 
     def loaded(self, distro: str | None = None) -> list[LoadedTarget]:
         """Return all targets as they are read now: robot, controllers and launch file, each part with its place.
@@ -158,6 +154,15 @@ class Packages:
     def may_change(self, path: str) -> bool:
         """Return whether a file is among those to migrate; others, as of /opt/ros, are never changed."""
         return self.scratch.may_write(path)
+
+
+def _text(path: str) -> bytes:
+    """The content of a file; empty if it cannot be read or is too large."""
+    try:
+        data = first_bytes(path, MAX_BYTES + 1)
+    except OSError:
+        return b""
+    return data if len(data) <= MAX_BYTES else b""
 
 
 def _was_read(result: TargetResult) -> bool:

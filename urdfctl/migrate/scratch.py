@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 import shutil
 import stat
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.errors import UserError
-from urdfctl.fix.edits import Change, bytes_of
+from urdfctl.output.change import Change, bytes_of
+from urdfctl.output.scratch import scratch_folder
 from urdfctl.source.files import folders_upwards
+from urdfctl.source.folders import delete_folder
+from urdfctl.source.gate import is_file, walk
 from urdfctl.source.gitignore import GitIgnore
 from urdfctl.source.packages import package_around, package_folders, package_name
 from urdfctl.source.workspace import workspace_of
@@ -46,12 +48,16 @@ class Scratch:
         self._workspace = os.path.realpath(workspace_of(os.path.join(real[0], "package.xml")))
         if not all(_is_below(folder, self._workspace) for folder in real):
             self._workspace = os.path.commonpath(real)
-        self._temporary = tempfile.TemporaryDirectory(prefix="urdfctl-migrate-")
+        self._temporary = scratch_folder()
         self.root = os.path.join(os.path.realpath(self._temporary.name), os.path.basename(self._workspace) or "ws")
         self.folders = [self.of(folder) for folder in real]
-        for folder, copy in zip(real, self.folders, strict=True):
-            _copy(folder, copy)
-        self._copy_settings(real)
+        try:
+            for folder, copy in zip(real, self.folders, strict=True):
+                _copy(folder, copy)
+            self._copy_settings(real)
+        except BaseException:
+            self.close()
+            raise
         mine = {_name(folder) for copied in real for folder in package_folders(copied)}
         others = (os.path.realpath(folder) for folder in package_folders(self._workspace))
         outside = (folder for folder in others if not any(_is_below(folder, copied) for copied in real))
@@ -61,6 +67,7 @@ class Scratch:
 
     def close(self) -> None:
         """Delete the copy."""
+        delete_folder(self.root)  # which may be nested more deeply than cleanup can go
         self._temporary.cleanup()
 
     def of(self, real: str) -> str:
@@ -123,7 +130,7 @@ class Scratch:
         """
         for folder in self.folders:
             git = GitIgnore(folder)
-            for current, folders, names in os.walk(folder):
+            for current, folders, names in walk(folder):
                 wanted = (name for name in folders if name not in _PRUNED)
                 folders[:] = sorted(
                     one for one in wanted if not git.ignores(os.path.join(current, one), is_folder=True)
@@ -138,7 +145,7 @@ class Scratch:
         for folder in sorted(one for one in above if _is_below(one, self._workspace)):
             _mark_repository(folder, self.of(folder))
             for name in ("urdfctl.toml", "pyproject.toml", ".gitignore"):
-                if os.path.isfile(os.path.join(folder, name)):
+                if is_file(os.path.join(folder, name)):
                     os.makedirs(self.of(folder), exist_ok=True)
                     shutil.copyfile(os.path.join(folder, name), os.path.join(self.of(folder), name))
 
@@ -163,10 +170,13 @@ def _is_below(path: str, folder: str) -> bool:
 
 
 def _copy(folder: str, copy: str) -> None:
-    for current, folders, names in os.walk(folder):
+    for current, folders, names in walk(folder):
         folders[:] = [name for name in folders if name not in _PRUNED]
         target = os.path.normpath(os.path.join(copy, os.path.relpath(current, folder)))
-        os.makedirs(target, exist_ok=True)
+        try:
+            os.makedirs(target, exist_ok=True)
+        except OSError as error:  # the path of the copy is too long, for example
+            raise UserError(f"'{current}' cannot be copied: {error.strerror}") from None
         _mark_repository(current, target)
         linked = (name for name in folders if os.path.islink(os.path.join(current, name)))
         for name in (*(name for name in names if name not in _PRUNED), *linked):

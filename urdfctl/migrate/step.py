@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from enum import Enum
 
 from urdfctl.diagnostic import Edit
+from urdfctl.fault import Example, Written, example_of
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.span import Place
 from urdfctl.startup.hints import TYPE_CHECKING
@@ -89,6 +90,9 @@ class Step(NamedTuple):
     generation: 1 if it is only for packages that are for ROS 1, wholly or in part.
     is_needed: whether the target cannot read a file without it. What lint finds in the new form is then reported, and
         is no reason to keep the old one.
+    before: the smallest packages that it changes, in the form of the examples of a rule: files by name, and under
+        `options` the options of `urdfctl migrate`; `--to=jazzy` without. A package.xml that is not there is added.
+    after: for each of these the files that are different then. One that is deleted is empty.
     """
 
     name: str
@@ -98,3 +102,12 @@ class Step(NamedTuple):
     rows: tuple[Row, ...] = ()
     generation: int = 2
     is_needed: bool = False
+    before: Sequence[Written] = ()
+    after: Sequence[Mapping[str, str]] = ()
+
+    @property
+    def examples(self) -> list[tuple[Example, dict[str, str]]]:
+        """The packages before, each with the files that are different after it."""
+        options = ("--from=noetic", "--to=jazzy") if self.generation == 1 else ("--to=jazzy",)
+        pairs = zip(self.before, self.after, strict=True)
+        return [(example_of(before, options), example_of(after).files) for before, after in pairs]

@@ -2,24 +2,86 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
-from urdfctl.catalog.distros import ALL
-from urdfctl.model.own_types import NO_OWN_TYPES, OwnTypes
+from urdfctl.catalog.distros import ALL, generation
 from urdfctl.model.robot import Robot
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place
 from urdfctl.source.xacro.influence import Influence, no_influence
-from urdfctl.startup.hints import TYPE_CHECKING
+from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
     from urdfctl.catalog.catalog import Catalog
     from urdfctl.model.controllers import Controllers
-    from urdfctl.model.evidence import Evidence
     from urdfctl.model.launch import Launch
-    from urdfctl.model.moveit_parts import MoveIt
+    from urdfctl.model.moveit import MoveIt
+
+
+class EvidenceItem(NamedTuple):
+    """A fact that speaks for some distros.
+
+    kind: where it is from; of several items of a kind, the heaviest counts.
+    what: the fact, in words.
+    distros: the distros that it speaks for.
+    weight: how much it says about the generation, from 1 to EXPLICIT.
+    file: the file that says it; None for the robot itself.
+    """
+
+    kind: str
+    what: str
+    distros: tuple[str, ...]
+    weight: int
+    file: str | None = None
+
+    @property
+    def ros(self) -> int | None:
+        """The generation that it speaks for, 1 or 2; None if for both."""
+        generations = {generation(distro) for distro in self.distros}
+        return generations.pop() if len(generations) == 1 else None
+
+
+class Evidence(NamedTuple):
+    """The distro and the simulator of a robot, and what indicates them.
+
+    distro: the distro; None if several are possible.
+    distros: the possible distros.
+    source: what says most for them; None if nothing does.
+    items: everything that indicates a distro, also what was outweighed.
+    """
+
+    distro: str | None
+    distros: tuple[str, ...]
+    source: str | None
+    simulator: str | None = None
+    simulator_from: str | None = None
+    items: tuple[EvidenceItem, ...] = ()
+
+    @property
+    def ros(self) -> int | None:
+        """1 or 2; None if unknown."""
+        generations = {generation(distro) for distro in self.distros}
+        return generations.pop() if len(generations) == 1 else None
+
+
+class OwnTypes(NamedTuple):
+    """Types that packages of the workspace export, as far as the project concerns them.
+
+    controllers: entries of controllers in the form of the catalogue, by type. `open`: the controller may read other
+        parameters too; if it has no `parameters`, they are unknown.
+    hardware: the names of hardware plugins.
+    nodes: the parameters of other nodes, by the node's name.
+    """
+
+    controllers: Mapping[str, Mapping[str, Any]] = MappingProxyType({})
+    hardware: tuple[str, ...] = ()
+    nodes: Mapping[str, Mapping[str, Mapping[str, Any]]] = MappingProxyType({})
+
+
+NO_OWN_TYPES = OwnTypes()
 
 
 class Project(NamedTuple):
@@ -76,8 +138,6 @@ class Project(NamedTuple):
     @property
     def ros(self) -> int | None:
         """The ROS generation, 1 or 2; None if unknown."""
-        from urdfctl.catalog.distros import generation
-
         generations = {generation(distro) for distro in self.distros}
         return generations.pop() if len(generations) == 1 else None
 

@@ -1,4 +1,4 @@
-"""The stages of a robot's life under a controller manager."""
+"""The stages of a robot's lifecycle under a controller manager."""
 
 from __future__ import annotations
 
@@ -38,6 +38,6 @@ class StageDependsOn(Enum):
     GAINS = "gains"
     """Gains are missing: some controllers of ROS 1 are not loaded, others crash when they are started."""
     MANAGER = "manager"
-    """The fault depends on the other controllers: `urdfctl.control.life` finds it and its stage."""
+    """The fault depends on the other controllers: `urdfctl.control.lifecycle` finds it and its stage."""
     LOST_JOINTS = "lost joints"
     """Gazebo drops links with their joints: the controllers of these joints stop, or the robot if none is left."""

@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from html import escape
 
+from urdfctl.output.printing import visible
+
 SIZE = 320
 
 
@@ -26,7 +28,7 @@ def drawing(segments: Sequence[Sequence[float]], name: str) -> str:
         b, d = ((y - min(ys)) * scale + 8 for y in line[1::2])
         drawn.append(f'<line class="bone" x1="{a:.1f}" y1="{b:.1f}" x2="{c:.1f}" y2="{d:.1f}"/>')
     view = f'width="{SIZE}" height="{height:.0f}" viewBox="0 0 {SIZE} {height:.0f}"'
-    return f'<svg role="img" aria-label="{escape(name)} at spawn" {view}>{"".join(drawn)}</svg>'
+    return f'<svg role="img" aria-label="{escape(visible(name))} at spawn" {view}>{"".join(drawn)}</svg>'
 
 
 def _projected(x: float, y: float, z: float) -> tuple[float, float]:

@@ -7,13 +7,14 @@ from collections.abc import Sequence
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.graph.svg import STYLE, svg
 from urdfctl.graph.view import readable
-from urdfctl.lint.results import TargetResult
+from urdfctl.lint.results import Report, TargetResult
+from urdfctl.output.printing import visible, visible_in
 from urdfctl.page.chart import chart
 from urdfctl.page.drawing import drawing
-from urdfctl.report.common import Report, relative, shown, visible
+from urdfctl.report.common import relative, shown
 from urdfctl.report.pages import page
-from urdfctl.smoke.reports import SmokeReport, heading, how, steps, summary, told_of
-from urdfctl.smoke.results import ControllerResult, Smoked, Verdict
+from urdfctl.smoke.reports import SmokeReport, conditions, explanation, heading, stages_reached, summary
+from urdfctl.smoke.results import ControllerResult, RobotResult, Verdict
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 from urdfctl.view.html import part_values
@@ -41,11 +42,12 @@ def lint_page(report: Report, portraits: Sequence[tuple[TargetResult, Portrait]]
     return _page("Lint", ", ".join(words) or "no findings", robots, report.findings, facts)
 
 
-def smoke_page(report: SmokeReport, portraits: Sequence[tuple[Smoked, Portrait]], facts: RunFacts) -> str:
+def smoke_page(report: SmokeReport, portraits: Sequence[tuple[RobotResult, Portrait]], facts: RunFacts) -> str:
     """Return the page of a smoke run: robots with failures first, and of each robot the failed controllers first."""
     ordered = sorted(portraits, key=lambda pair: min(map(_rank, pair[0].controllers), default=9))
     robots = [
-        {**_robot(heading(smoked), how(smoked), portrait), **_tested(smoked, portrait)} for smoked, portrait in ordered
+        {**_robot(heading(smoked), conditions(smoked), portrait), **_tested(smoked, portrait)}
+        for smoked, portrait in ordered
     ]
     return _page("Smoke test", summary(report), robots, report.found.findings, facts)
 
@@ -62,7 +64,7 @@ def _page(
         facts=facts,
         robots=robots,
         findings=[_finding(relative(finding)) for finding in ordered],
-        graph_style=STYLE,
+        styles={"drawing.css": STYLE},
         in_3d=any(robot["scene"] for robot in robots),
         **part_values(),
     )
@@ -73,7 +75,7 @@ def _plural(severity: Severity, count: int) -> str:
 
 
 def _title(result: TargetResult) -> str:
-    return heading(Smoked(result))
+    return heading(RobotResult(result))
 
 
 def _how(result: TargetResult) -> str:
@@ -89,7 +91,7 @@ def _robot(title: str, facts: str, portrait: Portrait) -> dict[str, Any]:
         "title": visible(title),
         "how": visible(facts),
         "graph": svg(graph, style=False) if graph is not None and graph.nodes else "",
-        "scene": portrait.scene,
+        "scene": visible_in(portrait.scene),
         "drawing": "" if portrait.scene else drawing(portrait.outline, title),
         "failure": portrait.failure,
         "controllers": [],
@@ -121,10 +123,12 @@ def _rank(result: ControllerResult) -> int:
     return _ORDER.index(result.verdict)
 
 
-def _tested(robot: Smoked, portrait: Portrait) -> dict[str, Any]:
+def _tested(robot: RobotResult, portrait: Portrait) -> dict[str, Any]:
     failed = {result.name for result in robot.controllers if result.verdict is Verdict.FAILED}
-    moving = {joint["name"] for joint in portrait.scene["joints"]} if portrait.scene else set()
-    charts = [chart(curve) for curve in sorted(robot.curves, key=lambda curve: curve.controller not in failed)]
+    moving = {visible(joint["name"]) for joint in portrait.scene["joints"]} if portrait.scene else set()
+    charts = [
+        visible_in(chart(curve)) for curve in sorted(robot.curves, key=lambda curve: curve.controller not in failed)
+    ]
     for one in charts:
         if one["replay"] is not None and one["replay"]["joint"] not in moving:
             one["replay"] = None
@@ -135,8 +139,8 @@ def _tested(robot: Smoked, portrait: Portrait) -> dict[str, Any]:
                 "name": visible(result.name),
                 "type": visible(result.type or ""),
                 "verdict": result.verdict.value,
-                "stages": steps(result, robot.linted.ros).removesuffix(":"),
-                "reason": visible(told_of(result)),
+                "stages": stages_reached(result, robot.linted.ros).removesuffix(":"),
+                "reason": visible(explanation(result)),
             }
             for result in sorted(robot.controllers, key=_rank)
         ],

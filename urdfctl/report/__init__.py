@@ -6,7 +6,7 @@ from collections.abc import Callable
 from importlib import import_module
 from types import ModuleType
 
-from urdfctl.report.common import Report
+from urdfctl.lint.results import Report
 
 _MODULES = {
     "text": "text",

@@ -5,12 +5,16 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
+from urdfctl.lint.selection import Selection
+from urdfctl.output.printing import print_message
+from urdfctl.output.writing import write_file
 from urdfctl.report.fingerprint import mark, message_from, path_from
 from urdfctl.source.files import first_bytes
+from urdfctl.source.gate import exists
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
@@ -126,3 +130,53 @@ def compare(
 
 def _folder(path: str) -> str:
     return os.path.dirname(os.path.abspath(path))
+
+
+class Baseline(NamedTuple):
+    """The known findings.
+
+    path: the baseline to read.
+    to_write: the baseline to write, with all findings of the run.
+    selection: the rules that the run uses.
+    """
+
+    path: str | None
+    known: list[Known]
+    to_write: str | None
+    selection: Selection
+
+    def unknown(self, findings: list[Diagnostic], read: Collection[str]) -> list[Diagnostic]:
+        """Return the findings that are not known. Write the baseline, or report how many of its findings are fixed.
+
+        read: the files that the run read.
+        Raises UserError if the baseline cannot be written.
+        """
+        if self.to_write is not None:
+            write_file(self.to_write, baseline_text(findings, self.to_write), force=True)
+            known = read_baseline(self.to_write)
+            print_message(f"{_counted(known)} written to '{self.to_write}'")
+            return compare(findings, known, self.to_write, lambda *_: False).new
+        if self.path is None:
+            return findings
+
+        def was_checked(code: str, file: str) -> bool:
+            return self.selection.admits(code) and (file in read or not exists(file))
+
+        comparison = compare(findings, self.known, self.path, was_checked)
+        if comparison.fixed:
+            number = _counted(comparison.fixed)
+            print_message(
+                f"fixed: {number} in baseline '{self.path}'; --write-baseline {self.path} removes what is fixed"
+            )
+        return comparison.new
+
+
+def open_baseline(path: str | None, to_write: str | None, selection: Selection) -> Baseline:
+    """Return the baseline of a run. UserError if it cannot be read."""
+    known = read_baseline(path) if path is not None and path != to_write else []
+    return Baseline(path, known, to_write, selection)
+
+
+def _counted(known: Collection[Known]) -> str:
+    number = sum(finding.times for finding in known)
+    return f"{number} finding{'' if number == 1 else 's'}"

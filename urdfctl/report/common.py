@@ -6,31 +6,9 @@ import os
 import re
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
-from urdfctl.lint.results import TargetResult
+from urdfctl.lint.results import Report, TargetResult
+from urdfctl.output.printing import INVISIBLE
 from urdfctl.source.files import is_launch, is_yaml
-from urdfctl.startup.records import NamedTuple
-
-
-class Report(NamedTuple):
-    """What a run found: the robots it looked at (and controllers' files and launch files named alone), the findings in
-    their stable order, the other files that were linted (macro libraries, fragments and controller files in folders,
-    which no robot uses), from which severity on findings make it fail, how many more findings the baseline hides,
-    whether the rules are to be counted, the declared packages that are not in the workspace, whether only the findings
-    are shown, and the path of the robot if nothing controls it."""
-
-    targets: tuple[TargetResult, ...]
-    findings: tuple[Diagnostic, ...]
-    unused: tuple[str, ...] = ()
-    fail_on: Severity = Severity.ERROR
-    known: int = 0
-    statistics: bool = False
-    missing_packages: tuple[str, ...] = ()
-    quiet: bool = False
-    uncontrolled: str = ""
-
-    def count(self, severity: Severity) -> int:
-        """Return the number of findings with a severity."""
-        return sum(finding.severity is severity for finding in self.findings)
 
 
 def about_missing_packages(names: tuple[str, ...]) -> str:
@@ -66,19 +44,13 @@ def _inside(folder: str | None) -> str:
     return (folder or os.getcwd()).rstrip(os.sep) + os.sep
 
 
-def visible(text: str) -> str:
-    """Return a text with its control characters escaped: a file must not control the terminal, and a finding must stay
-    on one line."""
-    return text.translate(_ESCAPES) if not text.isprintable() else text
-
-
 def as_json(value: object, indent: int | None = None) -> str:
     """Return a value as JSON that is safe to print: control characters, line separators and surrogates are escaped.
     Surrogates come from file names that are not valid UTF-8."""
     import json
 
     text = json.dumps(value, indent=indent, ensure_ascii=False)
-    return text if text.isprintable() else re.sub(_UNSAFE_IN_JSON, lambda match: f"\\u{ord(match[0]):04x}", text)
+    return text if text.isprintable() else re.sub(_UNSAFE_IN_JSON, lambda match: json.dumps(match[0])[1:-1], text)
 
 
 def as_text(text: str) -> str:
@@ -95,9 +67,7 @@ def rebased(path: str, variable: str) -> str:
     return path_from(os.path.abspath(path), root) if root and known else path
 
 
-_UNSAFE_IN_JSON = "[\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
-_CONTROLS = (*range(0x20), *range(0x7F, 0xA0), *range(0x2028, 0x202F), *range(0x2066, 0x206A))
-_ESCAPES = {code: repr(chr(code))[1:-1] for code in _CONTROLS}
+_UNSAFE_IN_JSON = f"[\ud800-\udfff{''.join(f'{chr(first)}-{chr(last)}' for first, last in INVISIBLE)}]"
 
 
 def relative(diagnostic: Diagnostic, folder: str | None = None) -> Diagnostic:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.report.common import Report, counted, relative, visible
+from urdfctl.lint.results import Report
+from urdfctl.output.printing import visible
+from urdfctl.report.common import counted, relative
 from urdfctl.report.words import likewise
 
 

@@ -6,7 +6,9 @@ Format: docs.github.com, "Workflow commands for GitHub Actions". Escaping: actio
 from __future__ import annotations
 
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.report.common import Report, as_text, rebased, relative, visible
+from urdfctl.lint.results import Report
+from urdfctl.output.printing import visible
+from urdfctl.report.common import as_text, rebased, relative
 from urdfctl.report.words import paragraph
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}

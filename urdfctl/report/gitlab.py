@@ -8,7 +8,9 @@ from __future__ import annotations
 import os
 
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.report.common import Report, as_json, as_text, rebased, relative, visible
+from urdfctl.lint.results import Report
+from urdfctl.output.printing import visible
+from urdfctl.report.common import as_json, as_text, rebased, relative
 from urdfctl.report.fingerprint import fingerprints
 from urdfctl.report.words import likewise
 

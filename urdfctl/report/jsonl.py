@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from urdfctl.report.common import Report, as_json, relative
+from urdfctl.lint.results import Report
+from urdfctl.report.common import as_json, relative
 from urdfctl.report.json_report import finding
 
 

@@ -10,7 +10,9 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.report.common import Report, as_text, relative, shown, visible
+from urdfctl.lint.results import Report
+from urdfctl.output.printing import visible
+from urdfctl.report.common import as_text, relative, shown
 from urdfctl.report.concise import place
 from urdfctl.report.words import paragraph
 

@@ -8,7 +8,7 @@ from urdfctl import __version__
 from urdfctl.logs.digest import Digest, Known, Unknown
 from urdfctl.logs.evidence import CheckedFolder
 from urdfctl.report.log_next import next_commands
-from urdfctl.rules import rule_of
+from urdfctl.rules import fault_of
 from urdfctl.startup.hints import Any
 
 
@@ -47,7 +47,7 @@ def _message(known: Known) -> dict[str, Any]:
         "causes": [
             {
                 "cause": cause.text,
-                "rules": [{"code": code, "name": rule_of(code).name} for code in cause.rules],
+                "rules": [{"code": code, "name": fault_of(code).name} for code in cause.rules],
                 "found": [place._asdict() for place in cause.found],
             }
             for cause in reading.causes

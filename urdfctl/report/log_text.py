@@ -9,9 +9,9 @@ from urdfctl.catalog.distros import in_words
 from urdfctl.logs.digest import Digest, Known, Unknown
 from urdfctl.logs.evidence import CheckedFolder, LikelyCause
 from urdfctl.logs.pattern import filled
-from urdfctl.report.common import visible
+from urdfctl.output.printing import visible
 from urdfctl.report.log_next import next_commands
-from urdfctl.rules import rule_of
+from urdfctl.rules import fault_of
 
 _WIDTH = 110
 _LONGEST = 240
@@ -106,7 +106,7 @@ def _found(cause: LikelyCause) -> Iterator[str]:
 
 
 def _rules(cause: LikelyCause) -> str:
-    named = ", ".join(f"{code} {rule_of(code).name}" for code in cause.rules)
+    named = ", ".join(f"{code} {fault_of(code).name}" for code in cause.rules)
     return f" -> {named}" if named else ""
 
 

@@ -14,11 +14,12 @@ from urllib.parse import quote
 
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Location, Repair, Severity, Step
-from urdfctl.report.common import Report, as_json, as_text, relative
+from urdfctl.fault import Fault
+from urdfctl.lint.results import Report
+from urdfctl.report.common import as_json, as_text, relative
 from urdfctl.report.fingerprint import fingerprints
 from urdfctl.report.words import fix_in_words, notes
-from urdfctl.rule import Rule
-from urdfctl.rules import all_rules
+from urdfctl.rules import all_faults
 from urdfctl.rules.prose import as_markdown
 from urdfctl.startup.hints import Any
 
@@ -60,7 +61,7 @@ def _files(report: Report) -> list[str]:
 
 
 def _driver(codes: Sequence[str], findings: Sequence[Diagnostic]) -> Json:
-    known = {rule.code: rule for rule in all_rules()}
+    known = {fault.code: fault for fault in all_faults()}
     names = {diagnostic.code: diagnostic.name for diagnostic in findings}
     return {
         "name": "urdfctl",
@@ -70,28 +71,29 @@ def _driver(codes: Sequence[str], findings: Sequence[Diagnostic]) -> Json:
     }
 
 
-def _rule(rule: Rule) -> Json:
-    paragraphs = [rule.summary, rule.why, f"Authority: {rule.authority}"]
-    described = {"fullDescription": _message(rule.why)} if rule.why else {}
+def _rule(fault: Fault) -> Json:
+    paragraphs = [fault.summary, fault.why, f"Authority: {fault.authority}"]
+    described = {"fullDescription": _message(fault.why)} if fault.why else {}
     return {
-        "id": rule.code,
-        "name": rule.name,
-        "shortDescription": _message(rule.summary),
+        "id": fault.code,
+        "name": fault.name,
+        "shortDescription": _message(fault.summary),
         **described,
-        "defaultConfiguration": {"level": _LEVELS[rule.severity]},
+        "defaultConfiguration": {"level": _LEVELS[fault.severity]},
         "help": {
             "text": "\n\n".join(part for part in paragraphs if part),
-            "markdown": "\n\n".join([*(as_markdown(part) for part in paragraphs if part), *_examples(rule)]),
+            "markdown": "\n\n".join([*(as_markdown(part) for part in paragraphs if part), *_examples(fault)]),
         },
-        "properties": {"tags": ["ros", "urdf"], "distros": list(rule.distros)},
+        "properties": {"tags": ["ros", "urdf"], "distros": list(fault.distros)},
     }
 
 
-def _examples(rule: Rule) -> list[str]:
+def _examples(fault: Fault) -> list[str]:
     return [
         f"**{word}**, `{name}`:\n\n```\n{text.translate({0xAB: None, 0xBB: None}).rstrip()}\n```"
-        for word, files in (("Wrong", rule.bad), ("Right", rule.good))
-        for name, text in files.items()
+        for word, examples in (("Wrong", fault.bad), ("Right", fault.good))
+        for example in examples[:1]
+        for name, text in example.files.items()
     ]
 
 

@@ -7,7 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.catalog.distros import APPLIES, span_in_words
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.report.common import Report, about_missing_packages, counted, is_robot, relative, shown, visible
+from urdfctl.lint.results import Report
+from urdfctl.output.printing import visible
+from urdfctl.report.common import about_missing_packages, counted, is_robot, relative, shown
 from urdfctl.report.concise import place
 from urdfctl.report.words import fix_in_words, notes
 from urdfctl.report.wrapping import wrapped

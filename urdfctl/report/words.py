@@ -29,10 +29,12 @@ def notes(diagnostic: Diagnostic) -> Iterator[str]:
 
 def likewise(diagnostic: Diagnostic) -> str:
     """Return the names and lines of the findings that one was joined with, and the files with copies of it."""
-    here = [remark for remark in diagnostic.also if remark.at is None or remark.at.file == diagnostic.at.file]
+    here: list[Remark] = []
     first: dict[str, str] = {}
     for remark in diagnostic.also:
-        if remark.at is not None and remark not in here:
+        if remark.at is None or remark.at.file == diagnostic.at.file:
+            here.append(remark)
+        else:
             first.setdefault(remark.at.file, f"{remark.at.file}:{remark.at.line}")
     elsewhere = _listed(first.values(), _MOST_FILES)
     parts = [_likewise_here(diagnostic, here) if here else "", elsewhere and f"in {elsewhere}"]

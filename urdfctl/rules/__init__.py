@@ -1,6 +1,6 @@
-"""The rules, by families. Each family lists its rules in its `family.py`; a rule that is not listed does not exist.
+"""The faults, by families. Each family lists its faults in its `family.py`; one that is not listed does not exist.
 
-A family is imported when it can find something in a project: importing a hundred modules takes time.
+A family of rules is imported when it can find something in a project: importing a hundred modules takes time.
 """
 
 from __future__ import annotations
@@ -9,44 +9,51 @@ from collections.abc import Callable, Iterable, Iterator
 from importlib import import_module
 
 from urdfctl.catalog.distros import ROS1, ROS2
+from urdfctl.fault import Fault
 from urdfctl.model.project import Project
 from urdfctl.model.stage import Stage, StageDependsOn
 from urdfctl.rule import Rule
 from urdfctl.startup.records import NamedTuple
 
-Rules = tuple[Rule, ...]
+Faults = tuple[Fault, ...]
 
 
 class Family(NamedTuple):
-    """The rules of one folder.
-
-    prefix: how their codes begin.
-    name: the folder.
-    concerns: returns whether they can find anything in a project.
-    """
+    """The faults of one folder."""
 
     prefix: str
+    """How their codes begin."""
     name: str
-    concerns: Callable[[Project], bool]
+    """The folder."""
     stage: Stage | None = None
-    """The stage that an error of the family's rules stops, unless a rule names another one. None: it stops nothing."""
+    """The stage that an error of the family stops, unless a fault names another one. None: it stops nothing."""
+    found_by: str = "lint"
+    """The command that finds them."""
+
+    def load(self) -> Faults:
+        """Import the folder and return its faults."""
+        faults: Faults = import_module(f"urdfctl.rules.{self.name}.family").FAULTS
+        return faults
+
+
+class _Linted(NamedTuple):
+    """A family of rules, and when they run."""
+
+    family: Family
+    concerns: Callable[[Project], bool]
+    """Returns whether they can find anything in a project."""
     only: Callable[[Project], Iterable[str] | None] = lambda _: None
     """Returns the names of the only rules that can find anything in a project; None if any rule can."""
 
-    def load(self) -> Rules:
-        """Import the folder and return its rules."""
-        rules: Rules = import_module(f"urdfctl.rules.{self.name}.family").RULES
-        return rules
-
-    def load_for(self, project: Project) -> Rules:
+    def load_for(self, project: Project) -> Iterable[Rule]:
         """Import and return the rules that can find anything in a project, in the order of their codes."""
         if not self.concerns(project):
             return ()
         names = self.only(project)
         if names is None:
-            return self.load()
-        modules = ((name, import_module(f"urdfctl.rules.{self.name}.{name}")) for name in dict.fromkeys(names))
-        return tuple(sorted((getattr(module, name) for name, module in modules), key=lambda rule: rule.code))
+            return (fault for fault in self.family.load() if isinstance(fault, Rule))
+        modules = ((name, import_module(f"urdfctl.rules.{self.family.name}.{name}")) for name in dict.fromkeys(names))
+        return sorted((getattr(module, name) for name, module in modules), key=lambda rule: rule.code)
 
 
 def _has_mistakes(project: Project) -> bool:
@@ -122,45 +129,58 @@ def _without_launch(project: Project) -> Iterable[str] | None:
     return [name for name, found in named.items() if found]
 
 
-FAMILIES = (
-    Family("UC0", "reading", _has_mistakes, Stage.SPAWN, _of_mistakes),
-    Family("UC1", "urdf", lambda project: project.robot is not None, Stage.SPAWN),
-    Family("UC2", "transmissions", _has_transmissions, Stage.HARDWARE),
-    Family("UC3", "ros2_control", _is_controlled_by_ros2, Stage.HARDWARE),
-    Family("UC4", "controllers", lambda project: project.controllers is not None, Stage.LOAD),
-    Family("UC4", "claims", _has_controllers, Stage.LOAD),
-    Family("UC5", "simulation", _is_simulated),
-    Family("UC6", "launch", _has_started_files, only=_without_launch),
-    Family("UC6", "moveit", _has_moveit),
-    Family("UC7", "migration", lambda project: _may_move_on(project) or bool(project.todos), only=_only_todos),
-    Family("UC9", "smoke", lambda _: False),
+_LINTED = (
+    _Linted(Family("UC0", "reading", Stage.SPAWN), _has_mistakes, _of_mistakes),
+    _Linted(Family("UC1", "urdf", Stage.SPAWN), lambda project: project.robot is not None),
+    _Linted(Family("UC2", "transmissions", Stage.HARDWARE), _has_transmissions),
+    _Linted(Family("UC3", "ros2_control", Stage.HARDWARE), _is_controlled_by_ros2),
+    _Linted(Family("UC4", "controllers", Stage.LOAD), lambda project: project.controllers is not None),
+    _Linted(Family("UC4", "claims", Stage.LOAD), _has_controllers),
+    _Linted(Family("UC5", "simulation"), _is_simulated),
+    _Linted(Family("UC6", "launch"), _has_started_files, _without_launch),
+    _Linted(Family("UC6", "moveit"), _has_moveit),
+    _Linted(Family("UC7", "migration"), lambda project: _may_move_on(project) or bool(project.todos), _only_todos),
 )
+FAMILIES = (*(linted.family for linted in _LINTED), Family("UC9", "smoke", Stage.MOVE, found_by="smoke"))
 
 
 def rules_for(project: Project) -> Iterator[Rule]:
     """Yield the rules of the families that concern a project, in the order of their codes."""
-    for family in FAMILIES:
-        yield from family.load_for(project)
+    for linted in _LINTED:
+        yield from linted.load_for(project)
 
 
-def all_rules() -> Rules:
-    """Return every rule, in the order of the codes."""
-    return tuple(rule for family in FAMILIES for rule in family.load())
+def all_faults() -> Faults:
+    """Return every fault, in the order of the codes."""
+    return tuple(fault for family in FAMILIES for fault in family.load())
 
 
-def rule_of(code: str) -> Rule:
-    """Return the rule with a code that exists."""
-    return next(
-        rule for family in FAMILIES if code.startswith(family.prefix) for rule in family.load() if rule.code == code
-    )
+def faults_found_by(command: str) -> Faults:
+    """Return the faults that a command finds, in the order of the codes."""
+    return tuple(fault for family in FAMILIES if family.found_by == command for fault in family.load())
+
+
+def fault_of(code: str) -> Fault:
+    """Return the fault with a code that exists."""
+    return _placed(code)[1]
 
 
 def stage_of(code: str) -> Stage | StageDependsOn | None:
-    """Return the stage that an error of a rule stops. None: it stops neither the robot nor a controller."""
+    """Return the stage that an error stops, by its code. None: it stops neither the robot nor a controller."""
+    family, fault = _placed(code)
+    return fault.stage or family.stage
+
+
+def command_of(code: str) -> str:
+    """Return the name of the command that finds a fault."""
+    return _placed(code)[0].found_by
+
+
+def _placed(code: str) -> tuple[Family, Fault]:
     return next(
-        rule.stage or family.stage
+        (family, fault)
         for family in FAMILIES
         if code.startswith(family.prefix)
-        for rule in family.load()
-        if rule.code == code
+        for fault in family.load()
+        if fault.code == code
     )

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterable
 
 from urdfctl.control.robots import is_all_there, is_fragment, is_whole, is_xacro, robot_in, whole_robot_in
-from urdfctl.model.parts import Tag
+from urdfctl.model.robot import Tag
 from urdfctl.names import enumerated, nearest
 from urdfctl.rule import Edit, Fix, Project, Severity
 from urdfctl.source.opaque import is_known
-from urdfctl.source.span import Place, SourceSpan
+from urdfctl.source.span import Place, SourceSpan, SourceText
+from urdfctl.startup.per_object import once_per_object
 
 _MOST_COMPARED = 20
 _CONDITION = rb"<xacro:(if|unless)\b"
@@ -53,7 +55,17 @@ class Names:
 
 def is_conditional(at: Place) -> bool:
     """Return whether an element contains xacro conditions, so that its content depends on the arguments."""
-    return at.closing is not None and bool(re.search(_CONDITION, at.source.data[at.start : at.closing]))
+    if at.closing is None:
+        return False
+    conditions = _conditions(at.source)
+    first = bisect_left(conditions, at.start)
+    return first < len(conditions) and conditions[first] < at.closing
+
+
+@once_per_object
+def _conditions(source: SourceText) -> list[int]:
+    """The byte offsets of the xacro conditions in a file."""
+    return [found.start() for found in re.finditer(_CONDITION, source.data)]
 
 
 def replaced(at: Place, old: str, new: str, *, safe: bool = False, title: str | None = None) -> Fix:

@@ -1,4 +1,4 @@
-"""The examples of the rules: complete them to whole robots, and find the place that « and » mark.
+"""The examples of the faults: complete them to whole robots, and find the place that « and » mark.
 
 An example with only a part of a robot is put into a small valid arm with links base, upper and fore, and revolute joints
 shoulder and elbow. The tests and `urdfctl explain` lint the examples.
@@ -10,7 +10,7 @@ import re
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Example
 from urdfctl.source.files import is_launch, is_yaml
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
@@ -58,16 +58,16 @@ def completed(name: str, text: str) -> str:
     return f'<?xml version="1.0"?>\n<robot name="arm"{namespace}>\n{inside}</robot>\n'
 
 
-def options_of(rule: Rule) -> tuple[dict[str, Any], tuple[tuple[str, str], ...]]:
-    """Return the settings by name, and the `name:=value` arguments, that a rule's examples are linted with."""
+def options_of(example: Example) -> tuple[dict[str, Any], tuple[tuple[str, str], ...]]:
+    """Return the settings by name, and the `name:=value` arguments, that an example is linted with."""
     settings: dict[str, Any] = {}
-    for option in rule.options:
+    for option in example.options:
         name, _, value = option.removeprefix("--").partition("=")
         if name == "start":
             settings["started"] = tuple(value.split(","))
         elif ":=" not in option:
             settings[name] = value
-    arguments = [option.split(":=", 1) for option in rule.options if ":=" in option]
+    arguments = [option.split(":=", 1) for option in example.options if ":=" in option]
     return settings, tuple((name, value) for name, value in arguments)
 
 

@@ -9,10 +9,10 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.run.limits import GRACE, Json, Limits, Result, WorkerFailure
 from urdfctl.run.results import decoded_result
+from urdfctl.startup.isolation import python_command
 
 _KEPT_VARIABLES = ("PATH", "SYSTEMROOT", "PYTHONPATH", "VIRTUAL_ENV", "LD_LIBRARY_PATH")
-_START = "import sys; sys.path[:] = sys.argv[1:]; from urdfctl.run.fresh import main; main()"
-"""Imports nothing from the current folder, which may be untrusted."""
+_START = "from urdfctl.run.fresh import main; main()"
 
 
 def run_all_fresh(jobs: Sequence[Json], function_name: str, limits: Limits, parallel: int) -> Iterator[Result]:
@@ -36,7 +36,7 @@ def _run_fresh(job: Json, function_name: str, limits: Limits) -> Result:
     kept = {name: os.environ[name] for name in _KEPT_VARIABLES if name in os.environ}
     try:
         process = subprocess.run(  # noqa: S603 (our own module)
-            [sys.executable, "-c", _START, *(entry for entry in sys.path if entry)],
+            python_command(_START),
             input=json.dumps(request).encode(),
             capture_output=True,
             timeout=limits.patience + GRACE,

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable
 
 from urdfctl.run.limits import Json, Result, WorkerFailure, stop_clock
-from urdfctl.source.budget import OverBudget
+from urdfctl.source.budget import OUT_OF_MEMORY, OverBudget
 
 
 def encoded_result(job: Json, function: Callable[[Json], Json]) -> bytes:
@@ -18,7 +18,7 @@ def encoded_result(job: Json, function: Callable[[Json], Json]) -> bytes:
     except OverBudget as error:
         return _failure(str(error), our_fault=False)
     except MemoryError:
-        return _failure("it needs more memory than one robot may use (see --memory)", our_fault=False)
+        return _failure(OUT_OF_MEMORY, our_fault=False)
     except BaseException as error:  # noqa: BLE001 (the parent reports it, whatever it is)
         stop_clock()
         import traceback

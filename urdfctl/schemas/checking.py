@@ -42,7 +42,7 @@ def faults_in_controllers(source: SourceText, distro: str) -> list[Fault]:
     if not file.readable:
         return [Fault(problem.at, problem.message) for problem in file.problems]
     validator = _validator(controllers_schema(distro, types_in(file)))
-    found: list[Fault] = []
+    found = [Fault(problem.at, f"'{problem.subject}' makes a Python object") for problem in file.refused_tags]
     for document in file.documents:
         value = _plain(document, ros=generation(distro))
         for error in validator.iter_errors(value):

@@ -9,7 +9,8 @@ from lsprotocol import types
 
 from urdfctl.diagnostic import Diagnostic, Replacement
 from urdfctl.server.diagnostics import shown_diagnostic
-from urdfctl.server.positions import Positions, uri_of
+from urdfctl.server.positions import Positions
+from urdfctl.server.uris import uri_of
 
 EXPLAIN = "urdfctl.explain"
 """The command that explains a rule. Its argument is a code."""

@@ -9,17 +9,18 @@ from pygls.exceptions import JsonRpcInvalidParams
 
 from urdfctl.diagnostic import Location, located
 from urdfctl.errors import UserError
-from urdfctl.report.rule_explanation import rule_explanation
-from urdfctl.rules import all_rules
+from urdfctl.report.fault_explanation import fault_explanation
+from urdfctl.rules import all_faults
 from urdfctl.server.actions import EXPLAIN, FIX_ALL, actions_at, edit_of
 from urdfctl.server.completion import items_at
 from urdfctl.server.dialogue import show_page
 from urdfctl.server.hover import hover
 from urdfctl.server.items import Item
 from urdfctl.server.navigation import NamesAround, check_renamable, definitions, references, renamed
-from urdfctl.server.positions import Positions, path_of
+from urdfctl.server.positions import Positions
 from urdfctl.server.question import Question
 from urdfctl.server.symbols import hints_in, symbols_in
+from urdfctl.server.uris import path_of
 from urdfctl.server.versions import previewed
 from urdfctl.server.window import Window
 
@@ -71,10 +72,10 @@ def _about_findings(server: Window) -> None:
 
     @server.command(EXPLAIN)
     async def explain(window: Window, code: str) -> str:
-        rule = next((rule for rule in all_rules() if rule.code == code), None)
-        if rule is None:
+        fault = next((fault for fault in all_faults() if fault.code == code), None)
+        if fault is None:
             raise JsonRpcInvalidParams(f"urdfctl has no rule {code}")
-        text = rule_explanation(rule)
+        text = fault_explanation(fault)
         await show_page(window, f"{code}.txt", text, instead=text)
         return text
 

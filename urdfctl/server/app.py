@@ -11,7 +11,7 @@ from urdfctl.config.file import NAMES
 from urdfctl.server.answers import answer_questions
 from urdfctl.server.commands import answer_commands
 from urdfctl.server.lenses import answer_lenses
-from urdfctl.server.positions import path_of
+from urdfctl.server.uris import path_of
 from urdfctl.server.window import Window
 from urdfctl.server.workspace import Wishes, Workspace
 

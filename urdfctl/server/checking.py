@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 from collections.abc import Callable, Sequence
 
@@ -10,6 +11,7 @@ from urdfctl.lint.live import Outdated
 from urdfctl.server.folders import folder_of
 from urdfctl.server.workspace import Checked, Workspace
 
+_log = logging.getLogger(__name__)
 Publish = Callable[[Checked, bool, int], None]
 """Takes the findings of a folder, whether all folders are linted now, and how many changes they include."""
 SETTLING = 0.03
@@ -78,9 +80,16 @@ class Checking:
                 changes, self._changes = self._changes, []
             for change in changes:
                 for workspace in self.workspaces:
-                    change(workspace)
+                    self._make(change, workspace)
             self._made += len(changes)
             self._is_stale = not self._lint(self._near)
+
+    @staticmethod
+    def _make(change: Callable[[Workspace], None], workspace: Workspace) -> None:
+        try:
+            change(workspace)
+        except Exception:  # noqa: BLE001 (a crash must not end the thread)
+            _log.exception("urdfctl: a change in '%s' cannot be taken", workspace.folder)
 
     def _lint(self, near: str | None) -> bool:
         """Lint everything; return whether nothing changed meanwhile."""
@@ -99,5 +108,10 @@ class Checking:
         try:
             checked = workspace.check(near)
         except UserError:  # the folder is gone, for example; the next change tries again
+            checked = Checked.nothing(workspace.folder)
+        except Outdated:
+            raise
+        except Exception:  # noqa: BLE001 (a crash must not end the thread)
+            _log.exception("urdfctl: '%s' cannot be linted", workspace.folder)
             checked = Checked.nothing(workspace.folder)
         self._publish(checked, is_last, self._made)

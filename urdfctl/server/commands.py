@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import asyncio
 import os
-import tempfile
 from collections.abc import Awaitable, Callable
 
 from lsprotocol import types
@@ -16,13 +15,16 @@ from pygls.exceptions import JsonRpcInvalidParams
 from urdfctl.catalog.distros import MAINTAINED, ROS2
 from urdfctl.errors import UserError
 from urdfctl.load.target import Target
+from urdfctl.output.printing import visible
+from urdfctl.output.scratch import scratch_folder
 from urdfctl.server.dialogue import pick, progress, say, show_page
+from urdfctl.server.folders import folder_of
 from urdfctl.server.migrating import edit_of_patch, paths_of_patch
 from urdfctl.server.pages import graph_page, view_page
 from urdfctl.server.patches import PatchedFile, read_patch
-from urdfctl.server.positions import path_of
 from urdfctl.server.processes import Ended, run_command
 from urdfctl.server.smoking import tested, words_for
+from urdfctl.server.uris import path_of
 from urdfctl.server.window import Window
 from urdfctl.server.workspace import Workspace
 from urdfctl.startup.hints import Any
@@ -31,6 +33,7 @@ GRAPH, VIEW, SMOKE = "urdfctl.graph", "urdfctl.view", "urdfctl.smoke"
 MIGRATE, CHOOSE_VARIANT = "urdfctl.migrate", "urdfctl.chooseVariant"
 VARIANTS = "urdfctl/variants"
 """The request for the variants of the robots that read a file."""
+_NO_URI = "the URI of a file is missing"
 _ALL = "all variants"
 _APPLY, _SHOW = "Change the files", "Show the changes"
 
@@ -79,8 +82,10 @@ def _change(server: Window) -> None:
 def _choose(server: Window) -> None:
     @server.feature(VARIANTS)
     def variants(window: Window, params: Any) -> list[dict[str, Any]]:
-        path = path_of(str(params.uri))
-        return _variants(window.checking.workspace_of(path), path) if path and window.checking else []
+        path = _path(params.get("uri") if isinstance(params, dict) else None)
+        if window.checking is None or not window.shows(path):
+            return []
+        return _variants(window.checking.workspace_of(path), path)
 
     @server.command(CHOOSE_VARIANT)
     async def choose(window: Window, *words: Any) -> Any:
@@ -92,11 +97,14 @@ def _choose(server: Window) -> None:
 
 async def _about(window: Window, words: tuple[Any, ...], do: About) -> Any:
     """Do a command for its file. What is wrong is told, and the result is None then."""
-    path = path_of(str(words[0])) if words else window.looked_at
+    path = _path(words[0]) if words else window.looked_at
     if path is None:
-        raise JsonRpcInvalidParams("the first argument must be the URI of a file")
+        raise JsonRpcInvalidParams(_NO_URI)
     if window.checking is None:
         say(window, "no folder is linted", types.MessageType.Warning)
+        return None
+    if not window.shows(path):
+        say(window, f"'{visible(path)}' is not a file in a folder of this window", types.MessageType.Error)
         return None
     try:
         with window.running():
@@ -108,6 +116,13 @@ async def _about(window: Window, words: tuple[Any, ...], do: About) -> Any:
         return None
 
 
+def _path(uri: object) -> str:
+    path = path_of(uri) if isinstance(uri, str) else None
+    if path is None:
+        raise JsonRpcInvalidParams(_NO_URI)
+    return path
+
+
 # -- smoke tests -----------------------------------------------------------------------------------------------------
 
 
@@ -117,10 +132,9 @@ async def _smoke(window: Window, workspace: Workspace, path: str) -> dict[str, A
         say(window, "the smoke test uses the saved files; there are unsaved changes", types.MessageType.Warning)
     target = workspace.target_with(path)
     title = f"urdfctl: smoke test of {os.path.basename(target.path)}"
-    with tempfile.TemporaryDirectory(prefix="urdfctl-") as folder:
+    with scratch_folder() as folder:
         report = os.path.join(folder, "report.txt")
-        words = [*words_for(target), "--format", f"text={report}"]
-        ended, cancelled = await _run(window, words, workspace.folder, title)
+        ended, cancelled = await _run(window, words_for(target, report), workspace.folder, title)
         text = _read(report)
     if not ended.output:
         say(window, "the smoke test was cancelled") if cancelled else _raise(ended)
@@ -165,7 +179,7 @@ async def _migrate(window: Window, workspace: Workspace, path: str, distro: str 
             return None
         distro = distros[chosen]
     title = f"urdfctl: migrate to {distro}"
-    ended, cancelled = await _run(window, ["migrate", path, "--to", distro], workspace.folder, title)
+    ended, cancelled = await _run(window, ["migrate", "--to", distro, "--", path], workspace.folder, title)
     if cancelled:
         say(window, "the migration was cancelled")
         return None
@@ -174,6 +188,8 @@ async def _migrate(window: Window, workspace: Workspace, path: str, distro: str 
     summary = ended.reason
     files = read_patch(ended.output)
     concerned = {os.path.realpath(changed) for changed in paths_of_patch(files, workspace.folder)}
+    if foreign := [changed for changed in concerned if folder_of(changed, [workspace.folder]) is None]:
+        raise UserError(f"the migration would change '{visible(min(foreign))}', which is not in the folder")
     if unsaved := concerned & window.unsaved():
         raise UserError(f"'{min(unsaved)}' has unsaved changes; save it before the migration")
     is_applied = await _apply(window, files, workspace.folder, title, ended.output) if files else False

@@ -5,7 +5,8 @@ from __future__ import annotations
 from lsprotocol import types
 
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.server.positions import Positions, uri_of
+from urdfctl.server.positions import Positions
+from urdfctl.server.uris import uri_of
 
 _SEVERITIES = {
     Severity.ERROR: types.DiagnosticSeverity.Error,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import os
-import tempfile
 import uuid
 from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import asynccontextmanager
@@ -13,7 +12,8 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
 from urdfctl.errors import UserError
-from urdfctl.server.positions import uri_of
+from urdfctl.output.temporary import temporary_folder
+from urdfctl.server.uris import uri_of
 from urdfctl.server.window import Window
 
 PICK = "urdfctl/pick"
@@ -31,7 +31,7 @@ async def show_page(window: Window, name: str, text: str, instead: str | None = 
     instead: the message of an editor that cannot open files; if None, it names the file.
     """
     folder = window.temporary_folder()
-    path = os.path.join(tempfile.mkdtemp(dir=folder), name)
+    path = os.path.join(temporary_folder(folder), name)
     with open(path, "w", encoding="utf-8", errors="surrogateescape") as file:
         file.write(text)
     uri = uri_of(path)

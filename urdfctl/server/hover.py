@@ -12,9 +12,9 @@ from urdfctl.diagnostic import Diagnostic
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Joint
+from urdfctl.server.about_faults import faults_at
 from urdfctl.server.about_names import described_name
 from urdfctl.server.about_parameters import described_parameter
-from urdfctl.server.about_rules import rules_at
 from urdfctl.server.fitting import INTERFACES, elements_at
 from urdfctl.server.names import JOINT, LINK, Name
 from urdfctl.server.navigation import NamesAround
@@ -30,7 +30,7 @@ _MOST_USES = 12
 def hover(question: Question, findings: Sequence[Diagnostic] = ()) -> str | None:
     """Return what is known about a place, as Markdown; None if that is nothing. findings: those of the file."""
     parts = [*_parameter(question), *_name(question), *_claims(question), *_values(question)]
-    parts += rules_at(question, findings)
+    parts += faults_at(question, findings)
     return "\n\n".join(dict.fromkeys(parts)) or None
 
 
@@ -64,7 +64,7 @@ def _of_robots(robots: Sequence[LoadedTarget], name: Name) -> Iterator[str]:
         element, robot = _element(loaded, name), loaded.project.robot
         if element is None or robot is None:
             continue
-        joint = next((one for one in robot.joints if one.name == name.text), None) if name.kind == JOINT else None
+        joint = robot.joint(name.text) if name.kind == JOINT else None
         if joint is not None:
             yield _joint(joint)
         uses.update({f"- {use.kind} `{use.name}`: {use.how}": None for use in uses_of(loaded.project, element)})

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from lsprotocol import types
 
 from urdfctl.server.commands import CHOOSE_VARIANT, GRAPH, MIGRATE, SMOKE, VIEW
-from urdfctl.server.positions import path_of
+from urdfctl.server.uris import path_of
 from urdfctl.server.window import Window
 
 _TITLES = {GRAPH: "graph", VIEW: "view in 3-D", SMOKE: "smoke test", MIGRATE: "migrate"}

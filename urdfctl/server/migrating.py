@@ -9,7 +9,7 @@ from lsprotocol import types
 
 from urdfctl.errors import UserError
 from urdfctl.server.patches import PatchedFile
-from urdfctl.server.positions import uri_of
+from urdfctl.server.uris import uri_of
 from urdfctl.source.files import MAX_BYTES, first_bytes
 
 _ANNOTATION = "migrate"

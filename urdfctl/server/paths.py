@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from urdfctl.server.items import Item
 from urdfctl.server.question import Question
 from urdfctl.source.files import first_bytes
+from urdfctl.source.gate import exists, walk
 from urdfctl.source.packages import PackageNotFound
 
 _MOST_FILES = 2000
@@ -37,7 +38,7 @@ def packages_with(question: Question, rest: str) -> Iterator[str]:
             folder = packages.find(name)
         except PackageNotFound:
             continue
-        if not rest or os.path.exists(packages.source_of(os.path.join(folder, rest))):
+        if not rest or exists(packages.source_of(os.path.join(folder, rest))):
             yield name
 
 
@@ -81,7 +82,7 @@ def _read_now(question: Question) -> Iterator[str]:
 
 def _below(folder: str) -> Iterator[str]:
     left = _MOST_FILES
-    for current, folders, files in os.walk(folder):
+    for current, folders, files in walk(folder):
         folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in _HIDDEN)
         for name in sorted(files):
             yield os.path.join(current, name)

@@ -7,9 +7,9 @@ import os
 from collections.abc import Callable, Sequence
 
 from lsprotocol import types
-from pygls import uris
 
 from urdfctl.diagnostic import Location
+from urdfctl.server.uris import uri_of
 from urdfctl.source.files import MAX_BYTES, first_bytes
 from urdfctl.startup.hints import TYPE_CHECKING
 
@@ -17,20 +17,9 @@ if TYPE_CHECKING:
     from pygls.workspace import PositionCodec
 
 
-def path_of(uri: str) -> str | None:
-    """Return the path of a file's URI, with all links followed; None for what is no file, such as an unnamed buffer."""
-    path = uris.to_fs_path(uri) if uri.startswith("file:") else None
-    return os.path.realpath(path) if path else None
-
-
-def uri_of(path: str) -> str:
-    """Return the URI of a file."""
-    return uris.from_fs_path(path) or ""
-
-
-def _lines(data: bytes) -> list[str]:
+def lines_of(text: str) -> list[str]:
     """Part a text where the protocol does: at LF, CRLF and CR, and not at a form feed."""
-    lines = list(io.StringIO(data.decode("utf-8", "replace").removeprefix("\ufeff"), newline=""))
+    lines = list(io.StringIO(text, newline=""))
     return lines if lines and not lines[-1].endswith(("\n", "\r")) else [*lines, ""]
 
 
@@ -42,14 +31,39 @@ _ENCODINGS = {
 """For each unit of an editor's positions, the encoding and its size in bytes."""
 
 
+class Units:
+    """The units in which an editor counts. The codec's own functions take seconds for a line of a megabyte."""
+
+    def __init__(self, codec: PositionCodec) -> None:
+        self._encoding, self._size = _ENCODINGS[types.PositionEncodingKind(codec.encoding)]
+
+    def count(self, text: str) -> int:
+        """Return how many units a text has."""
+        return len(text) if text.isascii() else len(text.encode(self._encoding, "surrogatepass")) // self._size
+
+    def points(self, text: str, units: int) -> int:
+        """Return how many code points are in the first units of a text."""
+        first = text[:units].encode(self._encoding, "surrogatepass")
+        return len(first[: units * self._size].decode(self._encoding, "ignore"))
+
+    def joined(self, before: str, start: int, text: str, after: str, end: int) -> str:
+        """Return the first `start` units of a text, another text, and what follows the first `end` units of a third.
+
+        The halves of a character that an editor changed one by one come together.
+        """
+        first, middle, last = (one.encode(self._encoding, "surrogatepass") for one in (before, text, after))
+        data = first[: start * self._size] + middle + last[end * self._size :]
+        return data.decode(self._encoding, "replace" if self._size == 1 else "surrogatepass")
+
+
 class Positions:
-    """Converts positions in files. The codec's own functions take seconds for a line of a megabyte.
+    """Converts positions in files.
 
     text_of: returns the open text of a file, by its real path; None if it is not open.
     """
 
     def __init__(self, codec: PositionCodec, text_of: Callable[[str], bytes | None]) -> None:
-        self._encoding, self._size = _ENCODINGS[types.PositionEncodingKind(codec.encoding)]
+        self._units = Units(codec)
         self._text_of = text_of
         self._lines: dict[str, Sequence[str]] = {}
 
@@ -63,7 +77,7 @@ class Positions:
                     data = first_bytes(real, MAX_BYTES)
                 except OSError:
                     data = b""
-            self._lines[real] = _lines(data)
+            self._lines[real] = lines_of(data.decode("utf-8", "replace").removeprefix("\ufeff"))
         return self._lines[real]
 
     def range_of(self, at: Location) -> types.Range:
@@ -76,7 +90,7 @@ class Positions:
         lines = self.lines(path)
         if line > len(lines):
             return types.Position(len(lines), 0)
-        return types.Position(line - 1, self._units(lines[line - 1][: column - 1]))
+        return types.Position(line - 1, self._units.count(lines[line - 1][: column - 1]))
 
     def location_of(self, at: Location) -> types.Location:
         """Return a location with its file, in the editor's units."""
@@ -87,11 +101,4 @@ class Positions:
         lines = self.lines(path)
         line = min(position.line, len(lines) - 1)
         text = lines[line].rstrip("\r\n")
-        return line + 1, 1 + (self._points(text, position.character) if line == position.line else len(text))
-
-    def _units(self, text: str) -> int:
-        return len(text) if text.isascii() else len(text.encode(self._encoding)) // self._size
-
-    def _points(self, text: str, units: int) -> int:
-        """How many code points are in the first units of a text."""
-        return len(text[:units].encode(self._encoding)[: units * self._size].decode(self._encoding, "ignore"))
+        return line + 1, 1 + (self._units.points(text, position.character) if line == position.line else len(text))

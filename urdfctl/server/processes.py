@@ -10,10 +10,10 @@ import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 
+from urdfctl.startup.isolation import pip_command, python_command
 from urdfctl.startup.records import NamedTuple
 
-_START = "import sys; sys.path[:1] = []; from urdfctl.__main__ import main; sys.exit(main())"
-"""Imports nothing from the current folder, which may be untrusted."""
+_START = "from urdfctl.__main__ import main; main()"
 _MOST_LINE = 1 << 20
 _PATIENCE = 5.0
 """Seconds for a command to end by itself after it was interrupted."""
@@ -34,7 +34,7 @@ class Ended(NamedTuple):
 
 def pip_install(extra: str) -> str:
     """Return the command that installs an extra of urdfctl where the server runs."""
-    return f"{shlex.quote(sys.executable)} -m pip install 'urdfctl[{extra}]'"
+    return shlex.join([*pip_command(), "install", f"urdfctl[{extra}]"])
 
 
 async def run_command(
@@ -45,7 +45,7 @@ async def run_command(
     on_line: called with each line on standard error.
     """
     process = await asyncio.create_subprocess_exec(
-        *(sys.executable, "-c", _START, *words),
+        *python_command(_START, *words),
         cwd=folder,
         stdin=asyncio.subprocess.DEVNULL,
         stdout=asyncio.subprocess.PIPE,

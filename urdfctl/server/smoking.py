@@ -39,12 +39,16 @@ class Tested(NamedTuple):
         return text
 
 
-def words_for(target: Target) -> list[str]:
-    """Return the words of the command that tests a target."""
+def words_for(target: Target, report: str) -> list[str]:
+    """Return the words of the command that tests a target. report: the file for the report as a text.
+
+    The names of arguments come from files that may be a stranger's: no word after `--` is an option.
+    """
     files = [target.path, *target.controllers, *([target.launch] if target.launch else [])]
     given = [f"{name}:={value}" for name, value in target.arguments]
     engine = "auto" if installed() else "none"
-    return ["smoke", *map(os.path.abspath, files), *given, "--engine", engine, "--format", "json", "--progress"]
+    options = ["--engine", engine, "--format", "json", "--format", f"text={report}", "--progress"]
+    return ["smoke", *options, "--", *map(os.path.abspath, files), *given]
 
 
 def tested(report: bytes, folder: str) -> Tested:

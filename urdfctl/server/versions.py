@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from lsprotocol import types
 
-from urdfctl.server.positions import path_of, uri_of
+from urdfctl.server.uris import path_of, uri_of
 from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:

@@ -3,33 +3,42 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import os
-import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from typing import Any
 
 from lsprotocol import types
-from pygls.lsp.server import LanguageServer
+from pygls.exceptions import FeatureRequestError, JsonRpcException, JsonRpcInternalError, JsonRpcParseError
 
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
 from urdfctl.lint.results import TargetResult
+from urdfctl.output.scratch import ScratchFolder, scratch_folder
 from urdfctl.server.attempts import Attempts
 from urdfctl.server.checking import Checking
 from urdfctl.server.diagnostics import shown_diagnostic
 from urdfctl.server.folders import FoundByFolder
-from urdfctl.server.positions import Positions, path_of
+from urdfctl.server.positions import Positions
+from urdfctl.server.protocol import Server
 from urdfctl.server.question import Question
+from urdfctl.server.uris import is_readable_in, path_of
 from urdfctl.server.variants import robot_name
 from urdfctl.server.versions import Versions, versioned
 from urdfctl.server.workspace import Checked, Wishes, Workspace, text_on_disk
 from urdfctl.source.span import SourceText
+from urdfctl.startup.hints import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pygls.server import ServerErrors
+
+_log = logging.getLogger(__name__)
 
 
-class Window(LanguageServer):
+class Window(Server):
     """The language server of one editor window: the folders that it shows, and what was found in them last."""
 
     def __init__(self) -> None:
@@ -38,11 +47,13 @@ class Window(LanguageServer):
         self.findings: dict[str, tuple[Diagnostic, ...]] = {}
         self._loop: asyncio.AbstractEventLoop | None = None
         self._folders: tuple[str, ...] = ()
+        self._texts: dict[str, bytes] = {}
+        """The open texts, by the real path of their files."""
         self._found = FoundByFolder(())
         self._tested: dict[str, tuple[Diagnostic, ...]] = {}
         self._changes = 0
         self._versions = Versions()
-        self._temporary: tempfile.TemporaryDirectory[str] | None = None
+        self._temporary: ScratchFolder | None = None
         self._commands: set[asyncio.Task[object] | None] = set()
         self.can_pick = False
         self.looked_at: str | None = None
@@ -70,8 +81,8 @@ class Window(LanguageServer):
             return
         self.checking, self._versions = checking, Versions()
         checking.start()
-        for uri, document in dict(self.workspace.text_documents).items():
-            self.text_changed(uri, document.source, document.version)
+        for document in dict(self.workspace.text_documents).values():
+            self.text_changed(document.uri, document.source, document.version)
 
     def _opened(self, is_outdated: Callable[[], bool]) -> list[Workspace]:
         """The folders whose configuration is valid."""
@@ -93,22 +104,37 @@ class Window(LanguageServer):
         path = path_of(uri)
         if path is None:
             return
-        if text is not None:
-            self.looked_at = path
-        if text is not None and path in self._tested and text.encode("utf-8", "surrogatepass") != text_on_disk(path):
+        if text is None:  # perhaps the file is open by another name, too
+            same = (one for one in dict(self.workspace.text_documents).values() if path_of(one.uri) == path)
+            other = next(same, None)
+            text, version = (other.source, other.version) if other else (None, None)
+        data = None if text is None else text.encode("utf-8", "surrogatepass")
+        if data is None:
+            self._texts.pop(path, None)
+        else:
+            self.looked_at, self._texts[path] = path, data
+        if path in self._tested and data not in {None, text_on_disk(path)}:
             del self._tested[path]
         if not self._folders:
             self.begin([os.path.dirname(path)], self._wishes)
             return
-        data = None if text is None else text.encode("utf-8", "surrogatepass")
         if self.checking is not None:
             changes = self.checking.change(lambda workspace: workspace.changed(path, data), near=path)
             self._versions.take(uri, changes, version)
 
+    def admits(self, uri: str) -> bool:
+        """Return whether an editor may ask about a file: its text is open, or it is a readable file in a folder."""
+        path = path_of(uri)
+        return path is not None and (path in self._texts or self.shows(path))
+
+    def shows(self, path: str) -> bool:
+        """Return whether a real path is that of a readable file in a folder of the window."""
+        return is_readable_in(path, self._folders)
+
     def temporary_folder(self) -> str:
         """Return a folder for files that are shown; it is deleted when the server ends."""
         if self._temporary is None:
-            self._temporary = tempfile.TemporaryDirectory(prefix="urdfctl-")
+            self._temporary = scratch_folder()
         return self._temporary.name
 
     @contextmanager
@@ -134,11 +160,10 @@ class Window(LanguageServer):
 
     def positions(self) -> Positions:
         """Return what converts positions, as the texts are now."""
-        texts = self.checking.workspaces[0].texts if self.checking else {}
-        return Positions(self.workspace.position_codec, lambda path: dict(texts).get(path))
+        return Positions(self.workspace.position_codec, self._texts.get)
 
     def question(self, uri: str, position: types.Position) -> Question | None:
-        """Return what is asked about a place in a file; None for what is no file of a folder."""
+        """Return what is asked about a place in a file that `admits` takes; None if no folder is linted."""
         path = path_of(uri)
         if path is None or self.checking is None:
             return None
@@ -147,7 +172,7 @@ class Window(LanguageServer):
         robots, is_chosen = workspace.robots_with(path), workspace.chosen(path) is not None
         sources = [source for robot in robots for source in robot.sources.values()]
         read = next((one for one in sources if os.path.realpath(one.path) == path), None)
-        text = self.workspace.get_text_document(uri).source.encode("utf-8", "surrogatepass")
+        text = self._texts[path] if path in self._texts else text_on_disk(path) or b""
         line, column = self.positions().line_and_column(path, position)
         packages = workspace.packages_for(path)
         if read is not None and read.data == text:
@@ -156,22 +181,26 @@ class Window(LanguageServer):
         return Question(robots, source, line, column, is_current=False, is_chosen=is_chosen, packages=packages)
 
     def attempts(self, uri: str) -> Attempts | None:
-        """Return what lints the robots of a file with other texts of it; None for what is no file of a folder."""
+        """Return what lints the robots of a file with other texts of it; None if no folder is linted."""
         path = path_of(uri)
         return None if path is None or self.checking is None else self.checking.workspace_of(path).attempts(path)
 
     def unsaved(self) -> set[str]:
         """Return the real paths of the open files whose text differs from that on disk."""
-        found = set()
-        for uri, document in dict(self.workspace.text_documents).items():
-            path = path_of(uri)
-            if path is not None and document.source.encode("utf-8", "surrogatepass") != text_on_disk(path):
-                found.add(path)
-        return found
+        return {path for path, text in self._texts.items() if text != text_on_disk(path)}
 
     def log(self, text: str) -> None:
         """Write to the editor's log of the server."""
         self.window_log_message(types.LogMessageParams(types.MessageType.Info, text))
+
+    def report_server_error(self, error: Exception, source: ServerErrors) -> None:
+        """Answer what is not JSON; log an error in a notification, and show no message for it."""
+        if source is JsonRpcException:
+            self.protocol.refuse(None, JsonRpcParseError(f"a message is not JSON: {type(error).__name__}"))
+        elif isinstance(error, JsonRpcInternalError):
+            _log.error("urdfctl: %s\n%s", error.message, "".join((error.data or {}).get("traceback", ())))
+        elif source is not FeatureRequestError:
+            _log.error("urdfctl: %s", error)
 
     def refresh(self) -> None:
         """Let the editor ask again for what it shows in files: another variant is shown."""
@@ -186,7 +215,8 @@ class Window(LanguageServer):
     def _take(self, found: FoundByFolder, checked: Checked, is_last: bool, changes: int) -> None:  # noqa: FBT001
         """Take the findings from the thread that lints."""
         if self._loop is not None:
-            self._loop.call_soon_threadsafe(self._publish, found, checked, is_last, changes)
+            with suppress(RuntimeError):  # the server has ended meanwhile, and its loop is closed
+                self._loop.call_soon_threadsafe(self._publish, found, checked, is_last, changes)
 
     def _publish(self, found: FoundByFolder, checked: Checked, is_last: bool, changes: int) -> None:  # noqa: FBT001
         if found is not self._found:  # by a thread whose folders are not shown any more

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 
-from urdfctl.config.file import config_for, with_environ
+from urdfctl.config.file import config_for, package_folders_in, with_environ
 from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.lint.files import LintRun, lint_files
 from urdfctl.lint.live import LiveLinter
 from urdfctl.lint.memory import RuleMemory
-from urdfctl.lint.merging import merge
-from urdfctl.lint.planning import discovered
 from urdfctl.lint.results import TargetResult
+from urdfctl.lint.run import LintRequest, LintRun, find, judge, merge, plan
 from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import LoadedTarget, Loader
@@ -24,8 +23,11 @@ from urdfctl.run.limits import Limits
 from urdfctl.server.attempts import Attempts, Codes, codes_of
 from urdfctl.server.variants import Variant, variants_among
 from urdfctl.source.budget import OverBudget
-from urdfctl.source.files import MAX_BYTES, as_shown, first_bytes, forget_files
+from urdfctl.source.files import MAX_BYTES, first_bytes
+from urdfctl.source.gate import admit, reading_within
 from urdfctl.source.packages import Packages, package_around
+from urdfctl.source.shown import as_shown, forget_files
+from urdfctl.source.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
 
@@ -45,7 +47,7 @@ class Wishes(NamedTuple):
         given = data if isinstance(data, dict) else {}
         texts = {name: given[name] for name in ("distro", "simulator") if isinstance(given.get(name), str)}
         lists = {name: given[name] for name in ("select", "ignore") if isinstance(given.get(name), list)}
-        codes = {name: tuple(str(code).upper() for code in found) for name, found in lists.items()}
+        codes = {name: tuple(code.upper() for code in found if isinstance(code, str)) for name, found in lists.items()}
         arguments = given.get("arguments")
         pairs = arguments.items() if isinstance(arguments, dict) else ()
         return cls(
@@ -98,6 +100,11 @@ class Workspace:
         self._on_disk: dict[str, bool] = {}
         self._aside: set[str] = set()
         with as_shown(self.folder, {}):
+            around = workspace_of(os.path.join(self.folder, "robot"))
+        self._readable = [around, *package_folders_in(os.environ)]
+        for root in self._readable:
+            admit(root)
+        with self._shown({}):
             self.config = with_environ(config_for((self.folder,)), os.environ)
         given = Settings(distro=wishes.distro, simulator=wishes.simulator, environ=passed_on(os.environ))
         self.settings = settings_with(self.config, given)
@@ -115,6 +122,14 @@ class Workspace:
         self._reading: tuple[dict[str, bytes], Loader] = {}, self._packages
         self._linter = LiveLinter(self.settings, self._selection, {}, is_outdated)
 
+    @contextmanager
+    def _shown(self, texts: Mapping[str, bytes]) -> Iterator[None]:
+        """Within it, this thread works in the folder with these texts, and reads nothing outside of its workspace, nor
+        of those of the open texts."""
+        readable = dict.fromkeys([*self._readable, *map(workspace_of, self.texts)])
+        with as_shown(self.folder, texts, self._aside), reading_within(readable):
+            yield
+
     def changed(self, path: str, text: bytes | None) -> None:
         """Take an open file's text; None if it was closed, and its text on disk counts again.
 
@@ -125,6 +140,7 @@ class Workspace:
             self.texts.pop(real, None)
         else:
             self.texts[real] = text
+            admit(workspace_of(real))
         if text is None:
             self.saved(real)
         else:
@@ -204,7 +220,7 @@ class Workspace:
         chosen = list(dict.fromkeys([first, *others]))[:_MOST_ROBOTS]
         key = tuple(chosen), self._edition
         if self._loaded is None or self._loaded[0] != key:
-            with as_shown(self.folder, dict(self.texts), self._aside):
+            with self._shown(dict(self.texts)):
                 loader = self._loader()
                 self._loaded = key, [self._read(loader, target) for target in chosen]
         return self._loaded[1]
@@ -224,7 +240,7 @@ class Workspace:
             tried = loaders[-1].with_overlay(shown, [real])
             loaders[:] = [tried]
             try:
-                with as_shown(self.folder, shown, self._aside), self._clock():
+                with self._shown(shown), self._clock():
                     linted = lint_target(tried, target, self._selection, memory=memory)
                     return self._reported(linted.result.outcome.diagnostics)
             except OverBudget:
@@ -243,7 +259,7 @@ class Workspace:
 
     def packages_for(self, path: str) -> Packages:
         """Return the packages of the workspace as a file sees them."""
-        with as_shown(self.folder, dict(self.texts), self._aside):
+        with self._shown(dict(self.texts)):
             return self._loader().reading(path)[1]
 
     def _loader(self) -> Loader:
@@ -287,15 +303,14 @@ class Workspace:
         if path is not None:
             folder = package_around(os.path.dirname(os.path.realpath(path))) or folder
         texts = self._saved_once()
-        with as_shown(self.folder, texts, self._aside):
-            files = discovered([folder], self.config)
-            run = lint_files(files, self._wishes.arguments, self._linter, self.config.robots)
+        request = LintRequest((folder,), self.config, self.settings, self._selection, self._wishes.arguments)
+        with self._shown(texts):
+            run = judge(plan(find(request), request), self._linter)
         if path is None or self._run is None:
             self._run = run
         self._keep_saved(run)
-        merged = merge([result.outcome for result in run.results], self._selection)
         findings: dict[str, list[Diagnostic]] = {}
-        for finding in self._reported(merged):
+        for finding in merge(run.results, request):
             findings.setdefault(os.path.abspath(finding.at.file), []).append(finding)
         read = frozenset(os.path.abspath(file) for result in run.results for file in result.files)
         found = {file: tuple(each) for file, each in findings.items()}

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from urdfctl.control.session import session_of
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
-from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.results import RobotResult
 from urdfctl.source.files import is_launch
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
@@ -16,7 +16,7 @@ MOST_PAIRS = 48
 """With more pairs of launch files and robots than this, none is tried: each takes as long as reading a robot."""
 
 
-class Pair(NamedTuple):
+class CandidatePair(NamedTuple):
     """A launch file with a robot that may be its own.
 
     position: that of the launch file among the targets.
@@ -36,27 +36,27 @@ def has_joints_of_controllers(project: Project) -> bool:
     return bool(named) and named <= {*project.robot.joint_names}
 
 
-def pairs_to_try(targets: Sequence[Target], smoked: Sequence[Smoked]) -> list[Pair]:
+def pairs_to_try(targets: Sequence[Target], results: Sequence[RobotResult]) -> list[CandidatePair]:
     """Return each launch file without a robot, with each robot of the run."""
     alone = [
         index
-        for index, (target, robot) in enumerate(zip(targets, smoked, strict=True))
+        for index, (target, robot) in enumerate(zip(targets, results, strict=True))
         if is_launch(target.path) and robot.linted.links is None and robot.controllers
     ]
-    robots: dict[str, Smoked] = {}
-    for robot in smoked:
+    robots: dict[str, RobotResult] = {}
+    for robot in results:
         linted = robot.linted
         if (linted.links or 0) > 1 and linted.complete and not linted.library and not robot.part_of:
             robots.setdefault(linted.path, robot)
     pairs = [
-        Pair(index, Target(path, robot.linted.arguments, launch=targets[index].path))
+        CandidatePair(index, Target(path, robot.linted.arguments, launch=targets[index].path))
         for index in alone
         for path, robot in robots.items()
     ]
     return pairs if len(pairs) <= MOST_PAIRS else []
 
 
-def only_ones(pairs: Sequence[Pair], fits: Sequence[bool]) -> Mapping[int, int]:
+def only_ones(pairs: Sequence[CandidatePair], fits: Sequence[bool]) -> Mapping[int, int]:
     """Return the pairs of the launch files that exactly one robot fits: position in `pairs` by index of the target."""
     found: dict[int, list[int]] = {}
     for position, (pair, fit) in enumerate(zip(pairs, fits, strict=True)):

@@ -6,12 +6,14 @@ from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.lint.results import Report
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage
+from urdfctl.output.printing import visible
 from urdfctl.report import render
-from urdfctl.report.common import Report, as_json, shown, visible
+from urdfctl.report.common import as_json, shown
 from urdfctl.report.json_report import document
 from urdfctl.report.text import Piece, pieces
-from urdfctl.smoke.results import ControllerResult, Curve, Smoked, Verdict
+from urdfctl.smoke.results import ControllerResult, Curve, RobotResult, Verdict
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
@@ -29,23 +31,23 @@ _NOTHING = "nothing was tested: no controllers found; name their file with --con
 class SmokeReport(NamedTuple):
     """The results of a run: the smoke test of each robot, and the findings of all as a report of lint."""
 
-    smoked: tuple[Smoked, ...]
+    robots: tuple[RobotResult, ...]
     found: Report
     allow_empty: bool = False
 
     @property
     def is_empty(self) -> bool:
         """Whether no controller was tested, and that is an error."""
-        return not self.allow_empty and not any(robot.controllers for robot in self.smoked)
+        return not self.allow_empty and not any(robot.controllers for robot in self.robots)
 
     @property
     def is_interrupted(self) -> bool:
         """Whether Ctrl-C ended the run before all was tested."""
-        return any(robot.interrupted for robot in self.smoked)
+        return any(robot.interrupted for robot in self.robots)
 
     def count(self, verdict: Verdict) -> int:
         """Return the number of controllers with a verdict."""
-        return sum(robot.count(verdict) for robot in self.smoked)
+        return sum(robot.count(verdict) for robot in self.robots)
 
 
 def render_smoke(report: SmokeReport, name: str) -> str:
@@ -61,15 +63,15 @@ def text_pieces(report: SmokeReport) -> Iterator[Piece]:
     if report.found.quiet:
         yield from pieces(report.found)
         return
-    for robot in report.smoked:
+    for robot in report.robots:
         yield from robot_pieces(robot)
     yield from pieces(report.found)
     yield Piece(visible(summary(report)) + "\n", "bold")
 
 
-def robot_pieces(robot: Smoked) -> Iterator[Piece]:
+def robot_pieces(robot: RobotResult) -> Iterator[Piece]:
     """Yield a line for a robot, and one for each of its controllers with the stages that it passed."""
-    yield Piece(visible(f"{heading(robot)} ({how(robot)})") + "\n", "bold")
+    yield Piece(visible(f"{heading(robot)} ({conditions(robot)})") + "\n", "bold")
     if not robot.controllers:
         part = f"not a robot: it hangs on link '{robot.part_of}', which is in another file"
         yield Piece(f"  {visible(part) if robot.part_of else 'no controllers are declared for this robot'}\n")
@@ -77,12 +79,12 @@ def robot_pieces(robot: Smoked) -> Iterator[Piece]:
     for controller in robot.controllers:
         yield Piece(f"  {visible(controller.name).ljust(width)}  ")
         yield Piece(controller.verdict.value.ljust(8), _STYLES[controller.verdict])
-        told = told_of(controller)
+        told = explanation(controller)
         reason = f"{' ' if controller.verdict is Verdict.FAILED else '  '}{told}" if told else ""
-        yield Piece(f" {steps(controller, robot.linted.ros)}{visible(reason)}\n")
+        yield Piece(f" {stages_reached(controller, robot.linted.ros)}{visible(reason)}\n")
 
 
-def told_of(result: ControllerResult) -> str:
+def explanation(result: ControllerResult) -> str:
     """Return the reason of a verdict, or what led to it; both for a warning, which does not stop the test."""
     both = (result.reason, account(result)) if result.verdict is Verdict.WARNED else (result.reason or account(result),)
     return "; ".join(part for part in both if part)
@@ -95,13 +97,13 @@ def account(result: ControllerResult) -> str:
     return "; ".join(part for part in (done, rest) if part)
 
 
-def heading(robot: Smoked) -> str:
+def heading(robot: RobotResult) -> str:
     """Return the robot of a test, after the launch file that starts it."""
     path, launch = shown(robot.linted.path), robot.linted.launch
     return f"{shown(launch)}: {path}" if launch and shown(launch) != path else path
 
 
-def how(robot: Smoked) -> str:
+def conditions(robot: RobotResult) -> str:
     """Return the controller files, the distro and what it is known from, and the engine of a test."""
     engine = f"{robot.engine}, {robot.seconds:.1f} s" if robot.engine else "not simulated"
     paired = "paired by its joints: the launch file loads no robot" if robot.paired else ""
@@ -109,7 +111,7 @@ def how(robot: Smoked) -> str:
     return "; ".join(part for part in parts if part)
 
 
-def _distro(robot: Smoked) -> str:
+def _distro(robot: RobotResult) -> str:
     """The distro whose manager was modelled, with the evidence for it; or those that are possible."""
     linted = robot.linted
     if linted.distro:
@@ -121,7 +123,7 @@ def _distro(robot: Smoked) -> str:
     return f"ROS distro unknown: {in_words(linted.distros)}{tested}"
 
 
-def steps(result: ControllerResult, ros: int | None) -> str:
+def stages_reached(result: ControllerResult, ros: int | None) -> str:
     """Return the stages that a controller reached; it may fail at the last one. ROS 1 has no configuring."""
     reached = CONTROLLER_STAGES[: CONTROLLER_STAGES.index(result.stage) + 1]
     stages = " > ".join(stage.value for stage in reached if ros != 1 or stage is not Stage.CONFIGURE)
@@ -131,7 +133,7 @@ def steps(result: ControllerResult, ros: int | None) -> str:
 def summary(report: SmokeReport) -> str:
     """Return the number of controllers, in all and by verdict."""
     counts = [f"{report.count(verdict)} {verdict.value}" for verdict in Verdict if report.count(verdict)]
-    total = sum(len(robot.controllers) for robot in report.smoked)
+    total = sum(len(robot.controllers) for robot in report.robots)
     if not counts:
         return _NOTHING
     interrupted = "; interrupted before all were tested" if report.is_interrupted else ""
@@ -148,13 +150,13 @@ def _text(report: SmokeReport) -> str:
 def _json(report: SmokeReport) -> str:
     controllers = [
         {"robot": shown(robot.linted.path), **controller.to_json(), "engine": robot.engine}
-        for robot in report.smoked
+        for robot in report.robots
         for controller in robot.controllers
     ]
     curves = [
-        {"robot": shown(robot.linted.path), **curve._asdict()} for robot in report.smoked for curve in robot.curves
+        {"robot": shown(robot.linted.path), **curve._asdict()} for robot in report.robots for curve in robot.curves
     ]
-    measured = [{"robot": shown(robot.linted.path), **_measured(c)} for robot in report.smoked for c in robot.curves]
+    measured = [{"robot": shown(robot.linted.path), **_measured(c)} for robot in report.robots for c in robot.curves]
     data: dict[str, Any] = {
         **document(report.found),
         "controllers": controllers,
@@ -186,8 +188,8 @@ def _junit(report: SmokeReport) -> str:
     """
     from urdfctl.report.junit import suites_document
 
-    cases = [_cases(robot) for robot in report.smoked]
-    lines = [line for robot, of_robot in zip(report.smoked, cases, strict=True) for line in _suite(robot, of_robot)]
+    cases = [_cases(robot) for robot in report.robots]
+    lines = [line for robot, of_robot in zip(report.robots, cases, strict=True) for line in _suite(robot, of_robot)]
     everyone = [case for of_robot in cases for case in of_robot]
     counts = (len(everyone), *(sum(case.kind == kind for case in everyone) for kind in ("failure", "skipped")))
     if report.is_empty:
@@ -195,7 +197,7 @@ def _junit(report: SmokeReport) -> str:
         counts = (counts[0] + 1, counts[1] + 1, counts[2])
     told = tuple(
         result.reason
-        for robot in report.smoked
+        for robot in report.robots
         for result in robot.controllers
         if result.verdict is Verdict.FAILED and not result.blocked_by
     )
@@ -227,7 +229,7 @@ class _Case(NamedTuple):
     type: str = ""
 
 
-def _cases(robot: Smoked) -> list[_Case]:
+def _cases(robot: RobotResult) -> list[_Case]:
     made = []
     for result in robot.controllers:
         if result.verdict is Verdict.SKIPPED or result.blocked_by:
@@ -241,7 +243,7 @@ def _cases(robot: Smoked) -> list[_Case]:
     return made
 
 
-def _suite(robot: Smoked, cases: Sequence[_Case]) -> Iterator[str]:
+def _suite(robot: RobotResult, cases: Sequence[_Case]) -> Iterator[str]:
     from urdfctl.report.junit import attributes_of
 
     path = shown(robot.linted.path)
@@ -278,8 +280,8 @@ SMOKE_FORMATS: dict[str, Callable[[SmokeReport], str]] = {
 
 
 def report_of(
-    smoked: Sequence[Smoked], findings: Sequence[Diagnostic], fail_on: Severity = Severity.ERROR
+    robots: Sequence[RobotResult], findings: Sequence[Diagnostic], fail_on: Severity = Severity.ERROR
 ) -> SmokeReport:
     """Return a report of some smoke tests and their joined findings, which fail from a severity on."""
-    targets = tuple(robot.linted for robot in smoked)
-    return SmokeReport(tuple(smoked), Report(targets, tuple(findings), fail_on=fail_on))
+    targets = tuple(robot.linted for robot in robots)
+    return SmokeReport(tuple(robots), Report(targets, tuple(findings), fail_on=fail_on))

@@ -1,12 +1,12 @@
-"""The result of a smoke test of one robot: a verdict on each controller, and the findings."""
+"""The results of a smoke test: a verdict on each controller of a robot, and the findings before they have a place."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from enum import Enum
 
+from urdfctl.fault import FaultWithMessage, Stage
 from urdfctl.lint.results import TargetResult
-from urdfctl.rule import Rule, Stage
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
@@ -26,10 +26,13 @@ class Verdict(Enum):
 class ControllerResult(NamedTuple):
     """The result of one controller.
 
-    `stage` is the one at which it failed, or else the last one that it passed. `tested` holds what it was seen to do in
-    an engine; `untested` what was not modelled, by name, with the reason. `blocked_by` names what the fault is in if it
-    is not this controller. `by_distro` holds the verdict in each possible distro if they differ. `seconds` is the
-    processor time of its motions.
+    stage: the one at which it failed, or else the last one that it passed.
+    reason: why it has its verdict, or empty.
+    tested: what it was seen to do in an engine.
+    untested: what was not modelled, by name, with the reason.
+    blocked_by: what the fault is in if it is not this controller.
+    by_distro: the verdict in each possible distro, if they differ.
+    seconds: the processor time of its motions.
     """
 
     name: str
@@ -74,19 +77,22 @@ class Trouble(NamedTuple):
 
 
 def trouble_of(
-    rule: Rule, subject: str, controller: str | None = None, notes: tuple[str, ...] = (), **fields: object
+    fault: FaultWithMessage, subject: str, controller: str | None = None, notes: tuple[str, ...] = (), **facts: object
 ) -> Trouble:
-    """Return a finding of a smoke rule; its message is the rule's, with the controller and the fields filled in."""
-    message = rule.message.format(controller=controller, **fields)
-    return Trouble(rule.code, subject, message, controller, notes)
+    """Return a finding of the smoke test, with the message that the fault makes of the facts and the controller."""
+    if "controller" in fault.facts:
+        facts["controller"] = controller
+    return Trouble(fault.code, subject, fault.message(**facts), controller, notes)
 
 
 class Curve(NamedTuple):
-    """The commanded and the measured motion of one joint, in rad or m (velocities: rad/s or m/s), over seconds.
+    """The commanded and the measured motion of one joint over seconds.
 
-    `efforts` are those of its motor, in per cent of its limit; empty if it has none. `band` holds between which values
-    it must end, and `limits` its own limits in the quantity; each is None if there is none. `unit` is that of the
-    values.
+    commanded, measured: in rad or m, and rad/s or m/s for velocities.
+    efforts: those of its motor, in per cent of its limit; empty if it has none.
+    band: between which values it must end; None if there is none, as the limits.
+    limits: its own limits in the quantity.
+    unit: that of the values.
     """
 
     controller: str
@@ -107,14 +113,18 @@ class Curve(NamedTuple):
         return cls(*fields)
 
 
-class Smoked(NamedTuple):
-    """The smoke test of one robot.
+class RobotResult(NamedTuple):
+    """The result of the smoke test of one robot.
 
-    `linted` holds the findings of the smoke test instead of those of lint. `distro` is the one whose controller manager
-    was modelled. `engine` is None if nothing was simulated, and `seconds` is how long the simulation took. `part_of` is
-    the link of another file on which a description hangs that is not a robot. `interrupted`: Ctrl-C ended the run
-    before all was tested. `paired`: the launch file loads no robot, and this is the only one with the joints of its
-    controllers.
+    linted: what was linted, with the findings of the smoke test instead of those of lint.
+    controllers: their results.
+    distro: the one whose controller manager was modelled.
+    engine: None if nothing was simulated.
+    seconds: the processor time that the simulation took.
+    curves: the motions of joints.
+    part_of: the link of another file on which a description hangs that is not a robot.
+    interrupted: whether Ctrl-C ended the run before all was tested.
+    paired: whether the launch file loads no robot, and this is the only one with the joints of its controllers.
     """
 
     linted: TargetResult
@@ -127,8 +137,8 @@ class Smoked(NamedTuple):
     interrupted: bool = False
     paired: bool = False
 
-    def without(self, hidden: Sequence[str]) -> Smoked:
-        """Return the test in which no controller fails for a finding that is hidden: it is warned instead."""
+    def without(self, hidden: Sequence[str]) -> RobotResult:
+        """Return the result in which no controller fails for a finding that is hidden: it is warned instead."""
 
         def shown(result: ControllerResult) -> ControllerResult:
             known = result.reason and any(message.endswith(result.reason) for message in hidden)

@@ -6,6 +6,7 @@ MAX_CALL_DEPTH = 250
 MAX_CALLS = 20_000
 MAX_ELEMENTS = 1_000_000
 MAX_PROBLEMS = 100
+OUT_OF_MEMORY = "it needs more memory than one robot may use (see --memory)"
 
 
 class OverBudget(Exception):

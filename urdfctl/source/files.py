@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-import errno
 import os
 import stat
-from _thread import get_ident
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import lru_cache
 from types import MappingProxyType
 
 from urdfctl.errors import UserError
+from urdfctl.source import gate
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.shown import note_aside, open_text
 from urdfctl.source.span import Place, SourceText
-from urdfctl.startup.hints import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    Result = TypeVar("Result")
 
 MAX_BYTES = 16 << 20
 _NONE: Mapping[str, bytes] = MappingProxyType({})
@@ -115,7 +108,7 @@ class Files:
 
     def glance(self, path: str) -> SourceText:
         """Return the content of a file without adding it to `sources`. Raises FileProblem as `read` does."""
-        _note(path)
+        note_aside(path)
         return self._content(path)
 
     def _content(self, path: str) -> SourceText:
@@ -134,10 +127,12 @@ class Files:
 
     def may_read(self, path: str) -> bool:
         """Return whether a path, with all links followed, is within the bounds."""
+        if not gate.admits(path):
+            return False
         if self.bounds is None:
             return True
         if path not in self._within:
-            self._within[path] = self._is_within(os.path.realpath(path))
+            self._within[path] = self._is_within(gate.real_of(path))
         return self._within[path]
 
     def _is_within(self, real: str) -> bool:
@@ -146,8 +141,9 @@ class Files:
         return any(real == bound or real.startswith(bound.rstrip(os.sep) + os.sep) for bound in bounds)
 
     def _check_bounds(self, path: str) -> None:
-        if self.bounds is not None and not self.may_read(path):
-            message = f"'{path}' is outside the workspace '{self.bounds[0]}' and is not read"
+        if not self.may_read(path):
+            where = f" '{self.bounds[0]}'" if self.bounds else ""
+            message = f"'{path}' is outside the workspace{where} and is not read"
             hint = "use a wider --workspace, add --package-path, or use --trust"
             raise FileProblem(ProblemKind.OUTSIDE_WORKSPACE, path, message, hint)
 
@@ -170,8 +166,9 @@ def _bytes_of(path: str) -> bytes:
         if not stat.S_ISREG(info.st_mode):
             raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' is not a regular file")
         _check_size(path, info.st_size)
-        with open(path, "rb") as file:
+        with gate.opened(path) as file:
             data = file.read(MAX_BYTES + 1)
+        _check_size(path, len(data))
     except FileNotFoundError:
         broken = os.path.islink(path)
         message = f"'{path}' is a broken symbolic link" if broken else f"file does not exist: '{path}'"
@@ -195,9 +192,10 @@ def folders_upwards(folder: str) -> Iterator[str]:
 def first_bytes(path: str, most: int) -> bytes:
     """Return at most `most` bytes from the start of a regular file.
 
-    Raises OSError if the file cannot be read or is not a regular file: a read from a pipe or a device may never end.
+    Raises OSError if the file cannot be read, is outside of what the run may read, or is not a regular file: a read
+    from a pipe or a device may never end.
     """
-    _note(path)
+    note_aside(path)
     return start_of(path, most)
 
 
@@ -206,9 +204,7 @@ def start_of(path: str, most: int) -> bytes:
     text = open_text(path)
     if text is not None:
         return text[:most]
-    if not stat.S_ISREG(os.stat(path).st_mode):
-        raise OSError(errno.EINVAL, "it is not a regular file", path)
-    with open(path, "rb") as file:
+    with gate.opened(path) as file:
         return file.read(most)
 
 
@@ -221,70 +217,3 @@ def named_bytes(path: str) -> bytes:
     if len(data) > MAX_BYTES:
         raise UserError(f"'{path}' cannot be read: it is larger than {MAX_BYTES >> 20} MiB")
     return data
-
-
-# -- the window of an editor -------------------------------------------------------------------------------------------
-
-
-class as_shown:  # noqa: N801 (a context manager, read as a verb)
-    """Within it, this thread works in a folder as an editor shows it, not in the current one as it is on disk.
-
-    folder: what is relative, is relative to it.
-    texts: what is read instead of the files with these real paths.
-    aside: is given the real paths of the files on which what is remembered depends, and which are no source of a robot,
-        such as a package.xml.
-    """
-
-    def __init__(self, folder: str, texts: Mapping[str, bytes], aside: set[str] | None = None) -> None:
-        self.folder, self.texts, self.aside = folder, texts, aside
-
-    def __enter__(self) -> None:
-        _SHOWN[get_ident()] = self
-
-    def __exit__(self, *_: object) -> None:
-        del _SHOWN[get_ident()]
-
-
-_SHOWN: dict[int, as_shown] = {}
-"""By thread."""
-
-
-def current_folder() -> str:
-    """Return the folder that this thread works in."""
-    shown = _SHOWN.get(get_ident())
-    return shown.folder if shown else os.getcwd()
-
-
-_REMEMBERED: list[Callable[[], None]] = []
-_MOST_REMEMBERED = 1 << 15
-
-
-def remembered(function: Callable[[str], Result]) -> Callable[[str], Result]:
-    """Remember what a function returns for a path until `forget_files` is called."""
-    cached = lru_cache(_MOST_REMEMBERED)(function)
-    _REMEMBERED.append(cached.cache_clear)
-    return cached
-
-
-@remembered
-def real_path(path: str) -> str:
-    """Return a path with all links followed."""
-    return os.path.realpath(path)
-
-
-def forget_files() -> None:
-    """Look at the disk again: files were created, deleted or changed."""
-    for forget in _REMEMBERED:
-        forget()
-
-
-def open_text(path: str) -> bytes | None:
-    """Return the text that is read instead of a file; None if the file itself is."""
-    shown = _SHOWN.get(get_ident()) if _SHOWN else None
-    return shown.texts.get(real_path(path)) if shown and shown.texts else None
-
-
-def _note(path: str) -> None:
-    shown = _SHOWN.get(get_ident()) if _SHOWN else None
-    if shown and shown.aside is not None:
-        shown.aside.add(real_path(path))

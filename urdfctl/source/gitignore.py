@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 
+from urdfctl.source import gate
 from urdfctl.source.files import first_bytes, folders_upwards
 from urdfctl.startup.records import NamedTuple
 
@@ -43,19 +44,25 @@ class GitIgnore:
     def __init__(self, folder: str, top: str | None = None) -> None:
         """Read the .gitignore files up to the repository's folder; without a repository up to the folder `top`."""
         self._top = _repository(os.path.realpath(folder)) or (top and os.path.realpath(top))
+        self._real: dict[str, str] = {}
         self._applying: dict[str, list[_Applying]] = {}
-        self._read: dict[str, tuple[Pattern, ...]] = {}
 
     def ignores(self, path: str, *, is_folder: bool) -> bool:
         """Return whether git ignores a file or folder. Ignored folders above it are not considered."""
         folder, name = os.path.split(path)
-        if folder not in self._applying:
-            self._applying[folder] = list(self._patterns_for(os.path.realpath(folder)))
-        for below, patterns in self._applying[folder]:
+        for below, patterns in self._patterns_for(self._real_folder(folder)):
             for pattern in patterns:
                 if pattern.matches((*below, name), is_folder=is_folder):
                     return pattern.ignores
         return False
+
+    def _real_folder(self, folder: str) -> str:
+        """A folder with all links followed. That of the folder around it is mostly known, so only one step is left."""
+        if folder not in self._real:
+            above, name = os.path.split(folder)
+            step = os.path.join(self._real[above], name) if above in self._real and name != os.pardir else ""
+            self._real[folder] = step if step and name and not os.path.islink(step) else os.path.realpath(folder)
+        return self._real[folder]
 
     def expects(self, path: str) -> bool:
         """Return whether git ignores a file or a folder above it: such a file is made later, and is not committed."""
@@ -67,22 +74,26 @@ class GitIgnore:
             if self._top and folder.startswith(self._top.rstrip(os.sep) + os.sep)
         )
 
-    def _patterns_for(self, folder: str) -> Iterator[_Applying]:
-        """Yield the patterns that apply in a folder, those with the highest precedence first."""
+    def _patterns_for(self, folder: str) -> list[_Applying]:
+        """The patterns that apply in a folder, those with the highest precedence first."""
         top = self._top
         if top is None or not (folder + os.sep).startswith(top.rstrip(os.sep) + os.sep):
-            return
-        below: tuple[str, ...] = ()
-        while True:
-            if folder not in self._read:
-                shared = _patterns(os.path.join(folder, ".git", "info", "exclude")) if folder == top else ()
-                self._read[folder] = (*shared, *_patterns(os.path.join(folder, ".gitignore")))[::-1]
-            if self._read[folder]:
-                yield below, self._read[folder]
+            return []
+        unknown = []
+        while folder not in self._applying:
+            unknown.append(folder)
             if folder == top:
-                return
-            below = (os.path.basename(folder), *below)
+                break
             folder = os.path.dirname(folder)
+        for below in reversed(unknown):
+            above = self._applying[os.path.dirname(below)] if below != top else []
+            shared = _patterns(os.path.join(below, ".git", "info", "exclude")) if below == top else ()
+            own = (*shared, *_patterns(os.path.join(below, ".gitignore")))[::-1]
+            name = os.path.basename(below)
+            inherited = [((*parts, name), patterns) for parts, patterns in above]
+            self._applying[below] = [((), own), *inherited] if own else inherited
+            folder = below
+        return self._applying[folder]
 
 
 _Applying = tuple[tuple[str, ...], tuple[Pattern, ...]]
@@ -90,7 +101,7 @@ _Applying = tuple[tuple[str, ...], tuple[Pattern, ...]]
 
 
 def _repository(folder: str) -> str | None:
-    return next((each for each in folders_upwards(folder) if os.path.exists(os.path.join(each, ".git"))), None)
+    return next((each for each in folders_upwards(folder) if gate.exists(os.path.join(each, ".git"))), None)
 
 
 def _patterns(file: str) -> tuple[Pattern, ...]:

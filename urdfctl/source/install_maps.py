@@ -8,8 +8,11 @@ from __future__ import annotations
 
 import os
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
+from itertools import islice
 
+from urdfctl.source import gate
 from urdfctl.source.files import first_bytes
 from urdfctl.source.installed import Installed, below_share, installed
 
@@ -27,6 +30,7 @@ _LOOP = r"(?si)\bforeach\s*\(\s*(\w+)\s+([^()]*)\)((?:(?!\bforeach\s*\().)*?)\be
 _BLOCK = r"(?i)\b(end)?(?:if|function|macro|while)\s*\("
 _SET = r"(?i)\bset\s*\(\s*(\w+)\s+([^()]*)\)"
 _MOST_ROUNDS = 200
+_MOST_RULES = 500
 _MOST_CHARACTERS = 1 << 16
 _PIECE = r'"([^"]*)"|(\S+)'
 _MOST_BYTES = 1 << 20
@@ -63,7 +67,7 @@ class InstallMap:
                 continue
             rest = relative[len(target) :].lstrip("/")
             candidate = os.path.normpath(os.path.join(self.folder, source, rest))
-            if os.path.exists(candidate):
+            if gate.exists(candidate):
                 return candidate
         return None
 
@@ -74,15 +78,16 @@ def read_install_map(folder: str, package: str) -> InstallMap:
     cmake = cmake[: cmake.rfind(")") + 1]  # without this, each unclosed call is searched to the end: quadratic time
     cmake = _unrolled(cmake)
     setup = _read(os.path.join(folder, "setup.py"))
-    rules = list(_from_cmake(cmake, package))
+    rules = list(islice(_from_cmake(cmake, package), _MOST_RULES))
     plain = _is_plain_cmake(cmake, package) if cmake else False
     if setup:
         from urdfctl.source.setup_files import is_plain_setup, rules_of_setup
 
-        rules += rules_of_setup(setup, folder, package)
+        rules += islice(rules_of_setup(setup, folder, package), _MOST_RULES)
         plain = plain if cmake else is_plain_setup(setup, package)
     makes = bool(cmake) if not setup or cmake else "cmdclass" in setup
-    return InstallMap(folder, rules, whole=plain and bool(cmake) != bool(setup), makes=makes and not plain, build=cmake)
+    whole = plain and bool(cmake) != bool(setup) and len(rules) < _MOST_RULES
+    return InstallMap(folder, rules, whole=whole, makes=makes and not plain, build=cmake)
 
 
 def _read(path: str) -> str:
@@ -102,9 +107,11 @@ def missing_sources(text: str, folder: str, package: str) -> Iterator[tuple[str,
         return
     project = re.search(_PROJECT, plain)
     name = project.group(1) if project else package
+    blocks, depths = _blocks(plain)
     for call in re.finditer(_INSTALL, plain):
         body = call.group(2)
-        if "DESTINATION" not in body or re.search(r"\bOPTIONAL\b", body) or _is_inside_block(plain, call.start()):
+        depth = depths[bisect_right(blocks, call.start()) - 1]
+        if "DESTINATION" not in body or re.search(r"\bOPTIONAL\b", body) or depth > 0:
             continue
         for word in re.finditer(_PIECE, body.partition("DESTINATION")[0]):
             written = word.group(1) or word.group(2) or ""
@@ -112,14 +119,18 @@ def missing_sources(text: str, folder: str, package: str) -> Iterator[tuple[str,
             if source.isupper() and source.isalpha():
                 break
             literal = source == written and bool(source) and not re.search(r"[*?$]|^/", source)
-            if literal and not os.path.exists(os.path.join(folder, source)):
+            path = os.path.join(folder, source)
+            if literal and gate.admits(path) and not os.path.exists(path):
                 yield source, call.start(2) + word.start(1 if word.group(1) else 2)
 
 
-def _is_inside_block(text: str, offset: int) -> bool:
-    """Whether a call is in a condition or a function."""
-    words = re.findall(_BLOCK, text[:offset])
-    return sum(-1 if end else 1 for end in words) > 0
+def _blocks(text: str) -> tuple[list[int], list[int]]:
+    """Where conditions and functions begin and end, and in how many of them the text is from there on."""
+    ends, depths = [0], [0]
+    for word in re.finditer(_BLOCK, text):
+        ends.append(word.end())
+        depths.append(depths[-1] + (-1 if word.group(1) else 1))
+    return ends, depths
 
 
 def _from_cmake(text: str, package: str) -> Iterator[Installed]:

@@ -11,6 +11,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from urdfctl.source import gate
 from urdfctl.source.files import first_bytes, folders_upwards
 from urdfctl.source.gitignore import GitIgnore
 from urdfctl.startup.hints import TYPE_CHECKING
@@ -18,12 +19,17 @@ from urdfctl.startup.hints import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfctl.source.install_maps import InstallMap
 
-_NAME = rb"<name[^>]*>\s*([^<\s]+)\s*</name>"
+_NAME = rb"<name[^<>]*>\s*([^<\s]+)\s*</name>"
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
-_DEPENDENCY = rb"<(?:[a-z_]+_)?depend\b[^>]*>\s*([^<\s]+)\s*</"
+_DEPENDENCY = rb"<(?:[a-z_]+_)?depend\b[^<>]*>\s*([^<\s]+)\s*</"
 _IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", "site-packages"})
 _MOST_FOLDERS = 100_000
+PREFIXES = ("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH")
+"""The environment variables that list where packages are installed."""
+_ROOTS = "ROS_PACKAGE_PATH"
+ELSEWHERE = (*PREFIXES, _ROOTS)
+"""The environment variables that list folders with packages."""
 _AMENT_INDEX = "share/ament_index/resource_index/packages"
 
 
@@ -41,7 +47,7 @@ class PackageNotFound(Exception):
 
 def package_around(folder: str) -> str | None:
     """Return the nearest folder with a package.xml: the folder itself or one above it; None if there is none."""
-    return next((each for each in folders_upwards(folder) if os.path.exists(os.path.join(each, "package.xml"))), None)
+    return next((each for each in folders_upwards(folder) if gate.exists(os.path.join(each, "package.xml"))), None)
 
 
 def package_name(manifest: str) -> str | None:
@@ -89,11 +95,7 @@ def package_folders(root: str) -> Iterator[str]:
     while pending and walked < _MOST_FOLDERS:
         folder = pending.pop()
         walked += 1
-        try:
-            with os.scandir(folder) as scan:
-                entries = list(scan)
-        except OSError:
-            continue
+        entries = gate.entries_in(folder)
         names = {entry.name for entry in entries}
         if names & _IGNORE_FILES:
             continue
@@ -121,11 +123,12 @@ class PackageIndex:
         self.extra = [os.path.abspath(path) for path in extra]
         self.environ = os.environ if environ is None else environ
         self.named = [Crawl(path) for path in self.extra]
-        self.around = [Crawl(path) for path in [self.workspace, *self.prefixes("ROS_PACKAGE_PATH")]]
+        self.around = [Crawl(path) for path in [self.workspace, *self.prefixes(_ROOTS)]]
         self.crawls = [*self.named, *self.around]
         self._names: dict[str, str | None] = {}
         self._maps: dict[str, InstallMap] = {}
         self._dependencies: dict[str, frozenset[str]] = {}
+        self._files: dict[str, frozenset[str]] = {}
         self._git: GitIgnore | None = None
 
     def dependencies(self, folder: str) -> frozenset[str]:
@@ -138,7 +141,7 @@ class PackageIndex:
         """Return the name of the package in a folder; None if the folder has no package.xml."""
         if folder not in self._names:
             manifest = os.path.join(folder, "package.xml")
-            self._names[folder] = package_name(manifest) if os.path.exists(manifest) else None
+            self._names[folder] = package_name(manifest) if gate.exists(manifest) else None
         return self._names[folder]
 
     def install_map(self, folder: str, name: str) -> InstallMap:
@@ -149,10 +152,20 @@ class PackageIndex:
             self._maps[folder] = read_install_map(folder, name)
         return self._maps[folder]
 
+    def file_names(self, folder: str) -> frozenset[str]:
+        """Return the names of all files in a folder and below it."""
+        if folder not in self._files:
+            self._files[folder] = frozenset(name for _, _, files in gate.walk(folder) for name in files)
+        return self._files[folder]
+
     def is_ignored_by_git(self, path: str) -> bool:
         """Return whether a .gitignore of the workspace names a file, or a folder around it: it is made later."""
         self._git = self._git or GitIgnore(self.workspace, top=self.workspace)
         return self._git.expects(path)
+
+    def elsewhere(self) -> Iterator[str]:
+        """Yield the folders of the environment in which packages may be, outside of the workspace."""
+        return self.prefixes(*ELSEWHERE)
 
     def prefixes(self, *variables: str) -> Iterator[str]:
         """Yield the folders that path-like environment variables, such as AMENT_PREFIX_PATH, list."""
@@ -197,16 +210,12 @@ class Packages:
         around = list(self._ancestors())[2:3]
         if os.path.basename(self._folder) != "config" or not around:
             return []
-        try:
-            with os.scandir(around[0]) as entries:
-                folders = sorted(entry.path for entry in entries if _is_walked(entry))
-        except OSError:
-            return []
+        folders = sorted(entry.path for entry in gate.entries_in(around[0]) if _is_walked(entry))
         return [folder for folder in folders if self._index.name_of(folder)]
 
     def find(self, name: str) -> str:
         """Return the folder of a package. Raises PackageNotFound if no package has this name."""
-        if name in ("", os.curdir, os.pardir) or os.sep in name:  # a path could lead out of the search folders
+        if name in ("", os.curdir, os.pardir) or {os.sep, "/"} & {*name}:  # a path could lead out of the search folders
             raise PackageNotFound(name, self.known())
         if name not in self._found:
             folder = (
@@ -238,7 +247,7 @@ class Packages:
 
     def source_of(self, path: str) -> str:
         """Return the source file of an installed path; the path itself if it exists or no file is installed there."""
-        if os.path.exists(path):
+        if gate.exists(path):
             return path
         for name, folder in self._found.items():
             if path.startswith(folder + os.sep):
@@ -257,7 +266,7 @@ class Packages:
             if self.is_of_workspace(parts[index]):
                 folder, relative = self.find(parts[index]), os.path.join(*parts[index + 1 :])
                 candidate = os.path.join(folder, relative)
-                found = candidate if os.path.isfile(candidate) else self._source_in(folder, parts[index], relative)
+                found = candidate if gate.is_file(candidate) else self._source_in(folder, parts[index], relative)
                 if found is not None:
                     return found
         return None
@@ -277,8 +286,12 @@ class Packages:
         for name, folder in self._found.items():
             if path.startswith(folder + os.sep):
                 build = self._index.install_map(folder, name)
-                return build.makes or not (build.whole or _is_missing_from(folder, path))
+                return build.makes or not (build.whole or self._is_missing_from(folder, path))
         return False
+
+    def _is_missing_from(self, package: str, path: str) -> bool:
+        """Whether the folder of a missing file exists, and the package has no other file of that name."""
+        return gate.is_folder(os.path.dirname(path)) and os.path.basename(path) not in self._index.file_names(package)
 
     def is_made_by_build(self, path: str) -> bool:
         """Return whether the CMakeLists.txt of a source package mentions a missing file of it, and may make files."""
@@ -292,11 +305,11 @@ class Packages:
         return self._index.is_ignored_by_git(path)
 
     def _from_environment(self, name: str) -> str | None:
-        for prefix in self._index.prefixes("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"):
+        for prefix in self._index.prefixes(*PREFIXES):
             share = os.path.join(prefix, "share", name)
-            if os.path.exists(os.path.join(prefix, _AMENT_INDEX, name)) or self._index.name_of(share) == name:
+            if gate.exists(os.path.join(prefix, _AMENT_INDEX, name)) or self._index.name_of(share) == name:
                 return share
-        for root in self._index.prefixes("ROS_PACKAGE_PATH"):
+        for root in self._index.prefixes(_ROOTS):
             folder = os.path.join(root, name)
             if self._index.name_of(folder) == name:
                 return folder
@@ -330,7 +343,7 @@ class Packages:
             for candidate in (folder, os.path.join(folder, name)):
                 if own and candidate.startswith(own + os.sep):
                     continue
-                if os.path.basename(candidate) == name and os.path.isdir(candidate) and not os.path.islink(candidate):
+                if os.path.basename(candidate) == name and gate.is_folder(candidate) and not os.path.islink(candidate):
                     self.assumed.add(name)
                     return candidate
         return None
@@ -350,9 +363,3 @@ class Packages:
         while folder != top:
             folder = os.path.dirname(folder)
             yield folder
-
-
-def _is_missing_from(package: str, path: str) -> bool:
-    """Whether the folder of a missing file exists, and the package has no other file of that name."""
-    name = os.path.basename(path)
-    return os.path.isdir(os.path.dirname(path)) and not any(name in files for _, _, files in os.walk(package))

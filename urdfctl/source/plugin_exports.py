@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.source.files import FileProblem, Files, first_bytes
+from urdfctl.source.gate import is_file, names_in, walk
 from urdfctl.source.problem import ReadError
 from urdfctl.source.xml import parse
 from urdfctl.startup.records import NamedTuple
@@ -73,12 +74,12 @@ def _descriptions(folder: str) -> list[str]:
     if "plugin_description_file" in cmake.lower():
         named += _EXPORT_FILE.findall(_substituted(cmake))
     paths = [os.path.normpath(os.path.join(folder, name)) for name in named]
-    return list(dict.fromkeys([*(path for path in paths if os.path.isfile(path)), *_by_form(folder)]))
+    return list(dict.fromkeys([*(path for path in paths if is_file(path)), *_by_form(folder)]))
 
 
 def _by_form(folder: str) -> Iterator[str]:
     try:
-        names = sorted(os.listdir(folder))
+        names = names_in(folder)
     except OSError:
         return
     for name in names:
@@ -93,13 +94,13 @@ def definition_files(folder: str) -> list[DefinitionFile]:
     named = [
         DefinitionFile(name, os.path.normpath(os.path.join(folder, path))) for name, path in _LIBRARY.findall(cmake)
     ]
-    return [definition for definition in named if os.path.isfile(definition.path)]
+    return [definition for definition in named if is_file(definition.path)]
 
 
 def sources_of_class(folder: str, name: str) -> str:
     """Return the C++ sources of a package that name a class, joined; empty if there are none."""
     texts, walked = [], 0
-    for above, folders, names in os.walk(folder):
+    for above, folders, names in walk(folder):
         folders[:] = sorted(
             inner for inner in folders if not inner.startswith(".") and inner not in ("build", "install")
         )

@@ -46,6 +46,7 @@ class ProblemKind(Enum):
     YAML_DUPLICATE_KEY = auto()
     YAML_DUPLICATE_MAP = auto()
     YAML_TAB = auto()
+    PYTHON_TAG = auto()
     PYTHON_SYNTAX = auto()
 
 

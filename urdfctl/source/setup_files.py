@@ -6,6 +6,7 @@ import ast
 import os
 from collections.abc import Iterator
 
+from urdfctl.source.gate import matching
 from urdfctl.source.installed import Installed, below_share, installed
 
 
@@ -57,9 +58,9 @@ def _matching(folder: str, target: str, pattern: str) -> Iterator[Installed]:
     if "*" not in pattern and "?" not in pattern:
         yield installed("FILES", target, pattern)
         return
-    from glob import escape, glob
+    from glob import escape
 
-    for path in sorted(glob(os.path.join(escape(folder), pattern))):
+    for path in matching(os.path.join(escape(folder), pattern)):
         relative = os.path.relpath(path, folder)
         yield installed("FILES", target, relative)
 

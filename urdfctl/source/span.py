@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from urdfctl.startup.records import NamedTuple
 
@@ -14,6 +14,8 @@ _LINE_END = rb"\r\n|\n|\r"
 _TAG_NAME = rb"<([^\s/>]+)"
 _ATTRIBUTE = rb"""\s*([^\s=/>"']+)\s*=\s*("[^"]*"|'[^']*')"""
 _TAG_END = rb"\s*(/?>)"
+_STRETCH = 1024
+"""Bytes of a text that is not ASCII whose characters are counted at once."""
 
 
 class Position(NamedTuple):
@@ -31,13 +33,14 @@ class SourceText:
     is_ascii: whether all bytes are ASCII, so that columns are byte offsets.
     """
 
-    __slots__ = ("_lines", "_tags", "data", "is_ascii", "path")
+    __slots__ = ("_lines", "_marks", "_tags", "data", "is_ascii", "path")
 
     def __init__(self, path: str, data: bytes) -> None:
         self.path = path
         self.data = data
         self.is_ascii = data.isascii()
         self._lines: list[int] | None = None
+        self._marks: list[tuple[int, int]] | None = None
         self._tags: dict[int, StartTag | None] = {}
 
     @property
@@ -57,10 +60,35 @@ class SourceText:
         index = bisect_right(starts, offset) - 1
         if self.is_ascii:
             return Position(index + 1, min(offset, len(self.data)) - starts[index] + 1)
-        before = self.data[starts[index] : offset]
-        if index == 0 and before.startswith(BOM):
-            before = before[len(BOM) :]
-        return Position(index + 1, len(before.decode("utf-8", "replace")) + 1)
+        start = starts[index]
+        if index == 0 and self.data.startswith(BOM):
+            start = min(len(BOM), offset)
+        return Position(index + 1, self._characters(start, offset) + 1)
+
+    def _characters(self, start: int, end: int) -> int:
+        """The number of code points between two byte offsets. In a long line, they are not counted again each time."""
+        if end - start > 2 * _STRETCH:
+            marks = self._stretches()
+            first, last = marks[start // _STRETCH + 1], marks[min(end, len(self.data)) // _STRETCH]
+            return self._characters(start, first[0]) + last[1] - first[1] + self._characters(last[0], end)
+        return len(self.data[start:end].decode("utf-8", "replace"))
+
+    def _stretches(self) -> list[tuple[int, int]]:
+        """The start of each stretch, and the number of code points before it."""
+        if self._marks is None:
+            self._marks = [(0, 0)]
+            for nominal in range(_STRETCH, len(self.data) + 1, _STRETCH):
+                start, count = self._marks[-1]
+                end = self._character_start(nominal)
+                self._marks.append((end, count + len(self.data[start:end].decode("utf-8", "replace"))))
+        return self._marks
+
+    def _character_start(self, offset: int) -> int:
+        """The byte offset of the character that a byte belongs to."""
+        start = offset
+        while offset - start < 3 and self.data[start : start + 1] and self.data[start] & 0xC0 == 0x80:  # noqa: PLR2004 (UTF-8's bytes after the first)
+            start -= 1
+        return start
 
     def offset(self, line: int, column: int = 1) -> int:
         """Return the byte offset of a line and column, limited to the end of the file and of the line."""
@@ -79,6 +107,24 @@ class SourceText:
         start = len(BOM) if number == 1 and self.data.startswith(BOM) else starts[number - 1]
         end = starts[number] if number < len(starts) else len(self.data)
         return self.data[start:end].decode("utf-8", "replace").rstrip("\r\n")
+
+    def excerpt(self, offset: int, most: int) -> tuple[str, int]:
+        """Return the line that a byte offset is in, and 1; of a line with more than `most` characters, return `most` of
+        them, about half of them before the offset, and the column of the first.
+        """
+        line, column = self.position(offset)
+        starts = self.line_starts()
+        end = starts[line] if line < len(starts) else len(self.data)
+        widest = 4 * most
+        if end - starts[line - 1] <= widest:
+            text = self.line(line)
+            start = max(0, column - 1 - most // 2) if len(text) > most else 0
+            return text[start : start + most], start + 1
+        near = self._character_start(max(starts[line - 1], offset - widest))
+        before = self.data[near:offset].decode("utf-8", "replace").removeprefix("\ufeff")[-(most // 2) :]
+        far = self._character_start(min(end, offset + widest)) if offset + widest < end else end
+        after = self.data[offset:far].decode("utf-8", "replace").rstrip("\r\n")
+        return (before + after)[:most], column - len(before)
 
     def start_tag(self, offset: int) -> StartTag | None:
         """Return the start tag at a byte offset; None if there is none, as for elements from an entity."""
@@ -267,3 +313,27 @@ class Place:
             return self
         start = span.start + len(span.text[: match.start()].encode())
         return Place(span.source, start, self.call, end=start + len(word.encode()))
+
+    def words(self, words: Iterable[str]) -> Iterator[Place]:
+        """Yield the place of each blank-separated word in this place, as `word` finds it. If there are several, it is
+        the n-th one for a word that comes for the n-th time.
+        """
+        span = self.span
+        text = span.text
+        places: dict[str, list[tuple[int, int]]] = {}
+        counted, offset = 0, span.start
+        for found in re.finditer(r"\S+", text):
+            offset += len(text[counted : found.start()].encode())
+            counted = found.start()
+            places.setdefault(found.group(), []).append((counted, offset))
+        for known in places.values():
+            known.reverse()
+        for word in words:
+            known = places.get(word.split(None, 1)[0] if word.split() else word, [])
+            index, start = known[-1] if known else (0, 0)
+            if len(known) > 1:
+                known.pop()
+            if known and text.startswith(word, index):  # a quoted word has blanks
+                yield Place(span.source, start, self.call, end=start + len(word.encode()))
+            else:
+                yield self

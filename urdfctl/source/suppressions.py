@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 
 from urdfctl.source.dom import Element
@@ -68,9 +68,12 @@ class Suppressed:
     def __init__(self, sources: list[SourceText]) -> None:
         self.all = [item for source in sources for item in suppressions(source)]
         self.used: set[int] = set()
-        self._by_file: dict[str, list[int]] = {}
+        self._unused: dict[tuple[str, int, str], list[int]] = {}
+        """By file, line, and code or prefix of codes: the indices of the suppressions, as long as they are not used."""
         for index, item in enumerate(self.all):
-            self._by_file.setdefault(item.span.file, []).append(index)
+            for line in (item.line, item.line + 1):
+                for code in item.codes:
+                    self._unused.setdefault((item.span.file, line, code), []).append(index)
 
     def covers(self, code: str, place: Place) -> bool:
         """Return whether a finding is silenced at its own place, or at a macro's definition or call that led to it."""
@@ -79,50 +82,95 @@ class Suppressed:
         spans = [place.span]
         for call in place.call.chain() if place.call else ():
             spans += _spans_of(call)
-        covering = {index for span in spans for index in self._covering(code, span)}
-        self.used |= covering
-        return bool(covering)
+        covered = [self._use(code, span) for span in spans]
+        return any(covered)
 
-    def _covering(self, code: str, span: SourceSpan) -> list[int]:
-        indices = self._by_file.get(span.file)
-        if not indices:
-            return []
+    def _use(self, code: str, span: SourceSpan) -> bool:
+        """Whether a suppression covers a code at a span. It counts as used from then on."""
         line = span.source.position(span.start).line
-        return [index for index in indices if self.all[index].silences(code, line)]
+        keys = [(span.file, line, code[:length]) for length in range(1, len(code) + 1)]
+        covering = [key for key in keys if key in self._unused]
+        for key in covering:
+            self.used.update(self._unused[key])
+            self._unused[key] = []
+        return bool(covering)
 
 
 def _spans_of(call: Call) -> list[SourceSpan]:
     return [call.span, *([call.definition] if call.definition else [])]
 
 
-def is_reached(span: SourceSpan, root: Element) -> bool:
-    """Return whether a tree contains an element from the innermost macro or condition around a span.
+class Reach:
+    """Which parts of its files a tree contains.
 
-    If not, the macro was not called, or the condition was false. True if there is no macro or condition.
+    root: the root of the tree.
     """
-    guard = _guard_around(span)
-    if guard is None:
-        return True
-    start, end = guard
-    return any(element.source.path == span.file and start <= element.start < end for element in _elements(root))
+
+    def __init__(self, root: Element) -> None:
+        self._root = root
+        self._starts: dict[str, list[int]] = {}
+        """The offsets of the elements that come from a file, by its path."""
+        self._guards: dict[SourceText, _Guards] = {}
+
+    def contains(self, span: SourceSpan) -> bool:
+        """Return whether the tree contains an element from the innermost macro or condition around a span.
+
+        If not, the macro was not called, or the condition was false. True if there is no macro or condition.
+        """
+        source = span.source
+        if source not in self._guards:
+            self._guards[source] = _Guards(source.data)
+        guard = self._guards[source].around(span.start)
+        if guard is None:
+            return True
+        start, end = guard
+        starts = self._starts_in(source.path)
+        first = bisect_left(starts, start)
+        return first < len(starts) and starts[first] < end
+
+    def _starts_in(self, path: str) -> list[int]:
+        if not self._starts:
+            for element in self._root.walk():
+                self._starts.setdefault(element.source.path, []).append(element.start)
+            for starts in self._starts.values():
+                starts.sort()
+        return self._starts.get(path, [])
 
 
-def _guard_around(span: SourceSpan) -> tuple[int, int] | None:
-    """The content of the innermost `<xacro:macro>`, `<xacro:if>` or `<xacro:unless>` around a span, as byte offsets."""
+class _Guards:
+    """The contents of the `<xacro:macro>`, `<xacro:if>` and `<xacro:unless>` in a file, as byte offsets."""
+
+    def __init__(self, data: bytes) -> None:
+        self._bounds = [0]
+        self._inside: list[tuple[int, int] | None] = [None]
+        """The innermost content from each bound to the next one."""
+        opened: list[tuple[int, int] | None] = [None]
+        for content in sorted(_contents_of_guards(data)):
+            while (outer := opened[-1]) is not None and outer[1] <= content[0]:
+                opened.pop()
+                self._bound(outer[1], opened[-1])
+            opened.append(content)
+            self._bound(content[0], content)
+        while (outer := opened.pop()) is not None:
+            self._bound(outer[1], opened[-1])
+
+    def _bound(self, offset: int, content: tuple[int, int] | None) -> None:
+        self._bounds.append(offset)
+        self._inside.append(content)
+
+    def around(self, offset: int) -> tuple[int, int] | None:
+        """Return the innermost content that contains an offset; None if none does."""
+        return self._inside[bisect_right(self._bounds, offset) - 1]
+
+
+def _contents_of_guards(data: bytes) -> Iterator[tuple[int, int]]:
+    """Yield the start and end of the content of each guard."""
     opened: list[int] = []
-    for tag in re.compile(_GUARD, re.DOTALL).finditer(span.source.data):
+    for tag in re.compile(_GUARD, re.DOTALL).finditer(data):
         if tag.group(1) is None or tag.group().endswith(b"/>"):
             continue
         if tag.group(1) == b"":
             opened.append(tag.end())
         elif opened:
             start = opened.pop()
-            if start <= span.start < tag.start():
-                return start, tag.start()
-    return None
-
-
-def _elements(root: Element) -> Iterator[Element]:
-    yield root
-    for child in root.elements():
-        yield from _elements(child)
+            yield start, tag.start()

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 
-from urdfctl.source.files import current_folder, folders_upwards, remembered
+from urdfctl.source.files import folders_upwards
 from urdfctl.source.packages import package_around, package_folders
+from urdfctl.source.shown import current_folder, remembered
 
 
 def workspace_of(file: str, named: str | None = None) -> str:
@@ -34,11 +35,23 @@ def workspace_of(file: str, named: str | None = None) -> str:
     return package_around(folder) or folder
 
 
+def workspace_around(folder: str) -> str | None:
+    """Return the innermost workspace that a folder, given with all links followed, is in; None if it is in none.
+
+    It is the nearest git repository or colcon or catkin workspace, the current folder, or the package.
+    """
+    nearest = next((ancestor for ancestor in folders_upwards(folder) if _is_workspace(ancestor)), None)
+    if nearest is not None:
+        return nearest
+    current = os.path.realpath(current_folder())
+    return current if (folder + os.sep).startswith(current.rstrip(os.sep) + os.sep) else package_around(folder)
+
+
 @remembered
 def _is_workspace(folder: str) -> bool:
-    if os.path.exists(os.path.join(folder, ".git")):
+    if os.path.lexists(os.path.join(folder, ".git")):
         return True
     source = os.path.join(folder, "src")
-    if not os.path.isdir(source) or os.path.exists(os.path.join(folder, "package.xml")):
+    if not os.path.isdir(source) or os.path.islink(source) or os.path.lexists(os.path.join(folder, "package.xml")):
         return False
     return next(package_folders(source), None) is not None

@@ -20,6 +20,8 @@ from urdfctl.startup.records import NamedTuple
 MOST_DEPTH = 64
 MOST_NODES = 200_000
 _MOST_DUPLICATES = 20
+_MOST_TAGS = 20
+_REFUSED = "Python's safe YAML reader, which reads this file, rejects it. Remove the tag"
 _UNPRINTABLE = "[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 _TAB_INDENT = r" *\t[ \t]*(?=[^\s#])"
 _PYTHON = "tag:yaml.org,2002:python/"
@@ -109,6 +111,17 @@ class YamlFile(NamedTuple):
     readable: bool = True
     python_tags: tuple[Place, ...] = ()
 
+    @property
+    def refused_tags(self) -> list[Problem]:
+        """The problem of each of the first tags that make Python objects, for a file that is read by Python's safe
+        reader: it rejects all of the file.
+        """
+        tags = [(place, place.span.text.split(maxsplit=1)[0]) for place in self.python_tags[:_MOST_TAGS]]
+        return [
+            Problem(ProblemKind.PYTHON_TAG, place, f"'{tag}' makes a Python object; {_REFUSED}", tag)
+            for place, tag in tags
+        ]
+
 
 def read_yaml(source: SourceText, *, by_python: bool = False) -> YamlFile:
     """Return the tree of a file. If it is not valid YAML, there are no documents, and one problem.
@@ -118,18 +131,23 @@ def read_yaml(source: SourceText, *, by_python: bool = False) -> YamlFile:
     return _by_python(source) if by_python else _by_fastest(source)
 
 
+def read_yaml_in(source: SourceText, start: int, text: bytes) -> YamlFile:
+    """Return the tree of a text in a file, which begins at a byte offset. What is not YAML there has to be blanks."""
+    return _read(_Reader(source, SAFE_LOADER, text, start))
+
+
 @once_per_object
 def _by_python(source: SourceText) -> YamlFile:
-    return _read(source, yaml.SafeLoader)
+    return _read(_Reader(source, yaml.SafeLoader, source.data))
 
 
 @once_per_object
 def _by_fastest(source: SourceText) -> YamlFile:
-    return _read(source, SAFE_LOADER)
+    return _read(_Reader(source, SAFE_LOADER, source.data))
 
 
-def _read(source: SourceText, loader: Any) -> YamlFile:
-    reader = _Reader(source, loader)
+def _read(reader: _Reader) -> YamlFile:
+    source = reader.source
     try:
         reader.read()
     except ReadError as error:
@@ -160,9 +178,10 @@ _LEAF = _Weight(1, 0)
 
 
 class _Reader:
-    def __init__(self, source: SourceText, loader: Any) -> None:
+    def __init__(self, source: SourceText, loader: Any, data: bytes, base: int = 0) -> None:
         self.source = source
         self._loader = loader
+        self._data, self._base = data, base
         self.documents: list[Node] = []
         self.aliases: list[Place] = []
         self.python_tags: list[Place] = []
@@ -170,7 +189,7 @@ class _Reader:
         self._open: list[_Open] = []
         self._anchors: dict[str, tuple[Node, _Weight]] = {}
         self._offset = self._ascii_offset
-        self._base = self._size = 0
+        self._size = 0
 
     def read(self) -> None:
         text = self._decoded()
@@ -283,10 +302,11 @@ class _Reader:
     # -- places ------------------------------------------------------------------------------------------------------
 
     def _decoded(self) -> str:
-        data = self.source.data
-        self._base = len(BOM) if data.startswith(BOM) else 0
+        data = self._data
+        if data.startswith(BOM):
+            data, self._base = data[len(BOM) :], self._base + len(BOM)
         try:
-            text = data[self._base :].decode("utf-8")
+            text = data.decode("utf-8")
         except UnicodeDecodeError as error:
             at = Place(self.source, error.start + self._base, end=error.end + self._base)
             raise ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"the file is not UTF-8: {error.reason}")) from None
@@ -324,7 +344,7 @@ class _Reader:
         mark = error.problem_mark or error.context_mark
         if error.context_mark and (error.context or "").startswith(_OPENED):  # the place where it should end is unknown
             mark = error.context_mark
-        start = min(self._offset(mark.index) if mark else 0, len(self.source.data))
+        start = min(self._offset(mark.index) if mark else self._base, len(self.source.data))
         for line in (self.source.position(start).line, self.source.position(start).line - 1):
             indent = re.match(_TAB_INDENT, self.source.line(line))
             if indent:

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean, enumerated
 from urdfctl.source.dom import COMMENT, Element, Text
+from urdfctl.source.files import named_bytes
 from urdfctl.startup.records import NamedTuple
 
 _LINE = r"(.+?):(\d+)(?::(\d+))?"
@@ -46,8 +47,7 @@ def line_named(text: str) -> Line | None:
     found = re.fullmatch(_LINE, text)
     if found is None or not os.path.isfile(found[1]):
         return None
-    with open(found[1], "rb") as file:
-        number = len(file.read().splitlines())
+    number = len(named_bytes(found[1]).splitlines())
     if not 0 < int(found[2]) <= number:
         raise UserError(f"'{found[1]}' has {number} lines, not {found[2]}")
     return Line(os.path.abspath(found[1]), int(found[2]), int(found[3] or 0))

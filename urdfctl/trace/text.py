@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.report.common import shown, visible
+from urdfctl.output.printing import visible
+from urdfctl.report.common import shown
 from urdfctl.startup.hints import Any
 
 Json = dict[str, Any]

@@ -12,7 +12,7 @@ from urdfctl.lint.job import Work, Workers, run_on_targets
 from urdfctl.lint.target import lint_target
 from urdfctl.load.meshes import mesh_path
 from urdfctl.load.target import Target
-from urdfctl.smoke.mechanism import mechanism_of
+from urdfctl.smoke.robot import mechanism_of
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 from urdfctl.view.meshes import installed

@@ -8,7 +8,7 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.graph.parts import Graph, Node
 from urdfctl.model.robot import Joint, Robot
 from urdfctl.report.common import relative
-from urdfctl.smoke.mechanism import Hinge
+from urdfctl.smoke.robot import Hinge
 from urdfctl.startup.hints import Any
 
 COMMANDED = ("position", "velocity", "effort")

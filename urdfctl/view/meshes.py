@@ -12,6 +12,7 @@ import warnings
 from collections.abc import Iterator, Sequence
 from importlib.util import find_spec
 
+from urdfctl.smoke.robot import is_endless
 from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
@@ -62,6 +63,8 @@ def read_mesh(data: bytes, kind: str) -> list[Surface]:
         raise NotAMesh(f"'.{kind}' is not a kind of mesh that ROS shows ({', '.join(MESHES)})")
     import trimesh
 
+    if is_endless(data, kind):  # the library would unfold them all
+        raise NotAMesh("cannot be read as DAE: its nodes show more nodes than a mesh has")
     try:
         with warnings.catch_warnings(), contextlib.redirect_stderr(io.StringIO()):
             warnings.simplefilter("ignore")

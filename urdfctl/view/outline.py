@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from urdfctl.model.geometry import Pose, Vector
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Robot
-from urdfctl.smoke.mechanism import Mechanism, numbers_of, origin_of
+from urdfctl.model.robot import Robot, Tag
+from urdfctl.smoke.robot import Mechanism, numbers_of, origin_of
 
 Segment = tuple[float, ...]
 MOST_SEGMENTS = 4000

@@ -10,9 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.graph.parts import Graph
 from urdfctl.model.geometry import Pose
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Link, Robot
-from urdfctl.smoke.mechanism import Hinge, hinges_of, numbers_of, origin_of
+from urdfctl.model.robot import Link, Robot, Tag
+from urdfctl.smoke.robot import Hinge, hinges_of, numbers_of, origin_of
 from urdfctl.source.files import FileProblem
 from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.view.joints import Wiring, described

@@ -8,14 +8,16 @@ import { begin, type Running } from "./processes";
 /**
  * Start a server, and return its client once it answers; otherwise why it does not.
  *
+ * folder: where it starts; it learns from the editor what it works on.
  * prepare: registers what the server may ask, before it is started.
  */
 export async function connect(
   found: Found,
+  folder: string,
   options: LanguageClientOptions,
   prepare: (client: LanguageClient) => void,
 ): Promise<LanguageClient | string> {
-  const start = (): Promise<Running> => begin(found.command, [...found.args, "server"]);
+  const start = (): Promise<Running> => begin(found.command, [...found.args, "server"], { folder });
   let first: Running;
   try {
     first = await start();

@@ -1,4 +1,4 @@
-import { existsSync, statSync } from "node:fs";
+import { existsSync, mkdirSync, realpathSync, statSync } from "node:fs";
 import { homedir } from "node:os";
 import * as path from "node:path";
 import * as vscode from "vscode";
@@ -13,6 +13,7 @@ import { DOCUMENTS, wishes } from "./settings";
 import { type Known, statusOf } from "./status";
 
 const INSTALL = "Install urdfctl";
+const TRUST = "Manage workspace trust";
 const SETTINGS = "Open settings";
 const OUTPUT = "Show output";
 const EXPLAIN = "urdfctl.explain";
@@ -22,6 +23,8 @@ let known: Known | undefined;
 let status: vscode.StatusBarItem;
 let output: vscode.OutputChannel;
 let environment: string;
+/** The extension's own folder: where the programs start that it runs. */
+let own: string;
 let started: Promise<void> = Promise.resolve();
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
@@ -29,7 +32,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   status.name = "urdfctl";
   status.command = "urdfctl.menu";
   output = vscode.window.createOutputChannel("urdfctl");
-  environment = path.join(context.globalStorageUri.fsPath, "environment");
+  own = context.globalStorageUri.fsPath;
+  environment = path.join(own, "environment");
   context.subscriptions.push(
     status,
     output,
@@ -39,6 +43,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     vscode.commands.registerCommand("urdfctl.explainHere", explainHere),
     vscode.commands.registerCommand("urdfctl.menu", menu),
     vscode.window.onDidChangeActiveTextEditor(showStatus),
+    vscode.workspace.onDidGrantWorkspaceTrust(restart),
     vscode.workspace.onDidChangeConfiguration((event) => event.affectsConfiguration("urdfctl") && restart()),
   );
   const environments = await pythonEnvironments();
@@ -80,10 +85,13 @@ async function start(): Promise<void> {
     platform: process.platform,
     home: homedir(),
     isFile: (file) => existsSync(file) && statSync(file).isFile(),
+    untrusted: vscode.workspace.isTrusted ? [] : workspaceFolders(),
+    realPath: (file) => (existsSync(file) ? realpathSync(file) : file),
   });
+  mkdirSync(own, { recursive: true });
   const failures: string[] = [];
   for (const one of found) {
-    const connected = await connect(one, options(), listen);
+    const connected = await connect(one, own, options(), listen);
     if (typeof connected !== "string") {
       client = connected;
       return;
@@ -93,7 +101,12 @@ async function start(): Promise<void> {
   }
   const why = failures[0] ?? "urdfctl was not found in the selected Python environment or on PATH";
   learn({ robots: [], problems: [why] });
-  void offerHelp(why, setting ? [SETTINGS, OUTPUT] : [INSTALL, SETTINGS, OUTPUT]);
+  void offerHelp(why, setting ? [SETTINGS, OUTPUT] : [vscode.workspace.isTrusted ? INSTALL : TRUST, SETTINGS, OUTPUT]);
+}
+
+function workspaceFolders(): string[] {
+  const folders = vscode.workspace.workspaceFolders ?? [];
+  return folders.filter((folder) => folder.uri.scheme === "file").map((folder) => folder.uri.fsPath);
 }
 
 function listen(client: LanguageClient): void {
@@ -145,12 +158,15 @@ async function pick(question: Question): Promise<number | null> {
   return chosen === undefined ? null : question.choices.indexOf(chosen);
 }
 
+const INSTALLING = { label: `$(cloud-download) ${INSTALL}`, command: "urdfctl.install" };
+const TRUSTING = { label: `$(shield) ${TRUST}`, command: "workbench.trust.manage" };
+
 async function menu(): Promise<void> {
   const others = [
     { label: "$(refresh) Restart the server", command: "urdfctl.restart" },
     { label: "$(output) Show the output of the server", command: "urdfctl.showOutput" },
   ];
-  const about = client ? FILE_COMMANDS : [{ label: "$(cloud-download) Install urdfctl", command: "urdfctl.install" }];
+  const about = client ? FILE_COMMANDS : [vscode.workspace.isTrusted ? INSTALLING : TRUSTING];
   const chosen = await vscode.window.showQuickPick([...about, ...others], { title: "urdfctl" });
   if (chosen) {
     await vscode.commands.executeCommand(chosen.command);
@@ -177,6 +193,8 @@ async function offerHelp(why: string, ways: string[]): Promise<void> {
     await vscode.commands.executeCommand("workbench.action.openSettings", "urdfctl.path");
   } else if (chosen === INSTALL) {
     await installOwn();
+  } else if (chosen === TRUST) {
+    await vscode.commands.executeCommand(TRUSTING.command);
   } else if (chosen === OUTPUT) {
     output.show();
   }
@@ -184,6 +202,10 @@ async function offerHelp(why: string, ways: string[]): Promise<void> {
 
 /** Install urdfctl, or its newest version, into the extension's own environment, and start it. */
 async function installOwn(): Promise<void> {
+  if (!vscode.workspace.isTrusted) {
+    void vscode.window.showInformationMessage("urdfctl is installed only when you trust this workspace.");
+    return;
+  }
   const interpreter = (await pythonEnvironments())?.getActiveEnvironmentPath().path;
   const failure = await vscode.window.withProgress(
     { location: vscode.ProgressLocation.Notification, title: "Installing urdfctl into an environment of its own" },

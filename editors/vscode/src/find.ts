@@ -22,9 +22,17 @@ export interface Surroundings {
   platform: NodeJS.Platform;
   home: string;
   isFile: (file: string) => boolean;
+  /** The folders of a workspace that is not trusted: nothing in them is run. */
+  untrusted: readonly string[];
+  /** Where the links of a path lead to. */
+  realPath: (file: string) => string;
 }
 
-/** Return the commands that may start urdfctl, the preferred one first. A setting is the only one. */
+/**
+ * Return the commands that may start urdfctl, the preferred one first. A setting is the only one.
+ *
+ * Folders that are named relative to the current one are left out: that is wherever the editor was started.
+ */
 export function findUrdfctl(around: Surroundings): Found[] {
   const setting = around.setting.trim();
   if (setting) {
@@ -32,8 +40,8 @@ export function findUrdfctl(around: Surroundings): Found[] {
   }
   const found: Found[] = [];
   const look = (folder: string, from: Found["from"]): void => {
-    const command = executable(folder, around);
-    if (command && !found.some((one) => one.command === command)) {
+    const command = pathsOf(around.platform).isAbsolute(folder) ? executable(folder, around) : undefined;
+    if (command && isTrusted(command, around) && !found.some((one) => one.command === command)) {
       found.push({ command, args: [], from });
     }
   };
@@ -57,6 +65,15 @@ export function pythonOf(environment: string, platform: NodeJS.Platform): string
 function executable(folder: string, around: Surroundings): string | undefined {
   const names = around.platform === "win32" ? ["urdfctl.exe", "Scripts\\urdfctl.exe"] : ["urdfctl"];
   return names.map((name) => pathsOf(around.platform).join(folder, name)).find(around.isFile);
+}
+
+function isTrusted(command: string, { untrusted, realPath, platform }: Surroundings): boolean {
+  const { relative, isAbsolute } = pathsOf(platform);
+  const isIn = (file: string, folder: string): boolean => {
+    const way = relative(folder, file);
+    return !isAbsolute(way) && way.split(/[\\/]/)[0] !== "..";
+  };
+  return !untrusted.some((folder) => isIn(command, folder) || isIn(realPath(command), realPath(folder)));
 }
 
 function pathsOf(platform: NodeJS.Platform): path.PlatformPath {

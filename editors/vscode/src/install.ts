@@ -1,11 +1,17 @@
 /** Installs urdfctl into a Python environment of the extension's own. Knows nothing of the editor. */
 
+import { mkdirSync } from "node:fs";
+import * as path from "node:path";
+
 import { pythonOf } from "./find";
 import { begin } from "./processes";
 
 const REQUIREMENT = "urdfctl[server]";
 const OLDEST = [3, 10];
 const VERSION = `import sys; sys.exit(sys.version_info < (${OLDEST.join(", ")}))`;
+
+/** Python as we start it: it imports nothing of its current folder, nor what PYTHONPATH or the user's folder have. */
+const ISOLATED = "-I";
 
 /** What installing depends on. */
 export interface Installation {
@@ -37,14 +43,19 @@ export async function install(to: Installation): Promise<string | undefined> {
   return run(to, own, ["-m", "pip", "install", "--disable-pip-version-check", "--upgrade", REQUIREMENT]);
 }
 
-/** Run a program; return undefined, or why it failed. */
-async function run(to: Installation, command: string, args: readonly string[]): Promise<string | undefined> {
-  to.log(`$ ${[command, ...args].join(" ")}\n`);
+/** Run Python, isolated, in a folder of the extension's own; return undefined, or why it failed. */
+async function run(to: Installation, python: string, words: readonly string[]): Promise<string | undefined> {
+  const args = [ISOLATED, ...words];
+  to.log(`$ ${[python, ...args].join(" ")}\n`);
+  // pip starts further Pythons, which are not isolated
+  const variables = Object.fromEntries(Object.entries(process.env).filter(([name]) => !name.startsWith("PYTHON")));
+  const folder = path.dirname(to.environment);
   try {
-    const { process, ended } = await begin(command, args);
-    process.stdin?.end();
-    process.stdout?.on("data", (data: Buffer) => to.log(data.toString()));
-    process.stderr?.on("data", (data: Buffer) => to.log(data.toString()));
+    mkdirSync(folder, { recursive: true });
+    const { process: program, ended } = await begin(python, args, { folder, variables });
+    program.stdin?.end();
+    program.stdout?.on("data", (data: Buffer) => to.log(data.toString()));
+    program.stderr?.on("data", (data: Buffer) => to.log(data.toString()));
     const { status, reason } = await ended;
     return status === 0 ? undefined : reason;
   } catch (error) {

@@ -4,6 +4,8 @@ import * as path from "node:path";
 import * as vscode from "vscode";
 import type { ShowDocumentParams, ShowDocumentRequest, ShowDocumentResult } from "vscode-languageclient";
 
+import { inPanel } from "./policy";
+
 const panels = new Map<string, vscode.WebviewPanel>();
 
 /** Show what the server asks for: its pages in a panel, other files as usual. */
@@ -26,14 +28,15 @@ async function showPage(uri: vscode.Uri): Promise<void> {
   const name = path.posix.basename(uri.path);
   const panel = panels.get(name) ?? newPanel(name);
   panel.title = /<title>([^<]+)<\/title>/.exec(html)?.[1] ?? name;
-  panel.webview.html = html;
+  const shown = inPanel(html);
+  panel.webview.options = { enableScripts: shown.scripts, enableForms: false, localResourceRoots: [] };
+  panel.webview.html = shown.html;
   panel.reveal(undefined, true);
 }
 
 function newPanel(name: string): vscode.WebviewPanel {
   const shown = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
   const panel = vscode.window.createWebviewPanel("urdfctl.page", name, shown, {
-    enableScripts: true,
     enableFindWidget: true,
     retainContextWhenHidden: true,
   });

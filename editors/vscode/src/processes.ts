@@ -14,11 +14,19 @@ export interface Ended {
   reason: string;
 }
 
+/** Where a program starts. */
+export interface Place {
+  /** Its current folder: not the editor's own, in which a stranger's files may lie. */
+  folder: string;
+  /** Its environment variables; by default the editor's. */
+  variables?: NodeJS.ProcessEnv;
+}
+
 const WHY: Record<string, string> = { ENOENT: "there is no such file", EACCES: "it is not executable" };
 
 /** Start a program. Rejects if there is no such program, or it may not be run. */
-export async function begin(command: string, args: readonly string[]): Promise<Running> {
-  const process = spawn(command, args, { stdio: "pipe", windowsHide: true });
+export async function begin(command: string, args: readonly string[], at: Place): Promise<Running> {
+  const process = spawn(command, args, { cwd: at.folder, env: at.variables, stdio: "pipe", windowsHide: true });
   let last = "";
   process.stderr.on("data", (data: Buffer) => (last = (last + data.toString()).slice(-4000)));
   const ended = new Promise<Ended>((settle) => {

@@ -5,8 +5,8 @@ import { type Found, findUrdfctl, pythonOf, type Surroundings } from "../src/fin
 
 function around(changes: Partial<Surroundings>, files: string[] = []): Surroundings {
   const isFile = (file: string): boolean => files.includes(file);
-  const usual = { setting: "", searchPath: "/usr/bin:/opt/bin", own: "/own", home: "/home/ada" };
-  return { ...usual, platform: "linux", isFile, ...changes };
+  const usual = { setting: "", searchPath: "/usr/bin:/opt/bin", own: "/own", home: "/home/ada", untrusted: [] };
+  return { ...usual, platform: "linux", isFile, realPath: (file) => file, ...changes };
 }
 
 function commands(found: Found[]): string[] {
@@ -28,6 +28,28 @@ test("the folders of PATH are looked at in their order, and each command is trie
   const files = ["/opt/bin/urdfctl", "/usr/bin/urdfctl"];
   const found = findUrdfctl(around({ interpreter: "/opt/bin/python" }, files));
   assert.deepEqual(commands(found), ["environment /opt/bin/urdfctl", "path /usr/bin/urdfctl"]);
+});
+
+test("what lies in an untrusted workspace is not run, also where a link leads there", () => {
+  const files = ["/ws/.venv/bin/urdfctl", "/usr/bin/urdfctl", "/opt/bin/urdfctl", "/wsx/bin/urdfctl"];
+  const realPath = (file: string): string => (file === "/usr/bin/urdfctl" ? "/ws/tools/urdfctl" : file);
+  const open = { interpreter: "/ws/.venv/bin/python", searchPath: "/usr/bin:/opt/bin:/wsx/bin", realPath };
+  assert.deepEqual(commands(findUrdfctl(around({ ...open, untrusted: ["/ws"] }, files))), [
+    "path /opt/bin/urdfctl",
+    "path /wsx/bin/urdfctl",
+  ]);
+  assert.deepEqual(commands(findUrdfctl(around(open, files))), [
+    "environment /ws/.venv/bin/urdfctl",
+    "path /usr/bin/urdfctl",
+    "path /opt/bin/urdfctl",
+    "path /wsx/bin/urdfctl",
+  ]);
+});
+
+test("folders that are named relative to wherever the editor was started are not looked at", () => {
+  const files = ["urdfctl", "./urdfctl", "bin/urdfctl", "/opt/bin/urdfctl"];
+  const found = findUrdfctl(around({ interpreter: "python", searchPath: ".:bin::/opt/bin" }, files));
+  assert.deepEqual(commands(found), ["path /opt/bin/urdfctl"]);
 });
 
 test("nothing is found where nothing is installed", () => {

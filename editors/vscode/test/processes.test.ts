@@ -27,25 +27,26 @@ async function installed(does: string): Promise<{ failure: string | undefined; l
 }
 
 test("a program that ends says why in its last line", async () => {
-  const running = await begin(process.execPath, ["-e", "console.error('first\\nurdfctl: the server needs pygls\\n'); process.exit(2)"]);
+  const code = "console.error('first\\nurdfctl: the server needs pygls\\n'); process.exit(2)";
+  const running = await begin(process.execPath, ["-e", code], { folder: tmpdir() });
   assert.deepEqual(await running.ended, { status: 2, reason: "the server needs pygls" });
 });
 
 test("a program that says nothing is described by its exit status", async () => {
-  const running = await begin(process.execPath, ["-e", "process.exit(3)"]);
+  const running = await begin(process.execPath, ["-e", "process.exit(3)"], { folder: tmpdir() });
   assert.equal((await running.ended).reason, "exit status 3");
 });
 
 test("a program that does not exist is refused", async () => {
-  await assert.rejects(begin(path.join(tmpdir(), "no-such-urdfctl"), []), /there is no such file/);
+  await assert.rejects(begin(path.join(tmpdir(), "no-such-urdfctl"), [], { folder: tmpdir() }), /there is no such file/);
 });
 
 test("urdfctl is installed into an environment of its own, with what the server needs", POSIX, async () => {
-  const makes = 'if [ "$2" = venv ]; then mkdir -p "$3/bin" && cp "$0" "$3/bin/python"; fi';
+  const makes = 'if [ "$3" = venv ]; then mkdir -p "$4/bin" && cp "$0" "$4/bin/python"; fi';
   const { failure, log, environment } = await installed(makes);
   assert.equal(failure, undefined);
   assert.ok(existsSync(path.join(environment, "bin/python")));
-  assert.match(log, /environment\/bin\/python -m pip install .*--upgrade urdfctl\[server\]/);
+  assert.match(log, /environment\/bin\/python -I -m pip install .*--upgrade urdfctl\[server\]/);
 });
 
 test("a Python that is too old is named, and nothing is made with it", POSIX, async () => {
@@ -55,12 +56,12 @@ test("a Python that is too old is named, and nothing is made with it", POSIX, as
 });
 
 test("an environment that cannot be made says what to install", POSIX, async () => {
-  const { failure } = await installed('if [ "$2" = venv ]; then echo "No module named ensurepip" >&2; exit 1; fi');
+  const { failure } = await installed('if [ "$3" = venv ]; then echo "No module named ensurepip" >&2; exit 1; fi');
   assert.equal(failure, "No module named ensurepip. On Ubuntu and Debian, install python3-venv first");
 });
 
 test("what pip says last is why urdfctl was not installed", POSIX, async () => {
-  const makes = 'if [ "$2" = venv ]; then mkdir -p "$3/bin" && cp "$0" "$3/bin/python"; fi';
-  const { failure } = await installed(`${makes}\nif [ "$2" = pip ]; then echo "ERROR: no network" >&2; exit 1; fi`);
+  const makes = 'if [ "$3" = venv ]; then mkdir -p "$4/bin" && cp "$0" "$4/bin/python"; fi';
+  const { failure } = await installed(`${makes}\nif [ "$3" = pip ]; then echo "ERROR: no network" >&2; exit 1; fi`);
   assert.equal(failure, "ERROR: no network");
 });

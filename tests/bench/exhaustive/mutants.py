@@ -49,7 +49,7 @@ ENOUGH = 0.9
 QUICKEST = 20
 LIKELIER = 0.1
 OPTIONS = ("-q", "-x", "-n0", "-p", "no:cacheprovider", "-W", "ignore::pytest.PytestAssertRewriteWarning")
-PRELOADED = ("numpy", "pybullet", "mujoco", "hypothesis", "typer.testing", "urdfctl.cli.app", "urdfctl.lint.job")
+PRELOADED = ("numpy", "pybullet", "mujoco", "hypothesis", "typer.testing", "urdfctl.commands.app", "urdfctl.lint.job")
 
 
 class Mutant(NamedTuple):
@@ -194,7 +194,9 @@ def _run(module: str, source: str, tests: Sequence[str], failed: SimpleQueue[str
 def main() -> int:
     """Test all mutants of the modules named in the arguments, or of all modules."""
     parser = argparse.ArgumentParser(description="Mutation test of the smoke test.")
-    parser.add_argument("modules", nargs="*", default=modules(), help="e.g. checks or engines.bullet; default: all")
+    parser.add_argument(
+        "modules", nargs="*", default=modules(), help="e.g. motion.checks or engines.pybullet_engine; default: all"
+    )
     parser.add_argument("--seconds", type=float, default=20.0, help="time limit, beside ten times what the tests take")
     parser.add_argument(
         "--most", type=float, default=60.0, help="processor time of the tests that a mutant meets, in s"

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 from expansion import expanded, laid_out, robot
+from hostile.logs import LONG_LOGS
+from hostile.readers import READERS, REPEATED
 from test_graph import many_joints
-from test_hostile_readers import READERS, REPEATED
-from test_log_digest import HOSTILE, log
+from test_log_digest import log
 
 from urdfctl.errors import UserError
 from urdfctl.graph.build import graph_of
@@ -43,9 +44,9 @@ def test_what_is_repeated_very_often_is_read_or_refused_soon(name: str, piece: s
     assert seconds(read) < 5
 
 
-@pytest.mark.parametrize("name", HOSTILE)
+@pytest.mark.parametrize("name", LONG_LOGS)
 def test_a_hostile_log_is_read_soon(name: str) -> None:
-    data = HOSTILE[name](20_000)
+    data = LONG_LOGS[name](20_000)
     assert seconds(lambda: log(data)) < 5
 
 

@@ -15,6 +15,7 @@ from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.migrate.places import written_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
+from urdfctl.source.gate import exists
 from urdfctl.source.opaque import is_known
 from urdfctl.source.packages import package_around
 from urdfctl.source.span import SourceSpan
@@ -65,7 +66,7 @@ def _bridge(packages: Packages) -> Iterator[Proposal]:
         path = os.path.join(folder, BRIDGE_FILE)
         found = (topic._replace(name=re.sub("//+", "/", topic.name)) for topic in _topics(packages, folder))
         topics = list(dict.fromkeys(found))
-        if topics and not os.path.exists(path) and not _has_bridge(packages):
+        if topics and not exists(path) and not _has_bridge(packages):
             message = f"{len(topics)} topics of gz are bridged to ROS"
             entry = Entry(EntryKind.DONE, message, file=path, authority=_AUTHORITY)
             yield Proposal(created=((path, _text(packages, topics)),), entries=(entry,))
@@ -155,6 +156,35 @@ BRIDGE = Step(
     summary="Topics between ROS and gz",
     propose=_bridge,
     rows=(Row("topics that plugins published in ROS", f"{BRIDGE_FILE} for ros_gz_bridge", "jazzy", _AUTHORITY),),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <sensor name="laser" type="gpu_lidar">
+                    <topic>scan</topic>
+                  </sensor>
+                </gazebo>
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/bridge.yaml": """
+                # The topics between ROS and gz, for parameter_bridge of ros_gz_bridge.
+                - ros_topic_name: /clock
+                  gz_topic_name: /clock
+                  ros_type_name: rosgraph_msgs/msg/Clock
+                  gz_type_name: gz.msgs.Clock
+                  direction: GZ_TO_ROS
+                - ros_topic_name: scan
+                  gz_topic_name: scan
+                  ros_type_name: sensor_msgs/msg/LaserScan
+                  gz_type_name: gz.msgs.LaserScan
+                  direction: GZ_TO_ROS
+            """,
+        },
+    ],
 )
 
 
@@ -170,4 +200,41 @@ def _installed(packages: Packages) -> Iterator[Proposal]:
             yield Proposal((Edit(SourceSpan(source, at, at), rule),), entries=(entry,))
 
 
-BRIDGE_INSTALL = Step("bridge-install", Part.MANIFEST, "The install rule of the file for ros_gz_bridge", _installed)
+BRIDGE_INSTALL = Step(
+    "bridge-install",
+    Part.MANIFEST,
+    "The install rule of the file for ros_gz_bridge",
+    _installed,
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "config/bridge.yaml": """
+                - ros_topic_name: scan
+                  gz_topic_name: scan
+                  ros_type_name: sensor_msgs/msg/LaserScan
+                  gz_type_name: gz.msgs.LaserScan
+                  direction: GZ_TO_ROS
+            """,
+            "CMakeLists.txt": """
+                project(arm)
+                find_package(ament_cmake REQUIRED)
+                install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+                ament_package()
+            """,
+        },
+    ],
+    after=[
+        {
+            "CMakeLists.txt": """
+                project(arm)
+                find_package(ament_cmake REQUIRED)
+                install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+                install(DIRECTORY config
+                  DESTINATION share/${PROJECT_NAME}
+                )
+
+                ament_package()
+            """,
+        },
+    ],
+)

@@ -74,4 +74,54 @@ COMMENTS = Step(
         Row("<!-- NAME: text --> for Gazebo Classic", "<!-- NAME - text -->", "humble", _AUTHORITY),
         Row("<!-- NAME: text --> that launch reads as YAML", "<!-- NAME - text -->", "", _LAUNCH),
     ),
+    before=[
+        {
+            "options": "--to=humble --simulator=gazebo-classic",
+            "robot.urdf": """
+                <!-- wheels: the left ones -->
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gazebo_ros2_control/GazeboSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <!-- wheels - the left ones -->
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gazebo_ros2_control/GazeboSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )

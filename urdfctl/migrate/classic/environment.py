@@ -15,6 +15,7 @@ from urdfctl.migrate.tokens import HOOKS, tokens_in
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.dom import Element
 from urdfctl.source.files import is_launch
+from urdfctl.source.gate import is_folder, walk
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.startup.patterns import lazy_pattern
 
@@ -58,7 +59,7 @@ def _exports(packages: Packages) -> Iterator[Proposal]:
         if root is None or export is None or name is None or b"gazebo_model_path" in root.source.data:
             continue
         folder = os.path.dirname(path)
-        is_used = content(name) in used or os.path.isdir(os.path.join(folder, "meshes"))
+        is_used = content(name) in used or is_folder(os.path.join(folder, "meshes"))
         lines = list(_paths(folder, is_used=is_used))
         if lines and not _is_set(packages) and (edit := _added(export, lines)) is not None:
             what = "the package exports where the simulator finds its meshes and models"
@@ -76,7 +77,7 @@ def _paths(folder: str, *, is_used: bool) -> Iterator[str]:
     """The elements that export the parent folder of a package, and its folder of models."""
     if is_used:
         yield '<gazebo_ros gazebo_model_path="${prefix}/.."/>'
-    if any(file == "model.config" for _, _, files in os.walk(os.path.join(folder, "models")) for file in files):
+    if any(file == "model.config" for _, _, files in walk(os.path.join(folder, "models")) for file in files):
         yield '<gazebo_ros gazebo_model_path="${prefix}/models"/>'
 
 
@@ -104,6 +105,31 @@ ENVIRONMENT = Step(
     summary="Environment variables of Gazebo Classic",
     propose=_variables,
     rows=tuple(Row(old, new, "jazzy", _VARIABLES) for old, new in VARIABLES.items()),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch.actions import SetEnvironmentVariable
+
+
+                def generate_launch_description():
+                    return LaunchDescription([SetEnvironmentVariable("GAZEBO_MODEL_PATH", "/models")])
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch.actions import SetEnvironmentVariable
+
+
+                def generate_launch_description():
+                    return LaunchDescription([SetEnvironmentVariable("GZ_SIM_RESOURCE_PATH", "/models")])
+            """,
+        },
+    ],
 )
 MODEL_PATHS = Step(
     name="model-paths",
@@ -111,4 +137,31 @@ MODEL_PATHS = Step(
     summary="Meshes and models of a package",
     propose=_exports,
     rows=(Row("meshes of a package", '<gazebo_ros gazebo_model_path="${prefix}/.."/> in package.xml', "", _EXPORT),),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "package.xml": """
+                <package format="3">
+                  <name>arm</name>
+                  <export>
+                    <build_type>ament_cmake</build_type>
+                  </export>
+                </package>
+            """,
+            "meshes/arm.obj": "v 0 0 0",
+        },
+    ],
+    after=[
+        {
+            "package.xml": """
+                <package format="3">
+                  <name>arm</name>
+                  <export>
+                    <build_type>ament_cmake</build_type>
+                    <gazebo_ros gazebo_model_path="${prefix}/.."/>
+                  </export>
+                </package>
+            """,
+        },
+    ],
 )

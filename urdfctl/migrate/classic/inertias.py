@@ -95,4 +95,78 @@ INERTIAS = Step(
     summary="Inertias that no body can have",
     propose=_inertias,
     rows=(Row("<inertia> that no body can have", "the same axes with greater moments", "", _AUTHORITY),),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+            "arm.xacro": """
+                <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <link name="base"/>
+                  <link name="upper">
+                    <inertial>
+                      <mass value="1"/>
+                      <inertia ixx="1.0" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.3"/>
+                    </inertial>
+                  </link>
+                  <joint name="elbow" type="continuous">
+                    <parent link="base"/>
+                    <child link="upper"/>
+                  </joint>
+                  <ros2_control name="arm" type="system">
+                    <hardware>
+                      <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+                    </hardware>
+                    <joint name="elbow">
+                      <command_interface name="position"/>
+                      <state_interface name="position"/>
+                    </joint>
+                  </ros2_control>
+                  <gazebo>
+                    <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+                      <parameters>$(find arm)/config/controllers.yaml</parameters>
+                    </plugin>
+                  </gazebo>
+                </robot>
+            """,
+        },
+    ],
+    after=[
+        {
+            "arm.xacro": """
+                <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <link name="base"/>
+                  <link name="upper">
+                    <inertial>
+                      <mass value="1"/>
+                      <inertia ixx="1.5005" ixy="0" ixz="0" iyy="0.7005" iyz="0" izz="0.8005"/>
+                    </inertial>
+                  </link>
+                  <joint name="elbow" type="continuous">
+                    <parent link="base"/>
+                    <child link="upper"/>
+                  </joint>
+                  <ros2_control name="arm" type="system">
+                    <hardware>
+                      <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+                    </hardware>
+                    <joint name="elbow">
+                      <command_interface name="position"/>
+                      <state_interface name="position"/>
+                    </joint>
+                  </ros2_control>
+                  <gazebo>
+                    <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+                      <parameters>$(find arm)/config/controllers.yaml</parameters>
+                    </plugin>
+                  </gazebo>
+                </robot>
+            """,
+        },
+    ],
 )

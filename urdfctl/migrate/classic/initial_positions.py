@@ -80,4 +80,42 @@ INITIAL_POSITIONS = Step(
     summary="Positions of joints at the start",
     propose=_positions,
     rows=(Row("spawn_model -J JOINT VALUE", '<param name="initial_value">', "jazzy", _AUTHORITY),),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+            "launch/arm.launch.xml": """
+                <launch>
+                  <node pkg="gazebo_ros" exec="spawn_entity.py" args="-topic robot_description -entity arm -J elbow 0.5"/>
+                </launch>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position">
+                      <param name="initial_value">0.5</param>
+                    </state_interface>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )

@@ -353,4 +353,46 @@ CLASSIC_LAUNCH = Step(
         Row("the clock of Gazebo Classic", "ros_gz_bridge parameter_bridge", "jazzy", _AUTHORITY),
         Row("GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH", "jazzy", _AUTHORITY),
     ),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch.actions import IncludeLaunchDescription
+                from launch.launch_description_sources import PythonLaunchDescriptionSource
+                from launch.substitutions import PathJoinSubstitution
+                from launch_ros.actions import Node
+                from launch_ros.substitutions import FindPackageShare
+
+
+                def generate_launch_description():
+                    gazebo = PathJoinSubstitution([FindPackageShare("gazebo_ros"), "launch", "gazebo.launch.py"])
+                    return LaunchDescription([
+                        IncludeLaunchDescription(PythonLaunchDescriptionSource(gazebo)),
+                        Node(package="gazebo_ros", executable="spawn_entity.py", arguments=["-entity", "arm"]),
+                    ])
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch.actions import IncludeLaunchDescription
+                from launch.launch_description_sources import PythonLaunchDescriptionSource
+                from launch.substitutions import PathJoinSubstitution
+                from launch_ros.actions import Node
+                from launch_ros.substitutions import FindPackageShare
+
+
+                def generate_launch_description():
+                    gazebo = PathJoinSubstitution([FindPackageShare("ros_gz_sim"), "launch", "gz_sim.launch.py"])
+                    return LaunchDescription([
+                        IncludeLaunchDescription(PythonLaunchDescriptionSource(gazebo), launch_arguments={"gz_args": "-r empty.sdf"}.items()),
+                        Node(package="ros_gz_sim", executable="create", arguments=["-name", "arm"]),
+                        Node(package="ros_gz_bridge", executable="parameter_bridge", arguments=["/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"]),
+                    ])
+            """,
+        },
+    ],
 )

@@ -25,7 +25,7 @@ from urdfctl.migrate.markup import attribute, children, elements, end_of, indent
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
-from urdfctl.model.build_launch import is_of_ros2
+from urdfctl.model.launch.build_launch import is_of_ros2
 from urdfctl.source.dom import Element
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.yaml import Mapping as Map
@@ -228,4 +228,28 @@ CLASSIC_LAUNCH_XML = Step(
         Row("gazebo_ros gazebo.launch.py: world, pause, gui", "gz_sim.launch.py: gz_args", "jazzy", _AUTHORITY),
         Row("spawn_entity.py -entity NAME -timeout T", "ros_gz_sim create -name NAME", "jazzy", _AUTHORITY),
     ),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "launch/arm.launch.xml": """
+                <launch>
+                  <include file="$(find-pkg-share gazebo_ros)/launch/gazebo.launch.py"/>
+                  <node pkg="gazebo_ros" exec="spawn_entity.py" args="-topic robot_description -entity arm -timeout 30"/>
+                </launch>
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch.xml": """
+                <launch>
+                  <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py">
+                    <arg name="gz_args" value="-r empty.sdf"/>
+                  </include>
+                  <node pkg="ros_gz_bridge" exec="parameter_bridge" args="/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"/>
+                  <node pkg="ros_gz_sim" exec="create" args="-topic robot_description -name arm"/>
+                </launch>
+            """,
+        },
+    ],
 )

@@ -85,4 +85,32 @@ LOOSE_SENSORS = Step(
     rows=tuple(
         Row(f"lib{name}.so", f'<sensor type="{kind}">', "jazzy", _AUTHORITY) for name, (kind, _) in LOOSE.items()
     ),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="imu" filename="libgazebo_ros_imu.so">
+                    <bodyName>fore</bodyName>
+                    <topicName>imu</topicName>
+                    <updateRate>50</updateRate>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <sensor name="imu" type="imu">
+                    <update_rate>50</update_rate>
+                    <always_on>true</always_on>
+                    <topic>imu</topic>
+                    <gz_frame_id>fore</gz_frame_id>
+                  </sensor>
+                </gazebo>
+            """,
+        },
+    ],
 )

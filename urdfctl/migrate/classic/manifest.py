@@ -65,4 +65,46 @@ CLASSIC_MANIFEST = Step(
         Row("gazebo_ros, gazebo_ros_pkgs", "ros_gz_sim, ros_gz_bridge", "jazzy", _AUTHORITY),
         Row("gazebo_plugins", "", "jazzy", _AUTHORITY),
     ),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "package.xml": """
+                <package format="3">
+                  <name>arm</name>
+                  <exec_depend>gazebo_ros2_control</exec_depend>
+                  <exec_depend>gazebo_ros</exec_depend>
+                  <exec_depend>gazebo_plugins</exec_depend>
+                </package>
+            """,
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gazebo_ros2_control/GazeboSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+
+                <gazebo>
+                  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    after=[
+        {
+            "package.xml": """
+                <package format="3">
+                  <name>arm</name>
+                  <exec_depend>gz_ros2_control</exec_depend>
+                  <exec_depend>ros_gz_sim</exec_depend>
+                  <exec_depend>ros_gz_bridge</exec_depend>
+                </package>
+            """,
+        },
+    ],
 )

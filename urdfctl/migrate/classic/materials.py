@@ -106,4 +106,67 @@ CLASSIC_MATERIALS = Step(
         Row("<material>Gazebo/NAME</material>", "<visual><material><ambient>, <diffuse>", "jazzy", _AUTHORITY),
         Row("<material><script> Gazebo/NAME in SDF", "<ambient>, <diffuse>", "jazzy", _AUTHORITY),
     ),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <material>Gazebo/Orange</material>
+                </gazebo>
+            """,
+        },
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "world.sdf": """
+                <sdf version="1.6">
+                  <world name="hall">
+                    <model name="box">
+                      <link name="box">
+                        <visual name="box">
+                          <material>
+                            <script>
+                              <uri>file://media/materials/scripts/gazebo.material</uri>
+                              <name>Gazebo/Blue</name>
+                            </script>
+                          </material>
+                        </visual>
+                      </link>
+                    </model>
+                  </world>
+                </sdf>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <visual>
+                    <material>
+                      <ambient>1 0.5088 0.0468 1</ambient>
+                      <diffuse>1 0.5088 0.0468 1</diffuse>
+                    </material>
+                  </visual>
+                </gazebo>
+            """,
+        },
+        {
+            "world.sdf": """
+                <sdf version="1.6">
+                  <world name="hall">
+                    <model name="box">
+                      <link name="box">
+                        <visual name="box">
+                          <material>
+                            <ambient>0 0 1 1</ambient>
+                            <diffuse>0 0 1 1</diffuse>
+                          </material>
+                        </visual>
+                      </link>
+                    </model>
+                  </world>
+                </sdf>
+            """,
+        },
+    ],
 )

@@ -67,4 +67,32 @@ MIGRATED_LAUNCH = Step(
     part=Part.LAUNCH,
     summary="Launch files that a migration from ROS 1 wrote",
     propose=_launch,
+    before=[
+        {
+            "options": "--from=humble --to=jazzy --simulator=gz",
+            "launch/arm.launch.xml": """
+                <?xml version="1.0"?>
+                <!-- Migrated from arm.launch. -->
+                <launch>
+                  <include file="$(find-pkg-share gazebo_ros)/launch/gazebo.launch.py"/>
+                  <node pkg="gazebo_ros" exec="spawn_entity.py" args="-topic robot_description -entity arm"/>
+                </launch>
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch.xml": """
+                <?xml version="1.0"?>
+                <!-- Migrated from arm.launch. -->
+                <launch>
+                  <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py">
+                    <arg name="gz_args" value="-r empty.sdf"/>
+                  </include>
+                  <node pkg="ros_gz_bridge" exec="parameter_bridge" args="/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"/>
+                  <node pkg="ros_gz_sim" exec="create" args="-topic robot_description -name arm"/>
+                </launch>
+            """,
+        },
+    ],
 )

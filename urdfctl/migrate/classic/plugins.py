@@ -197,6 +197,56 @@ CONTROL_PLUGIN = Step(
     summary="The plugin of Gazebo Classic that runs controllers",
     propose=_control,
     rows=(Row("libgazebo_ros2_control.so", "gz_ros2_control-system", "jazzy", _CONTROL),),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+
+                <gazebo>
+                  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+
+                <gazebo>
+                  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 CLASSIC_HARDWARE = Step(
     name="classic-hardware",
@@ -204,6 +254,49 @@ CLASSIC_HARDWARE = Step(
     summary="Simulated hardware of Gazebo Classic",
     propose=_hardware,
     rows=(Row(_HARDWARE, "gz_ros2_control/GazeboSimSystem", "jazzy", _CONTROL),),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gazebo_ros2_control/GazeboSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+
+                <gazebo>
+                  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+
+                <gazebo>
+                  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 CLASSIC_INTERFACES = Step(
     name="classic-interfaces",
@@ -211,6 +304,37 @@ CLASSIC_INTERFACES = Step(
     summary="Interfaces with a loop in Gazebo Classic",
     propose=_interfaces,
     rows=(Row('interfaces "position_pid", "velocity_pid"', '"position", "velocity"', "jazzy", _CONTROL),),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position_pid"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 CLASSIC_PLUGINS = Step(
     name="classic-plugins",
@@ -218,4 +342,37 @@ CLASSIC_PLUGINS = Step(
     summary="Plugins of Gazebo Classic",
     propose=_systems,
     rows=tuple(Row(f"lib{name}.so", system.filename, "jazzy", _AUTHORITY) for name, system in SYSTEMS.items()),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <left_joint>shoulder</left_joint>
+                    <right_joint>elbow</right_joint>
+                    <wheel_separation>0.4</wheel_separation>
+                    <wheel_diameter>0.2</wheel_diameter>
+                    <robot_base_frame>base</robot_base_frame>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
+                    <left_joint>shoulder</left_joint>
+                    <right_joint>elbow</right_joint>
+                    <wheel_separation>0.4</wheel_separation>
+                    <wheel_radius>0.1</wheel_radius>
+                    <child_frame_id>base</child_frame_id>
+                    <topic>cmd_vel</topic>
+                    <odom_topic>odom</odom_topic>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )

@@ -87,4 +87,26 @@ SENSOR_SYSTEMS = Step(
     summary="Systems for sensors in gz",
     propose=_systems,
     rows=tuple(Row(f'<sensor type="{kind}">', f"{one[0]} too", "jazzy", _AUTHORITY) for kind, one in SYSTEMS.items()),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <sensor name="imu" type="imu"/>
+                </gazebo>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <sensor name="imu" type="imu"/>
+                </gazebo>
+                <gazebo>
+                  <plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>
+                </gazebo>
+            """,
+        },
+    ],
 )

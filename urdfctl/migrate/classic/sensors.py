@@ -192,4 +192,35 @@ CLASSIC_SENSORS = Step(
         Row('<sensor type="depth">', '<sensor type="rgbd_camera">', "jazzy", _AUTHORITY),
         *(Row(f"lib{name}.so", "<topic>, <gz_frame_id>", "jazzy", _AUTHORITY) for name in SENSORS),
     ),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <sensor name="laser" type="ray">
+                    <plugin name="laser" filename="libgazebo_ros_ray_sensor.so">
+                      <ros>
+                        <remapping>~/out:=scan</remapping>
+                      </ros>
+                      <output_type>sensor_msgs/LaserScan</output_type>
+                      <frame_name>fore</frame_name>
+                    </plugin>
+                  </sensor>
+                </gazebo>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <sensor name="laser" type="gpu_lidar">
+                    <topic>scan</topic>
+                    <gz_frame_id>fore</gz_frame_id>
+                    <always_on>true</always_on>
+                  </sensor>
+                </gazebo>
+            """,
+        },
+    ],
 )

@@ -83,6 +83,33 @@ WORLD_MODELS = Step(
     summary="Models in worlds of Gazebo Classic",
     propose=_models,
     rows=tuple(Row(f"{_MODEL}{old}", _FUEL + new, "jazzy", _AUTHORITY) for old, new in ON_FUEL.items()),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "worlds/hall.world": """
+                <sdf version="1.6">
+                  <world name="hall">
+                    <include>
+                      <uri>model://sun</uri>
+                    </include>
+                  </world>
+                </sdf>
+            """,
+        },
+    ],
+    after=[
+        {
+            "worlds/hall.world": """
+                <sdf version="1.6">
+                  <world name="hall">
+                    <include>
+                      <uri>https://fuel.gazebosim.org/1.0/OpenRobotics/models/Sun</uri>
+                    </include>
+                  </world>
+                </sdf>
+            """,
+        },
+    ],
 )
 WORLD_PLUGINS = Step(
     name="world-plugins",
@@ -90,4 +117,29 @@ WORLD_PLUGINS = Step(
     summary="Plugins of worlds of Gazebo Classic",
     propose=_plugins,
     rows=tuple(Row(f"lib{name}.so", "", "jazzy", _AUTHORITY) for name in _BUILT_IN),
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "worlds/hall.world": """
+                <sdf version="1.6">
+                  <world name="hall">
+                    <plugin name="init" filename="libgazebo_ros_init.so"/>
+                    <plugin name="people" filename="libpeople.so"/>
+                  </world>
+                </sdf>
+            """,
+        },
+    ],
+    after=[
+        {
+            "worlds/hall.world": """
+                <sdf version="1.6">
+                  <world name="hall">
+                    <!-- TODO(urdfctl): plugin 'people' is kept as a comment: no system of gz replaces it -->
+                    <!-- <plugin name="people" filename="libpeople.so"/> -->
+                  </world>
+                </sdf>
+            """,
+        },
+    ],
 )

@@ -228,4 +228,46 @@ LAUNCH_PYTHON = Step(
         Row("spawner.py", "spawner", "humble", AUTHORITY_OF_OPTIONS),
         Row("spawner: --stopped", "--inactive", "humble", AUTHORITY_OF_OPTIONS),
     ),
+    before=[
+        {
+            "options": "--from=humble --to=jazzy",
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch_ros.actions import Node
+
+
+                def generate_launch_description():
+                    return LaunchDescription([
+                        Node(
+                            package="controller_manager",
+                            executable="ros2_control_node",
+                            parameters=["controllers.yaml"],
+                            remappings=[("~/robot_description", "/robot_description")],
+                        ),
+                        Node(package="controller_manager", executable="spawner.py", arguments=["arm"]),
+                        Node(package="controller_manager", executable="spawner", arguments=["hand", "--stopped"]),
+                    ])
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch_ros.actions import Node
+
+
+                def generate_launch_description():
+                    return LaunchDescription([
+                        Node(
+                            package="controller_manager",
+                            executable="ros2_control_node",
+                            parameters=["controllers.yaml"],
+                        ),
+                        Node(package="controller_manager", executable="spawner", arguments=["arm"]),
+                        Node(package="controller_manager", executable="spawner", arguments=["hand", "--inactive"]),
+                    ])
+            """,
+        },
+    ],
 )

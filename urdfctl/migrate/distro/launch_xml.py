@@ -99,4 +99,33 @@ def _file(packages: Packages, nodes: Sequence[Element], path: str) -> str:
     return next((one for one in given if one.endswith(name)), f"$(find-pkg-share {package})/{'/'.join(parts)}")
 
 
-LAUNCH_XML = Step("launch-files-in-xml", Part.LAUNCH, "The controller manager in launch files in XML", _launch_xml)
+LAUNCH_XML = Step(
+    "launch-files-in-xml",
+    Part.LAUNCH,
+    "The controller manager in launch files in XML",
+    _launch_xml,
+    before=[
+        {
+            "options": "--from=humble --to=jazzy",
+            "launch/arm.launch.xml": """
+                <launch>
+                  <node pkg="controller_manager" exec="ros2_control_node">
+                    <remap from="~/robot_description" to="/robot_description"/>
+                  </node>
+                  <node pkg="controller_manager" exec="spawner" args="arm --stopped"/>
+                </launch>
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch.xml": """
+                <launch>
+                  <node pkg="controller_manager" exec="ros2_control_node">
+                  </node>
+                  <node pkg="controller_manager" exec="spawner" args="arm --inactive"/>
+                </launch>
+            """,
+        },
+    ],
+)

@@ -107,4 +107,70 @@ MIMIC = Step(
     summary="Mimic joints of <ros2_control>",
     propose=_mimic,
     rows=(Row('<ros2_control>: <param name="mimic">', "<mimic> in the URDF, no command", "jazzy", _AUTHORITY),),
+    before=[
+        {
+            "arm.urdf": """
+                <robot name="arm">
+                  <link name="base"/>
+                  <link name="upper"/>
+                  <link name="fore"/>
+                  <joint name="shoulder" type="continuous">
+                    <parent link="base"/>
+                    <child link="upper"/>
+                  </joint>
+                  <joint name="elbow" type="continuous">
+                    <parent link="upper"/>
+                    <child link="fore"/>
+                  </joint>
+                  <ros2_control name="arm" type="system">
+                    <hardware>
+                      <plugin>mock_components/GenericSystem</plugin>
+                    </hardware>
+                    <joint name="shoulder">
+                      <command_interface name="position"/>
+                      <state_interface name="position"/>
+                    </joint>
+                    <joint name="elbow">
+                      <param name="mimic">shoulder</param>
+                      <param name="multiplier">-1</param>
+                      <command_interface name="position"/>
+                      <state_interface name="position"/>
+                    </joint>
+                  </ros2_control>
+                </robot>
+            """,
+        },
+    ],
+    after=[
+        {
+            "arm.urdf": """
+                <robot name="arm">
+                  <link name="base"/>
+                  <link name="upper"/>
+                  <link name="fore"/>
+                  <joint name="shoulder" type="continuous">
+                    <parent link="base"/>
+                    <child link="upper"/>
+                  </joint>
+                  <joint name="elbow" type="continuous">
+                    <parent link="upper"/>
+                    <child link="fore"/>
+                    <mimic joint="shoulder" multiplier="-1"/>
+                  </joint>
+                  <ros2_control name="arm" type="system">
+                    <hardware>
+                      <plugin>mock_components/GenericSystem</plugin>
+                    </hardware>
+                    <joint name="shoulder">
+                      <command_interface name="position"/>
+                      <state_interface name="position"/>
+                    </joint>
+                    <joint name="elbow">
+                      <state_interface name="position"/>
+                    </joint>
+                  </ros2_control>
+                </robot>
+            """,
+        },
+    ],
 )

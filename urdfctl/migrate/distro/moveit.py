@@ -198,4 +198,34 @@ def _rows() -> Iterator[Row]:
     yield Row("MoveIt: GripperCommand of a parallel gripper", "ParallelGripperCommand", "kilted", _GRIPPER)
 
 
-MOVEIT = Step("moveit", Part.MOVEIT, "MoveIt's planning pipelines and grippers", _moveit, tuple(_rows()))
+MOVEIT = Step(
+    "moveit",
+    Part.MOVEIT,
+    "MoveIt's planning pipelines and grippers",
+    _moveit,
+    tuple(_rows()),
+    before=[
+        {
+            "config/ompl_planning.yaml": """
+                planning_plugin: ompl_interface/OMPLPlanner
+                request_adapters: >-
+                  default_planner_request_adapters/AddTimeOptimalParameterization
+                  default_planner_request_adapters/FixWorkspaceBounds
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/ompl_planning.yaml": """
+                planning_plugins:
+                  - ompl_interface/OMPLPlanner
+                request_adapters:
+                  - default_planning_request_adapters/ValidateWorkspaceBounds
+                response_adapters:
+                  - default_planning_response_adapters/AddTimeOptimalParameterization
+                  - default_planning_response_adapters/ValidateSolution
+                  - default_planning_response_adapters/DisplayMotionPath
+            """,
+        },
+    ],
+)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.moves import Names, name_moves
 from urdfctl.diagnostic import Edit
+from urdfctl.fault import Written
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.tokens import HOOKS, XML, elements_in, tokens_in
@@ -93,16 +94,65 @@ def _readable(pattern: str) -> str:
     return re.sub(r"\\b|\(\?:|\)\??|\\", "", text).replace(".so?", ".so").replace("lib?", "lib")
 
 
-def _step(part: Part, what: str) -> Step:
+def _step(part: Part, what: str, before: Written, after: Written) -> Step:
     def propose(packages: Packages) -> Iterator[Proposal]:
         return _names_in(part, packages)
 
-    return Step(f"names-in-{part.value}", part, f"Names in {what}", propose, _rows(part))
+    return Step(
+        f"names-in-{part.value}", part, f"Names in {what}", propose, _rows(part), before=[before], after=[after]
+    )
 
 
+_DESCRIPTION = """
+    <ros2_control name="arm" type="system">
+      <hardware>
+        <plugin>%s</plugin>
+      </hardware>
+      <joint name="elbow">
+        <command_interface name="position"/>
+        <state_interface name="position"/>
+      </joint>
+    </ros2_control>
+"""
+_PARAMETERS = """
+    driver:
+      ros__parameters:
+        plugin: %s
+"""
+_LAUNCH = """
+    <launch>
+      <node pkg="%s" exec="create" args="-topic robot_description"/>
+    </launch>
+"""
+_MANIFEST = """
+    <package format="3">
+      <name>arm</name>
+      <exec_depend>%s</exec_depend>
+    </package>
+"""
 NAMES = (
-    _step(Part.URDF, "descriptions and worlds"),
-    _step(Part.YAML, "parameter files"),
-    _step(Part.LAUNCH, "launch files"),
-    _step(Part.MANIFEST, "package.xml"),
+    _step(
+        Part.URDF,
+        "descriptions and worlds",
+        before={"robot.urdf": _DESCRIPTION % "ign_ros2_control/IgnitionSystem"},
+        after={"robot.urdf": _DESCRIPTION % "gz_ros2_control/GazeboSimSystem"},
+    ),
+    _step(
+        Part.YAML,
+        "parameter files",
+        before={"config/driver.yaml": _PARAMETERS % "fake_components/GenericSystem"},
+        after={"config/driver.yaml": _PARAMETERS % "mock_components/GenericSystem"},
+    ),
+    _step(
+        Part.LAUNCH,
+        "launch files",
+        before={"launch/arm.launch.xml": _LAUNCH % "ros_ign_gazebo"},
+        after={"launch/arm.launch.xml": _LAUNCH % "ros_gz_sim"},
+    ),
+    _step(
+        Part.MANIFEST,
+        "package.xml",
+        before={"package.xml": _MANIFEST % "ros_ign_gazebo"},
+        after={"package.xml": _MANIFEST % "ros_gz_sim"},
+    ),
 )

@@ -269,4 +269,44 @@ PARAMETERS = Step(
     summary="Parameters of controllers and of the controller manager",
     propose=_parameters,
     rows=_rows(),
+    before=[
+        {
+            "options": "--from=humble --to=jazzy",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base:
+                      type: diff_drive_controller/DiffDriveController
+                base:
+                  ros__parameters:
+                    left_wheel_names: [left]
+                    right_wheel_names: [right]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+                    linear.x.has_velocity_limits: true
+                    linear.x.max_velocity: 0.5
+                    use_stamped_vel: false
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base:
+                      type: diff_drive_controller/DiffDriveController
+                base:
+                  ros__parameters:
+                    left_wheel_names: [left]
+                    right_wheel_names: [right]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+                    linear.x.max_velocity: 0.5
+                    # TODO(urdfctl): the controller now reads TwistStamped on ~/cmd_vel, no longer Twist on ~/cmd_vel_unstamped: change what publishes it (in Nav2: enable_stamped_cmd_vel: true)
+            """,
+        },
+    ],
 )

@@ -95,6 +95,39 @@ STAMPED = Step(
         Row(f"{node} without {parameter}", f"{parameter}: true", SINCE, authority)
         for node, (parameter, authority) in PARAMETERS.items()
     ),
+    before=[
+        {
+            "options": "--from=humble --to=jazzy",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base:
+                      type: diff_drive_controller/DiffDriveController
+                base:
+                  ros__parameters:
+                    left_wheel_names: [left]
+                    right_wheel_names: [right]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+            """,
+            "config/nav.yaml": """
+                controller_server:
+                  ros__parameters:
+                    controller_frequency: 20.0
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/nav.yaml": """
+                controller_server:
+                  ros__parameters:
+                    controller_frequency: 20.0
+                    enable_stamped_cmd_vel: true
+            """,
+        },
+    ],
 )
 STAMPED_TOPICS = Step(
     name="stamped-topics",
@@ -105,4 +138,40 @@ STAMPED_TOPICS = Step(
         Row("CONTROLLER/cmd_vel_unstamped", "CONTROLLER/cmd_vel", SINCE, _STAMPED),
         Row("CONTROLLER/reference_unstamped", "CONTROLLER/reference", SINCE, _STAMPED),
     ),
+    before=[
+        {
+            "options": "--from=humble --to=jazzy",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base:
+                      type: diff_drive_controller/DiffDriveController
+                base:
+                  ros__parameters:
+                    left_wheel_names: [left]
+                    right_wheel_names: [right]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+            """,
+            "launch/arm.launch.xml": """
+                <launch>
+                  <node pkg="teleop" exec="teleop">
+                    <remap from="cmd_vel" to="base/cmd_vel_unstamped"/>
+                  </node>
+                </launch>
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch.xml": """
+                <launch>
+                  <node pkg="teleop" exec="teleop">
+                    <remap from="cmd_vel" to="base/cmd_vel"/>
+                  </node>
+                </launch>
+            """,
+        },
+    ],
 )

@@ -102,4 +102,72 @@ STAMPED_NODES = Step(
         Row(f"{package} {program}", f"{PARAMETERS[node][0]}: true", SINCE, PARAMETERS[node][1])
         for (package, program), node in _PROGRAMS.items()
     ),
+    before=[
+        {
+            "options": "--from=humble --to=jazzy",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base:
+                      type: diff_drive_controller/DiffDriveController
+                base:
+                  ros__parameters:
+                    left_wheel_names: [left]
+                    right_wheel_names: [right]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+            """,
+            "launch/arm.launch.xml": """
+                <launch>
+                  <node pkg="teleop_twist_joy" exec="teleop_node"/>
+                </launch>
+            """,
+        },
+        {
+            "options": "--from=humble --to=jazzy",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base:
+                      type: diff_drive_controller/DiffDriveController
+                base:
+                  ros__parameters:
+                    left_wheel_names: [left]
+                    right_wheel_names: [right]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+            """,
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch_ros.actions import Node
+
+
+                def generate_launch_description():
+                    return LaunchDescription([Node(package="teleop_twist_joy", executable="teleop_node")])
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch.xml": """
+                <launch>
+                  <node pkg="teleop_twist_joy" exec="teleop_node">
+                    <param name="publish_stamped_twist" value="true"/>
+                  </node>
+                </launch>
+            """,
+        },
+        {
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch_ros.actions import Node
+
+
+                def generate_launch_description():
+                    return LaunchDescription([Node(package="teleop_twist_joy", executable="teleop_node", parameters=[{"publish_stamped_twist": True}])])
+            """,
+        },
+    ],
 )

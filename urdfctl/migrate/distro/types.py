@@ -125,5 +125,65 @@ def _rows() -> Iterator[Row]:
             yield Row(name, instead.type, gone[0], _AUTHORITY)
 
 
-DEPENDENCIES = Step("controller-packages", Part.MANIFEST, "Packages of controllers", _dependencies)
-TYPES = Step("controller-types", Part.YAML, "Types of controllers", _types, tuple(_rows()))
+DEPENDENCIES = Step(
+    "controller-packages",
+    Part.MANIFEST,
+    "Packages of controllers",
+    _dependencies,
+    before=[
+        {
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+            "package.xml": """
+                <package format="3">
+                  <name>arm</name>
+                  <exec_depend>joint_state_controller</exec_depend>
+                </package>
+            """,
+        },
+    ],
+    after=[
+        {
+            "package.xml": """
+                <package format="3">
+                  <name>arm</name>
+                  <exec_depend>joint_state_broadcaster</exec_depend>
+                </package>
+            """,
+        },
+    ],
+)
+TYPES = Step(
+    "controller-types",
+    Part.YAML,
+    "Types of controllers",
+    _types,
+    tuple(_rows()),
+    before=[
+        {
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states:
+                      type: joint_state_controller/JointStateController
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+        },
+    ],
+)

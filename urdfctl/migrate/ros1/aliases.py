@@ -103,4 +103,32 @@ ALIASES = Step(
     generation=1,
     is_needed=True,
     rows=(Row("an alias *NAME in YAML", "the value of the anchor &NAME", "", _AUTHORITY),),
+    before=[
+        {
+            "config/controllers.yaml": """
+                left:
+                  type: effort_controllers/JointPositionController
+                  joint: shoulder
+                  pid: &gains {p: 100.0, i: 0.0, d: 1.0}
+                right:
+                  type: effort_controllers/JointPositionController
+                  joint: elbow
+                  pid: *gains
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/controllers.yaml": """
+                left:
+                  type: effort_controllers/JointPositionController
+                  joint: shoulder
+                  pid: {p: 100.0, i: 0.0, d: 1.0}
+                right:
+                  type: effort_controllers/JointPositionController
+                  joint: elbow
+                  pid: {p: 100.0, i: 0.0, d: 1.0}
+            """,
+        },
+    ],
 )

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.step import Entry, EntryKind, Proposal
+from urdfctl.source.gate import is_folder, names_in
 from urdfctl.source.span import SourceSpan, SourceText
 
 _AUTHORITY = "docs.ros.org, Migrating packages from ROS 1 to ROS 2"
@@ -82,4 +83,4 @@ def _matches(text: str, pattern: str) -> Iterator[re.Match[str]]:
 
 def _has_files(folder: str) -> bool:
     """Whether a folder has files of its own, not only the one for the bridge, whose step installs it."""
-    return os.path.isdir(folder) and set(os.listdir(folder)) != {os.path.basename(BRIDGE_FILE)}
+    return is_folder(folder) and set(names_in(folder)) != {os.path.basename(BRIDGE_FILE)}

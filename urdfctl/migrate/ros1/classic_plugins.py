@@ -136,4 +136,36 @@ PLUGINS = Step(
         ),
         Row("settings in camelCase", f"in snake_case: {snake_case('wheelSeparation')}", "", _AUTHORITY),
     ),
+    before=[
+        {
+            "options": "--from=noetic --to=humble --simulator=gazebo-classic",
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <sensor name="laser" type="ray">
+                    <plugin name="laser" filename="libgazebo_ros_laser.so">
+                      <topicName>scan</topicName>
+                      <frameName>fore</frameName>
+                    </plugin>
+                  </sensor>
+                </gazebo>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <sensor name="laser" type="ray">
+                    <plugin name="laser" filename="libgazebo_ros_ray_sensor.so">
+                      <ros>
+                        <remapping>~/out:=scan</remapping>
+                      </ros>
+                      <output_type>sensor_msgs/LaserScan</output_type>
+                      <frame_name>fore</frame_name>
+                    </plugin>
+                  </sensor>
+                </gazebo>
+            """,
+        },
+    ],
 )

@@ -113,4 +113,23 @@ CONTROLLER_NAMES = Step(
     propose=_names,
     rows=(Row("a controller NAME that is also a joint", "NAME_controller", "", _AUTHORITY),),
     generation=1,
+    before=[
+        {
+            "robot.urdf": "",
+            "config/controllers.yaml": """
+                elbow:
+                  type: effort_controllers/JointEffortController
+                  joint: elbow
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/controllers.yaml": """
+                elbow_controller:
+                  type: effort_controllers/JointEffortController
+                  joint: elbow
+            """,
+        },
+    ],
 )

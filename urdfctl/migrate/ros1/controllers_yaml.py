@@ -188,4 +188,30 @@ CONTROLLERS = Step(
         Row("NAME: {type: T, ...}", "controller_manager and NAME with ros__parameters", "", _FORM),
         Row("gazebo_ros_control/pid_gains", "", "", _PID_GAINS),
     ),
+    before=[
+        {
+            "config/controllers.yaml": """
+                elbow_controller:
+                  type: effort_controllers/JointEffortController
+                  joint: elbow
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100  # Hz
+
+                    elbow_controller:
+                      type: forward_command_controller/ForwardCommandController
+
+                elbow_controller:
+                  ros__parameters:
+                    joints: [elbow]
+                    interface_name: effort
+            """,
+        },
+    ],
 )

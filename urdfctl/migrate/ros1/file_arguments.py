@@ -10,6 +10,7 @@ from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
+from urdfctl.source.gate import is_file
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.startup.patterns import lazy_pattern
 
@@ -43,7 +44,7 @@ def _values(packages: Packages) -> dict[str, dict[str, set[str]]]:
     found: dict[str, dict[str, set[str]]] = {}
     launches = (loaded.project.launch for loaded in packages.loaded())
     for load in (load for launch in launches if launch is not None and launch.ros == 1 for load in launch.loads):
-        if load.substituted and load.file.path and os.path.isfile(load.file.path):
+        if load.substituted and load.file.path and is_file(load.file.path):
             of_file = found.setdefault(os.path.realpath(load.file.path), {})
             for text, value in load.replaced:
                 of_file.setdefault(text, set()).add(value)
@@ -58,4 +59,28 @@ FILE_ARGUMENTS = Step(
     generation=1,
     is_needed=True,
     rows=(Row('<rosparam file subst_value="true">: $(arg NAME)', "the default of the argument", "", _AUTHORITY),),
+    before=[
+        {
+            "arm.launch": """
+                <launch>
+                  <arg name="rate" default="50"/>
+                  <rosparam file="$(find arm)/config/states.yaml" command="load" subst_value="true"/>
+                </launch>
+            """,
+            "config/states.yaml": """
+                joint_state_controller:
+                  type: joint_state_controller/JointStateController
+                  publish_rate: $(arg rate)
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/states.yaml": """
+                joint_state_controller:
+                  type: joint_state_controller/JointStateController
+                  publish_rate: 50
+            """,
+        },
+    ],
 )

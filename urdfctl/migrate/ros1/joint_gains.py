@@ -115,4 +115,57 @@ JOINT_GAINS = Step(
             _AUTHORITY,
         ),
     ),
+    before=[
+        {
+            "options": "--from=noetic --to=humble --simulator=gazebo-classic",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gazebo_ros2_control/GazeboSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+
+                <gazebo>
+                  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+            "config/gains.yaml": """
+                gazebo_ros_control:
+                  pid_gains:
+                    elbow: {p: 100.0, i: 1.0, d: 5.0, i_clamp: 3.0}
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>gazebo_ros2_control/GazeboSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <param name="pos_kp">100.0</param>
+                    <param name="pos_ki">1.0</param>
+                    <param name="pos_kd">5.0</param>
+                    <param name="pos_max_integral_error">3.0</param>
+                    <param name="pos_min_integral_error">-3.0</param>
+                    <command_interface name="position_pid"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+
+                <gazebo>
+                  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )

@@ -22,9 +22,10 @@ from urdfctl.migrate.ros1.roslaunch_nodes import Target
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.migrate.wishes import Part
-from urdfctl.model.build_launch import is_of_ros2
+from urdfctl.model.launch.build_launch import is_of_ros2
 from urdfctl.source.dom import Element
 from urdfctl.source.files import is_yaml
+from urdfctl.source.gate import exists, matching
 from urdfctl.source.packages import package_around, package_name
 
 _AUTHORITY = "docs.ros.org, Migrating launch files from ROS 1 to ROS 2"
@@ -70,7 +71,7 @@ def _package(path: str) -> str:
 
 def _migrated(packages: Packages, path: str, root: Element, target: Target) -> Iterator[Proposal]:
     new = _new_path(path, packages.wishes.launch)
-    if os.path.exists(new):
+    if exists(new):
         return
     reading = Reading(target)
     actions = reading.actions(root)
@@ -101,8 +102,8 @@ def _is_of_moveit(path: str, root: Element) -> bool:
     nodes = {element.attrs.get("pkg") for element in elements(root)}
     folder, name = os.path.dirname(os.path.dirname(path)), os.path.basename(path)
     has_its_name = name in MADE_BY_MOVEIT or name.endswith(LOADED_BY_MOVEIT)
-    is_configured = has_its_name and bool(glob.glob(os.path.join(glob.escape(folder), "config", "*.srdf")))
-    return bool(nodes & {*_OF_MOVEIT}) or is_configured or os.path.exists(os.path.join(folder, ".setup_assistant"))
+    is_configured = has_its_name and bool(matching(os.path.join(glob.escape(folder), "config", "*.srdf")))
+    return bool(nodes & {*_OF_MOVEIT}) or is_configured or exists(os.path.join(folder, ".setup_assistant"))
 
 
 def _target(packages: Packages) -> Target:
@@ -179,4 +180,65 @@ LAUNCH_FILES = Step(
         Row("tf static_transform_publisher", "tf2_ros static_transform_publisher --x ...", "", _AUTHORITY),
         Row("rviz", "rviz2", "", _AUTHORITY),
     ),
+    before=[
+        {
+            "launch/arm.launch": """
+                <launch>
+                  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/robot.urdf"/>
+                  <node pkg="robot_state_publisher" type="robot_state_publisher" name="robot_state_publisher"/>
+                </launch>
+            """,
+        },
+        {
+            "options": "--from=noetic --to=jazzy --launch=xml",
+            "launch/arm.launch": """
+                <launch>
+                  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/robot.urdf"/>
+                  <node pkg="robot_state_publisher" type="robot_state_publisher" name="robot_state_publisher"/>
+                </launch>
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch": "",
+            "launch/arm.launch.py": '''
+                """Migrated from arm.launch."""
+
+                from launch import LaunchDescription
+                from launch.substitutions import Command
+                from launch_ros.actions import Node
+                from launch_ros.parameter_descriptions import ParameterValue
+                from launch_ros.substitutions import FindPackageShare
+
+
+                def generate_launch_description():
+                    """Return the actions, in order."""
+                    return LaunchDescription(
+                        [
+                            Node(
+                                package="robot_state_publisher",
+                                executable="robot_state_publisher",
+                                name="robot_state_publisher",
+                                parameters=[
+                                    {"robot_description": ParameterValue(Command(["xacro ", FindPackageShare("arm"), "/robot.urdf"]), value_type=str)},
+                                ],
+                            ),
+                        ]
+                    )
+            ''',
+        },
+        {
+            "launch/arm.launch": "",
+            "launch/arm.launch.xml": """
+                <?xml version="1.0"?>
+                <!-- Migrated from arm.launch. -->
+                <launch>
+                  <node pkg="robot_state_publisher" exec="robot_state_publisher" name="robot_state_publisher">
+                    <param name="robot_description" value="$(command 'xacro $(find-pkg-share arm)/robot.urdf')" type="str"/>
+                  </node>
+                </launch>
+            """,
+        },
+    ],
 )

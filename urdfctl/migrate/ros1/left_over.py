@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.markup import attribute, elements, root_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.source.gate import matching
 from urdfctl.source.packages import package_name
 from urdfctl.source.span import SourceSpan
 from urdfctl.startup.patterns import lazy_pattern
@@ -56,7 +57,7 @@ def addressed_files(packages: Packages, written: str) -> set[str]:
         return set()
     pattern = "".join("*" if index % 2 else glob.escape(part) for index, part in enumerate(_split(found[2])))
     folders = (os.path.dirname(path) for path in packages.files("package.xml") if package_name(path) == found[1])
-    return {path for folder in folders for path in glob.glob(glob.escape(folder) + pattern)}
+    return {path for folder in folders for path in matching(glob.escape(folder) + pattern)}
 
 
 def _split(text: str) -> Iterator[str]:

@@ -201,4 +201,45 @@ MANIFEST = Step(
             _AUTHORITY,
         ),
     ),
+    before=[
+        {
+            "package.xml": """
+                <package format="2">
+                  <name>arm</name>
+                  <buildtool_depend>catkin</buildtool_depend>
+                  <exec_depend>joint_state_controller</exec_depend>
+                </package>
+            """,
+            "CMakeLists.txt": """
+                cmake_minimum_required(VERSION 3.0.2)
+                project(arm)
+                find_package(catkin REQUIRED)
+                catkin_package()
+                install(DIRECTORY launch DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+            """,
+        },
+    ],
+    after=[
+        {
+            "CMakeLists.txt": """
+                cmake_minimum_required(VERSION 3.8)
+                project(arm)
+                find_package(ament_cmake REQUIRED)
+                install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+
+                ament_package()
+            """,
+            "package.xml": """
+                <package format="3">
+                  <name>arm</name>
+                  <buildtool_depend>ament_cmake</buildtool_depend>
+                  <exec_depend>joint_state_broadcaster</exec_depend>
+
+                  <export>
+                    <build_type>ament_cmake</build_type>
+                  </export>
+                </package>
+            """,
+        },
+    ],
 )

@@ -13,6 +13,7 @@ from urdfctl.migrate.ros1.moveit_package import is_of_moveit
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.migrate.yaml_edits import MapEdits
+from urdfctl.source.gate import exists
 from urdfctl.source.packages import package_around
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.yaml import Entry as YamlEntry
@@ -54,7 +55,7 @@ def _controllers(packages: Packages) -> Iterator[Proposal]:
             by_folder.setdefault(os.path.dirname(path), []).append(source)
     for folder, sources in by_folder.items():
         new = os.path.join(folder, CONTROLLERS_FILE)
-        if not os.path.exists(new):
+        if not exists(new):
             yield from _controllers_of(packages, new, sources)
 
 
@@ -162,7 +163,7 @@ def _pipelines(packages: Packages) -> Iterator[Proposal]:
         what = f"the planning pipeline '{pipeline}' names its plugin and adapters in its file"
         entry = Entry(EntryKind.DONE, what, file=target, authority=_BUILDER)
         text = "".join(_pipeline_lines(wanted))
-        if os.path.exists(target):
+        if exists(target):
             start = _first_key(source)
             yield Proposal((Edit(SourceSpan(source, start, start), text),), entries=(entry,))
         else:
@@ -230,4 +231,34 @@ MOVEIT_FILES = Step(
         Row("trajectory_execution.launch.xml", f"{CONTROLLERS_FILE}: trajectory_execution", "", _CONTROLLERS),
         Row("joint_limits: max_velocity: 1", "max_velocity: 1.0", "", _DOUBLES),
     ),
+    before=[
+        {
+            "config/ros_controllers.yaml": """
+                controller_list:
+                  - name: arm_controller
+                    action_ns: follow_joint_trajectory
+                    type: FollowJointTrajectory
+                    joints: [shoulder, elbow]
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/moveit_controllers.yaml": """
+                moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
+
+                moveit_simple_controller_manager:
+                  controller_names:
+                    - arm_controller
+
+                  arm_controller:
+                    action_ns: follow_joint_trajectory
+                    type: FollowJointTrajectory
+                    joints:
+                      - shoulder
+                      - elbow
+            """,
+            "config/ros_controllers.yaml": "",
+        },
+    ],
 )

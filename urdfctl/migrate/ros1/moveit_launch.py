@@ -10,6 +10,7 @@ from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.moveit_package import MARK, MOVE_GROUP, MoveitPackage, moveit_packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
+from urdfctl.source.gate import exists
 from urdfctl.source.packages import package_name
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.todo import MARK as TODO
@@ -65,7 +66,7 @@ def _launch_files(packages: Packages) -> Iterator[Proposal]:
 def _made(launches: str, old: Mapping[str, str]) -> Iterator[tuple[str, str]]:
     for file, (new, maker) in _MADE.items():
         path = f"{launches}{new}.launch.py"
-        if file in old and not os.path.exists(path):
+        if file in old and not exists(path):
             yield path, maker
 
 
@@ -87,7 +88,7 @@ def _text(package: MoveitPackage, maker: str) -> str:
 def _install(packages: Packages, folder: str) -> tuple[Edit, ...]:
     """The edit that installs the file with the address of the description, which the builder reads."""
     source = packages.read(os.path.join(folder, "CMakeLists.txt"))
-    is_found = os.path.exists(os.path.join(folder, MARK)) and MARK.encode() not in source.data
+    is_found = exists(os.path.join(folder, MARK)) and MARK.encode() not in source.data
     if not source.data or not is_found:
         return ()
     end = len(source.data)
@@ -111,4 +112,33 @@ MOVEIT_LAUNCH = Step(
     generation=1,
     is_needed=True,
     rows=tuple(Row(old, f"{new}.launch.py by {maker}()", "", _AUTHORITY) for old, (new, maker) in _MADE.items()),
+    before=[
+        {
+            ".setup_assistant": """
+                moveit_setup_assistant_config:
+                  SRDF:
+                    relative_path: config/arm.srdf
+            """,
+            "config/arm.srdf": '<robot name="arm"/>',
+            "launch/move_group.launch": """
+                <launch>
+                  <node name="move_group" pkg="moveit_ros_move_group" type="move_group"/>
+                </launch>
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/move_group.launch": "",
+            "launch/move_group.launch.py": """
+                from moveit_configs_utils import MoveItConfigsBuilder
+                from moveit_configs_utils.launches import generate_move_group_launch
+
+
+                def generate_launch_description():
+                    moveit_config = MoveItConfigsBuilder("arm", package_name="arm").to_moveit_configs()
+                    return generate_move_group_launch(moveit_config)
+            """,
+        },
+    ],
 )

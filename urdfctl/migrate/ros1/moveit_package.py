@@ -11,6 +11,7 @@ from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.source.dom import Element
+from urdfctl.source.gate import exists
 from urdfctl.source.packages import package_around, package_name
 from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
@@ -48,7 +49,7 @@ def is_of_moveit(path: str) -> bool:
 def is_moveit_folder(folder: str) -> bool:
     """Return whether a package is one of MoveIt's Setup Assistant, by its hidden file or its launch file."""
     names = (MARK, f"launch/{MOVE_GROUP}", f"launch/{MOVE_GROUP}.py")
-    return any(os.path.exists(os.path.join(folder, name)) for name in names)
+    return any(exists(os.path.join(folder, name)) for name in names)
 
 
 def moveit_packages(packages: Packages) -> Iterator[MoveitPackage]:
@@ -59,7 +60,7 @@ def moveit_packages(packages: Packages) -> Iterator[MoveitPackage]:
             continue
         own = [path for path in packages.files(".srdf") if path.startswith(os.path.join(folder, "config") + os.sep)]
         context = root_of(packages.read(os.path.join(folder, "launch", _CONTEXT)))
-        if os.path.exists(os.path.join(folder, MARK)) and len(own) == 1:
+        if exists(os.path.join(folder, MARK)) and len(own) == 1:
             yield MoveitPackage(folder, name, _robot(packages, own[0]))
         elif context is not None and (found := _from_context(packages, folder, name, context)) is not None:
             yield found
@@ -82,7 +83,7 @@ def _from_context(packages: Packages, folder: str, name: str, context: Element) 
         return None
     calls = [f"robot_description_semantic(file_path={_shown(of_semantic, name)})"]
     of_robot = _ADDRESS.search(_without_xacro(_filled(_source(robot), defaults))) if robot is not None else None
-    has_mark = os.path.exists(os.path.join(folder, MARK))
+    has_mark = exists(os.path.join(folder, MARK))
     if of_robot is not None and not has_mark:
         given = dict(_GIVEN.findall(_filled(_source(robot), defaults))) if robot is not None else {}
         more = f", mappings={_dict(given)}" if given else ""

@@ -92,4 +92,25 @@ NODE_FILES = Step(
     generation=1,
     is_needed=True,
     rows=(Row("<rosparam file> in a <node>: NAME: VALUE", "/**: ros__parameters: NAME: VALUE", "", _FORM),),
+    before=[
+        {
+            "arm.launch": """
+                <launch>
+                  <node pkg="twist_mux" type="twist_mux" name="twist_mux">
+                    <rosparam file="$(find arm)/config/topics.yaml" command="load"/>
+                  </node>
+                </launch>
+            """,
+            "config/topics.yaml": "use_stamped: false",
+        },
+    ],
+    after=[
+        {
+            "config/topics.yaml": """
+                /**:
+                  ros__parameters:
+                    use_stamped: false
+            """,
+        },
+    ],
 )

@@ -31,4 +31,28 @@ PREFIXES = Step(
     propose=_prefixes,
     generation=1,
     rows=(Row("<NAME> of a macro", "<xacro:NAME>", "", _AUTHORITY),),
+    before=[
+        {
+            "arm.xacro": """
+                <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="part" params="name">
+                    <link name="${name}"/>
+                  </xacro:macro>
+                  <part name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    after=[
+        {
+            "arm.xacro": """
+                <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="part" params="name">
+                    <link name="${name}"/>
+                  </xacro:macro>
+                  <xacro:part name="base"/>
+                </robot>
+            """,
+        },
+    ],
 )

@@ -34,6 +34,7 @@ from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
 from urdfctl.model.robot import Plugin
 from urdfctl.source.dom import Element
+from urdfctl.source.gate import exists
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.packages import package_around, package_name
 from urdfctl.source.span import SourceSpan
@@ -180,7 +181,7 @@ def _new_file(element: Element, namespace: str) -> tuple[str, str, str] | None:
     folder = package_around(os.path.dirname(element.source.path))
     name = package_name(os.path.join(folder, "package.xml")) if folder else None
     path = os.path.join(folder or "", "config", "ros2_controllers.yaml")
-    if not folder or not name or os.path.exists(path):
+    if not folder or not name or exists(path):
         return None
     space = "/**" if "$" in namespace else f"/{namespace.strip('/')}" if namespace.strip("/") else ""
     manager = manager_text(space, {"joint_state_broadcaster": BROADCASTER}, RATE, simulated=True)
@@ -262,6 +263,37 @@ SIMULATOR_PLUGIN = Step(
         Row("<controlPeriod>", "update_rate of the controller manager", "", _AUTHORITY),
         Row("<robotSimType>, <legacyModeNS>, <eStopTopic>", "", "", _AUTHORITY),
     ),
+    before=[
+        {
+            "robot.xacro": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotSimType>gazebo_ros_control/DefaultRobotHWSim</robotSimType>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    after=[
+        {
+            "config/ros2_controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100  # Hz
+                    use_sim_time: true
+
+                    joint_state_broadcaster:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+            "robot.xacro": """
+                <gazebo>
+                  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+                    <parameters>$(find arm)/config/ros2_controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 MIMIC_PLUGINS = Step(
     name="mimic-plugins",
@@ -270,4 +302,50 @@ MIMIC_PLUGINS = Step(
     propose=_mimics,
     generation=1,
     rows=(Row("libroboticsgroup_gazebo_mimic_joint_plugin.so", "<mimic> of the joint", "", _MIMIC),),
+    before=[
+        {
+            "arm.urdf": """
+                <robot name="arm">
+                  <link name="base"/>
+                  <link name="upper"/>
+                  <link name="fore"/>
+                  <joint name="shoulder" type="continuous">
+                    <parent link="base"/>
+                    <child link="upper"/>
+                  </joint>
+                  <joint name="elbow" type="continuous">
+                    <parent link="upper"/>
+                    <child link="fore"/>
+                  </joint>
+                  <gazebo>
+                    <plugin name="elbow_mimic" filename="libroboticsgroup_gazebo_mimic_joint_plugin.so">
+                      <joint>shoulder</joint>
+                      <mimicJoint>elbow</mimicJoint>
+                      <multiplier>-1</multiplier>
+                    </plugin>
+                  </gazebo>
+                </robot>
+            """,
+        },
+    ],
+    after=[
+        {
+            "arm.urdf": """
+                <robot name="arm">
+                  <link name="base"/>
+                  <link name="upper"/>
+                  <link name="fore"/>
+                  <joint name="shoulder" type="continuous">
+                    <parent link="base"/>
+                    <child link="upper"/>
+                  </joint>
+                  <joint name="elbow" type="continuous">
+                    <parent link="upper"/>
+                    <child link="fore"/>
+                    <mimic joint="shoulder" multiplier="-1"/>
+                  </joint>
+                </robot>
+            """,
+        },
+    ],
 )

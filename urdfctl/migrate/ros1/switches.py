@@ -47,4 +47,40 @@ SWITCHES = Step(
     propose=_switches,
     generation=1,
     rows=(Row("property or argument 'is_ros2' false", "true", "", _AUTHORITY),),
+    before=[
+        {
+            "arm.xacro": """
+                <xacro:property name="is_ros2" value="false"/>
+                <xacro:if value="${is_ros2}">
+                  <ros2_control name="arm" type="system">
+                    <hardware>
+                      <plugin>mock_components/GenericSystem</plugin>
+                    </hardware>
+                    <joint name="elbow">
+                      <command_interface name="position"/>
+                      <state_interface name="position"/>
+                    </joint>
+                  </ros2_control>
+                </xacro:if>
+            """,
+        },
+    ],
+    after=[
+        {
+            "arm.xacro": """
+                <xacro:property name="is_ros2" value="true"/>
+                <xacro:if value="${is_ros2}">
+                  <ros2_control name="arm" type="system">
+                    <hardware>
+                      <plugin>mock_components/GenericSystem</plugin>
+                    </hardware>
+                    <joint name="elbow">
+                      <command_interface name="position"/>
+                      <state_interface name="position"/>
+                    </joint>
+                  </ros2_control>
+                </xacro:if>
+            """,
+        },
+    ],
 )

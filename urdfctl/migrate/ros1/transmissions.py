@@ -190,4 +190,35 @@ TRANSMISSIONS = Step(
         Row("<mechanicalReduction>", "<transmission> in <ros2_control>", "", _NESTED),
         Row("DifferentialTransmission, FourBarLinkageTransmission", "<transmission> in <ros2_control>", "", _NESTED),
     ),
+    before=[
+        {
+            "options": "--from=noetic --to=jazzy --hardware=arm_driver/ArmSystem",
+            "robot.urdf": """
+                <transmission name="elbow_transmission">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor"/>
+                </transmission>
+            """,
+        },
+    ],
+    after=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm_system" type="system">
+                  <hardware>
+                    <plugin>arm_driver/ArmSystem</plugin>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="effort"/>
+                    <state_interface name="position"/>
+                    <state_interface name="velocity"/>
+                    <state_interface name="effort"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )

@@ -9,8 +9,7 @@ from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.markup import MACRO, ancestors, element_at, elements, root_of
 from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.migrate.places import ElementKey, key_of
-from urdfctl.model.robot import Robot
-from urdfctl.model.transmission import Transmission
+from urdfctl.model.robot import Robot, Transmission
 from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Call, Place

@@ -45,8 +45,8 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«low/elbow»"},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«low/elbow»"}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"}],
 )
 def chained_controller_exports_nothing(project: Project) -> Iterator[Finding]:
     """Claim of an interface of a controller that exports none.

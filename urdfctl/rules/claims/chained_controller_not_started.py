@@ -55,8 +55,8 @@ _BOTH = """pid: {type: pid_controller/PidController}
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy", "--start=states,low,arm"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % (_BOTH, "«pid/elbow»")},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % (_BOTH, "low/elbow")},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % (_BOTH, "«pid/elbow»")}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % (_BOTH, "low/elbow")}],
 )
 def chained_controller_not_started(project: Project) -> Iterator[Finding]:
     """Chained controller is not started first.

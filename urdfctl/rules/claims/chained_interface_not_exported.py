@@ -53,8 +53,8 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("«pid/elbow»", "velocity")},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("pid/elbow", "position")},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("«pid/elbow»", "velocity")}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("pid/elbow", "position")}],
 )
 def chained_interface_not_exported(project: Project) -> Iterator[Finding]:
     """Claimed interface is not exported by the other controller.

@@ -31,33 +31,37 @@ _ROBOT = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: «effort»
-        """,
-    },
-    good={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                states: {type: joint_state_broadcaster/JointStateBroadcaster}
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: «effort»
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """,
+        },
+    ],
 )
 def command_interface_not_exported(project: Project) -> Iterator[Finding]:
     """Command interface is not exported by any hardware.

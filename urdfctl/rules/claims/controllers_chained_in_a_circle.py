@@ -56,11 +56,13 @@ _PID = "pid_controller/PidController"
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": _CONTROLLERS % (f"«{_PID}»", _PID, "outer/elbow", "position", "outer/elbow"),
-    },
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % (_PID, _PID, "elbow", "effort", "elbow")},
+    bad=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": _CONTROLLERS % (f"«{_PID}»", _PID, "outer/elbow", "position", "outer/elbow"),
+        },
+    ],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % (_PID, _PID, "elbow", "effort", "elbow")}],
 )
 def controllers_chained_in_a_circle(project: Project) -> Iterator[Finding]:
     """Controllers are chained in a loop.

@@ -47,8 +47,8 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy", "--start=states,arm,hand"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("shoulder, elbow", "«elbow»")},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("shoulder", "elbow")},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("shoulder, elbow", "«elbow»")}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("shoulder", "elbow")}],
 )
 def controllers_in_conflict(project: Project) -> Iterator[Finding]:
     """Controllers that are started together claim the same interface.

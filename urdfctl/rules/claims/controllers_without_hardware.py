@@ -36,27 +36,65 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            «<robot name="arm">»
-              <link name="base"/>
-              <link name="fore"/>
-              <joint name="elbow" type="revolute">
-                <parent link="base"/><child link="fore"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
-              </joint>
-            </robot>
-        """,
-        "controllers.yaml": _CONTROLLERS,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-        "controllers.yaml": _CONTROLLERS,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<robot name="arm">»
+                  <link name="base"/>
+                  <link name="fore"/>
+                  <joint name="elbow" type="revolute">
+                    <parent link="base"/><child link="fore"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
+                  </joint>
+                </robot>
+            """,
+            "controllers.yaml": _CONTROLLERS,
+        },
+        {
+            "options": "--distro=noetic --simulator=gazebo-classic",
+            "robot.urdf": """
+                «<robot name="arm">»
+                  <link name="base"/>
+                  <link name="fore"/>
+                  <joint name="elbow" type="revolute">
+                    <parent link="base"/><child link="fore"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
+                  </joint>
+                  <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+                </robot>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm: {type: position_controllers/JointPositionController, joint: elbow}
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+            "controllers.yaml": _CONTROLLERS,
+        },
+        {
+            "options": "--distro=noetic",
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow"><hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface></joint>
+                  <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                </transmission>
+                <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+            """,
+            "controllers.yaml": "states: {type: joint_state_controller/JointStateController, publish_rate: 50}",
+        },
+        {
+            "options": "--distro=noetic --simulator=gazebo-classic",
+            "robot.urdf": '<gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>',
+            "controllers.yaml": "states: {type: joint_state_controller/JointStateController, publish_rate: 50}",
+        },
+    ],
 )
 def controllers_without_hardware(project: Project) -> Iterator[Finding]:
     """Controllers without hardware.

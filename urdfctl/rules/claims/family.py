@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.claims.chained_controller_exports_nothing import chained_controller_exports_nothing
 from urdfctl.rules.claims.chained_controller_not_started import chained_controller_not_started
 from urdfctl.rules.claims.chained_interface_not_exported import chained_interface_not_exported
@@ -28,7 +28,7 @@ from urdfctl.rules.claims.state_interface_not_exported import state_interface_no
 from urdfctl.rules.claims.state_of_other_data_type import state_of_other_data_type
 from urdfctl.rules.claims.wheel_speed_beyond_limit import wheel_speed_beyond_limit
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     command_interface_not_exported,
     state_interface_not_exported,
     chained_interface_not_exported,

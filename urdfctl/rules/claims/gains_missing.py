@@ -24,23 +24,61 @@ _SEVERITIES = {Fate.REFUSED: Severity.ERROR, Fate.CRASH: Severity.ERROR, Fate.ID
     authority="control_toolbox src/pid.cpp: 'No p gain specified for pid.  Namespace: /arm/pid'; in ROS 2 a missing "
     "gain is 0.0 (ros2_controllers, *_parameters.yaml)",
     options=["--distro=noetic"],
-    bad={
-        "controllers.yaml": """
-            states: {type: joint_state_controller/JointStateController, publish_rate: 50}
-            arm:
-              type: «effort_controllers/JointPositionController»
-              joint: elbow
-        """
-    },
-    good={
-        "controllers.yaml": """
-            states: {type: joint_state_controller/JointStateController, publish_rate: 50}
-            arm:
-              type: effort_controllers/JointPositionController
-              joint: elbow
-              pid: {p: 100.0, i: 0.0, d: 1.0}
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm:
+                  type: «effort_controllers/JointPositionController»
+                  joint: elbow
+            """
+        },
+        {
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm:
+                  type: effort_controllers/JointTrajectoryController
+                  joints: [shoulder, elbow]
+                  gains:
+                    shoulder: {p: 100.0, i: 0.0, d: 1.0}
+                    «elbow»: {i: 0.0}
+            """,
+        },
+        {
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm:
+                  type: «velocity_controllers/JointTrajectoryController»
+                  joints: [shoulder, elbow]
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: «joint_trajectory_controller/JointTrajectoryController»}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [effort]
+                    state_interfaces: [position, velocity]
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm:
+                  type: effort_controllers/JointPositionController
+                  joint: elbow
+                  pid: {p: 100.0, i: 0.0, d: 1.0}
+            """
+        },
+    ],
 )
 def gains_missing(project: Project) -> Iterator[Finding]:
     """Closed-loop controller without gains.

@@ -35,23 +35,78 @@ _ROBOT = """
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic"],
-    bad={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            states: {type: joint_state_controller/JointStateController, publish_rate: 50}
-            arm: {type: position_controllers/JointPositionController, joint: elbow}
-            gazebo_ros_control:
-              pid_gains:
-                «elbow»: {p: 100.0, i: 0.0, d: 1.0}
-        """,
-    },
-    good={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            states: {type: joint_state_controller/JointStateController, publish_rate: 50}
-            arm: {type: position_controllers/JointPositionController, joint: elbow}
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm: {type: position_controllers/JointPositionController, joint: elbow}
+                gazebo_ros_control:
+                  pid_gains:
+                    «elbow»: {p: 100.0, i: 0.0, d: 1.0}
+            """,
+        },
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow"><hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface></joint>
+                  <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                </transmission>
+                <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm: {type: velocity_controllers/JointVelocityController, joint: elbow, pid: {p: 1.0, i: 0.0, d: 0.0}}
+                gazebo_ros_control:
+                  pid_gains:
+                    «elbow»: {p: 100.0, i: 0.0, d: 1.0}
+            """,
+        },
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+                  <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                </transmission>
+                <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm: {type: effort_controllers/JointEffortController, joint: elbow}
+                gazebo_ros_control:
+                  pid_gains:
+                    «elbow»: {p: 100.0, i: 0.0, d: 1.0}
+            """,
+        },
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow"><hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface></joint>
+                  <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                </transmission>
+                <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm: {type: position_controllers/JointPositionController, joint: elbow}
+                gazebo_ros_control:
+                  pid_gains:
+                    «elbw»: {p: 100.0, i: 0.0, d: 1.0}
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm: {type: position_controllers/JointPositionController, joint: elbow}
+            """,
+        },
+    ],
 )
 def gazebo_gains_given(project: Project) -> Iterator[Finding]:
     """Gains in gazebo_ros_control change how Gazebo moves a joint.

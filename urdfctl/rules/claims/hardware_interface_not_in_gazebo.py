@@ -33,20 +33,24 @@ _ROBOT = """
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic"],
-    bad={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            states: {type: joint_state_controller/JointStateController, publish_rate: 50}
-            imu: {type: «imu_sensor_controller/ImuSensorController», publish_rate: 50}
-        """,
-    },
-    good={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            states: {type: joint_state_controller/JointStateController, publish_rate: 50}
-            arm: {type: position_controllers/JointPositionController, joint: elbow}
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                imu: {type: «imu_sensor_controller/ImuSensorController», publish_rate: 50}
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm: {type: position_controllers/JointPositionController, joint: elbow}
+            """,
+        },
+    ],
 )
 def hardware_interface_not_in_gazebo(project: Project) -> Iterator[Finding]:
     """Hardware interface is not available in Gazebo.

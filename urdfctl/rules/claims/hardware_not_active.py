@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.control.inactive_hardware import inactive_hardware
 from urdfctl.control.session import Configured, Session
-from urdfctl.model.parameters import Value
+from urdfctl.model.controllers import Value
 from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate
 
@@ -47,21 +47,23 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy", "--start=states,arm"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("unconfigured", "«arm_hardware»")},
-    good={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                states: {type: joint_state_broadcaster/JointStateBroadcaster}
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """,
-    },
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("unconfigured", "«arm_hardware»")}],
+    good=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """,
+        },
+    ],
 )
 def hardware_not_active(project: Project) -> Iterator[Finding]:
     """Controller of hardware that is not activated.

@@ -42,8 +42,8 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "shoulder, elbow, «elbow»"},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "shoulder, elbow"},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "shoulder, elbow, «elbow»"}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "shoulder, elbow"}],
 )
 def interface_claimed_twice(project: Project) -> Iterator[Finding]:
     """Controller claims an interface twice.

@@ -42,8 +42,8 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«effort_controllers/JointEffortController»"},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "position_controllers/JointPositionController"},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«effort_controllers/JointEffortController»"}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "position_controllers/JointPositionController"}],
 )
 def joint_in_another_interface(project: Project) -> Iterator[Finding]:
     """Controller and transmission use different hardware interfaces.

@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import ROS1
 from urdfctl.control.gazebo_ros1 import in_gazebo
 from urdfctl.control.hardware import Kind
 from urdfctl.control.readers import controllers_in
-from urdfctl.model.parameters import Parameter, Parameters
+from urdfctl.model.controllers import Parameter, Parameters
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.claims.common import seen
 from urdfctl.rules.claims.ros1 import bare
@@ -40,8 +40,130 @@ _LIMITS = """
     authority='ros_control joint_limits_interface/joint_limits_rosparam.h; joint_limits_interface.h: "Cannot enforce '
     "limits for joint 'elbow'. It has no velocity limits specification.\"",
     options=["--distro=noetic"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _LIMITS % "«has_velocity_limits»: true"},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _LIMITS % "has_velocity_limits: true, max_velocity: 1.0"},
+    bad=[
+        {"robot.urdf": _ROBOT, "controllers.yaml": _LIMITS % "«has_velocity_limits»: true"},
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+                  <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                </transmission>
+                <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                joint_limits:
+                  elbow: {«has_acceleration_limits»: true, «max_jerk»: 5.0, «has_effort_limits»: true}
+            """,
+        },
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+                  <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                </transmission>
+                <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                joint_limits:
+                  elbow: {«max_velocity»: 1.0, «max_acceleration»: 1.0, «has_jerk_limits»: true, «max_effort»: 5.0}
+            """,
+        },
+        {
+            "robot.urdf": """
+                <robot name="arm">
+                  <link name="world"/>
+                  <link name="base">
+                    <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  </link>
+                  <joint name="elbow" type="continuous"><parent link="world"/><child link="base"/></joint>
+                  <transmission name="elbow_trans">
+                    <type>transmission_interface/SimpleTransmission</type>
+                    <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+                    <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                  </transmission>
+                  <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+                </robot>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                joint_limits:
+                  «elbow»: {has_position_limits: false}
+            """,
+        },
+        {
+            "robot.urdf": """
+                <robot name="arm">
+                  <link name="world"/>
+                  <link name="base">
+                    <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  </link>
+                  <joint name="elbow" type="continuous"><parent link="world"/><child link="base"/></joint>
+                  <transmission name="elbow_trans">
+                    <type>transmission_interface/SimpleTransmission</type>
+                    <joint name="elbow"><hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface></joint>
+                    <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                  </transmission>
+                  <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+                </robot>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                joint_limits:
+                  «elbow»: {has_velocity_limits: false, max_velocity: 1.0}
+            """,
+        },
+    ],
+    good=[
+        {"robot.urdf": _ROBOT, "controllers.yaml": _LIMITS % "has_velocity_limits: true, max_velocity: 1.0"},
+        {
+            "robot.urdf": """
+                <robot name="arm">
+                  <link name="world"/>
+                  <link name="base">
+                    <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  </link>
+                  <joint name="elbow" type="continuous"><parent link="world"/><child link="base"/></joint>
+                  <transmission name="elbow_trans">
+                    <type>transmission_interface/SimpleTransmission</type>
+                    <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+                    <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                  </transmission>
+                  <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+                </robot>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                joint_limits:
+                  elbow: {has_velocity_limits: true, max_velocity: 1.0, has_effort_limits: true, max_effort: 5.0}
+            """,
+        },
+        {
+            "robot.urdf": """
+                <robot name="arm">
+                  <link name="world"/>
+                  <link name="base">
+                    <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  </link>
+                  <joint name="elbow" type="continuous"><parent link="world"/><child link="base"/></joint>
+                  <transmission name="elbow_trans">
+                    <type>transmission_interface/SimpleTransmission</type>
+                    <joint name="elbow"><hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface></joint>
+                    <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                  </transmission>
+                  <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+                </robot>
+            """,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                joint_limits:
+                  elbow: {has_position_limits: false}
+            """,
+        },
+    ],
 )
 def joint_limits_incomplete(project: Project) -> Iterator[Finding]:
     """Incomplete limit in joint_limits.

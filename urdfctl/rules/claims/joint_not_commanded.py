@@ -38,8 +38,8 @@ _COMMAND = '<command_interface name="position"/>'
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _ROBOT % f"«{_COMMAND}»", "controllers.yaml": _CONTROLLERS % "shoulder"},
-    good={"robot.urdf": _ROBOT % _COMMAND, "controllers.yaml": _CONTROLLERS % "shoulder, elbow"},
+    bad=[{"robot.urdf": _ROBOT % f"«{_COMMAND}»", "controllers.yaml": _CONTROLLERS % "shoulder"}],
+    good=[{"robot.urdf": _ROBOT % _COMMAND, "controllers.yaml": _CONTROLLERS % "shoulder, elbow"}],
 )
 def joint_not_commanded(project: Project) -> Iterator[Finding]:
     """Joint is not commanded by any controller.

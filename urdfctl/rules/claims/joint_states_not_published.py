@@ -39,12 +39,14 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("«controller_manager»", "# no more")},
-    good={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": _CONTROLLERS
-        % ("controller_manager", "states: {type: joint_state_broadcaster/JointStateBroadcaster}"),
-    },
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("«controller_manager»", "# no more")}],
+    good=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": _CONTROLLERS
+            % ("controller_manager", "states: {type: joint_state_broadcaster/JointStateBroadcaster}"),
+        },
+    ],
 )
 def joint_states_not_published(project: Project) -> Iterator[Finding]:
     """Joint states are not published.

@@ -28,20 +28,24 @@ _ROBOT = """
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic", "--start=states,more_states"],
-    bad={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            states: {type: joint_state_controller/JointStateController, publish_rate: 50}
-            more_states: {type: «joint_state_controller/JointStateController», publish_rate: 10}
-        """,
-    },
-    good={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            states: {type: joint_state_controller/JointStateController, publish_rate: 50}
-            more_states: {type: position_controllers/JointPositionController, joint: elbow}
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                more_states: {type: «joint_state_controller/JointStateController», publish_rate: 10}
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                more_states: {type: position_controllers/JointPositionController, joint: elbow}
+            """,
+        },
+    ],
 )
 def joint_states_published_twice(project: Project) -> Iterator[Finding]:
     """Joint states are published twice.

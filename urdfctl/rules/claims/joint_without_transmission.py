@@ -38,8 +38,8 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«shoulder», elbow"},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«shoulder», elbow"}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"}],
 )
 def joint_without_transmission(project: Project) -> Iterator[Finding]:
     """Controller uses a joint without a transmission.

@@ -41,8 +41,8 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«angel»"},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "angle"},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«angel»"}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "angle"}],
 )
 def mapped_interface_not_exported(project: Project) -> Iterator[Finding]:
     """Mapped state interface is not exported.

@@ -45,8 +45,8 @@ _STATE = '<state_interface name="position"/>'
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _ROBOT % ("", ""), "controllers.yaml": _CONTROLLERS % f"«{_TYPE}»"},
-    good={"robot.urdf": _ROBOT % (_STATE, _STATE), "controllers.yaml": _CONTROLLERS % _TYPE},
+    bad=[{"robot.urdf": _ROBOT % ("", ""), "controllers.yaml": _CONTROLLERS % f"«{_TYPE}»"}],
+    good=[{"robot.urdf": _ROBOT % (_STATE, _STATE), "controllers.yaml": _CONTROLLERS % _TYPE}],
 )
 def nothing_to_claim(project: Project) -> Iterator[Finding]:
     """Controller has no interface to claim.

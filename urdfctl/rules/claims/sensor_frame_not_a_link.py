@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.readers import Reader, in_each_distro, robot_of
-from urdfctl.model.parameters import Kind
+from urdfctl.model.controllers import Kind
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import Names, replaced
 
@@ -45,8 +45,109 @@ _PACKAGES = (
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _SENSOR, "controllers.yaml": _BROADCASTER % "«forearm»"},
-    good={"robot.urdf": _SENSOR, "controllers.yaml": _BROADCASTER % "fore"},
+    bad=[
+        {"robot.urdf": _SENSOR, "controllers.yaml": _BROADCASTER % "«forearm»"},
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <sensor name="tip">
+                    <state_interface name="orientation.x"/>
+                    <state_interface name="orientation.y"/>
+                    <state_interface name="orientation.z"/>
+                    <state_interface name="orientation.w"/>
+                    <state_interface name="angular_velocity.x"/>
+                    <state_interface name="angular_velocity.y"/>
+                    <state_interface name="angular_velocity.z"/>
+                    <state_interface name="linear_acceleration.x"/>
+                    <state_interface name="linear_acceleration.y"/>
+                    <state_interface name="linear_acceleration.z"/>
+                  </sensor>
+                </ros2_control>
+            """,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    tip_broadcaster: {type: imu_sensor_broadcaster/IMUSensorBroadcaster}
+                tip_broadcaster:
+                  ros__parameters:
+                    sensor_name: tip
+                    frame_id: «forearm»
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <sensor name="tip">
+                    <state_interface name="latitude"/>
+                    <state_interface name="longitude"/>
+                    <state_interface name="altitude"/>
+                    <state_interface name="status"/>
+                    <state_interface name="service"/>
+                  </sensor>
+                </ros2_control>
+            """,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    tip_broadcaster: {type: gps_sensor_broadcaster/GPSSensorBroadcaster}
+                tip_broadcaster:
+                  ros__parameters:
+                    sensor_name: tip
+                    frame_id: «forearm»
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <sensor name="tip">
+                    <state_interface name="magnetic_field.x"/>
+                    <state_interface name="magnetic_field.y"/>
+                    <state_interface name="magnetic_field.z"/>
+                  </sensor>
+                </ros2_control>
+            """,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    tip_broadcaster: {type: magnetometer_broadcaster/MagnetometerBroadcaster}
+                tip_broadcaster:
+                  ros__parameters:
+                    sensor_name: tip
+                    frame_id: «forearm»
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <sensor name="tip">
+                    <state_interface name="range"/>
+                  </sensor>
+                </ros2_control>
+            """,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    tip_broadcaster: {type: range_sensor_broadcaster/RangeSensorBroadcaster}
+                tip_broadcaster:
+                  ros__parameters:
+                    sensor_name: tip
+                    frame_id: «forearm»
+                    radiation_type: 1
+                    field_of_view: 0.1
+                    min_range: 0.1
+                    max_range: 2.0
+            """,
+        },
+    ],
+    good=[{"robot.urdf": _SENSOR, "controllers.yaml": _BROADCASTER % "fore"}],
 )
 def sensor_frame_not_a_link(project: Project) -> Iterator[Finding]:
     """Frame of a sensor is not a link of the robot.

@@ -31,35 +31,39 @@ _ROBOT = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position, «velocity»]
-        """,
-    },
-    good={
-        "robot.urdf": _ROBOT,
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                states: {type: joint_state_broadcaster/JointStateBroadcaster}
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position]
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position, «velocity»]
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position]
+            """,
+        },
+    ],
 )
 def state_interface_not_exported(project: Project) -> Iterator[Finding]:
     """State interface is not exported by any hardware.

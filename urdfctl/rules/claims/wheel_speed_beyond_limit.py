@@ -52,8 +52,8 @@ _SLACK = 1.02
     whole_robot=True,
     in_library=False,
     options=["--distro=kilted"],
-    bad={"robot.urdf": _WHEELS, "controllers.yaml": _DRIVE % "«1.5»"},
-    good={"robot.urdf": _WHEELS, "controllers.yaml": _DRIVE % "0.2"},
+    bad=[{"robot.urdf": _WHEELS, "controllers.yaml": _DRIVE % "«1.5»"}],
+    good=[{"robot.urdf": _WHEELS, "controllers.yaml": _DRIVE % "0.2"}],
 )
 def wheel_speed_beyond_limit(project: Project) -> Iterator[Finding]:
     """Speed of a drive needs wheels that turn faster than their joints may.

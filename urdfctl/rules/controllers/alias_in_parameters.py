@@ -18,32 +18,36 @@ from urdfctl.rules.controllers.common import faults
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Will not support aliasing at line 8'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: &interfaces [position]
-                state_interfaces: «*interfaces»
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position]
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: &interfaces [position]
+                    state_interfaces: «*interfaces»
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position]
+            """
+        },
+    ],
 )
 def alias_in_parameters(project: Project) -> Iterator[Finding]:
     """YAML alias in a parameter file.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.readers import Reader, in_each_distro, robot_of
-from urdfctl.model.parameters import Kind
+from urdfctl.model.controllers import Kind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import Names, replaced
 from urdfctl.source.span import Place
@@ -45,8 +45,8 @@ _DRIVES = """
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic"],
-    bad={"robot.urdf": _DRIVES, "controllers.yaml": _BASE % "«base_lnk»"},
-    good={"robot.urdf": _DRIVES, "controllers.yaml": _BASE % "base"},
+    bad=[{"robot.urdf": _DRIVES, "controllers.yaml": _BASE % "«base_lnk»"}],
+    good=[{"robot.urdf": _DRIVES, "controllers.yaml": _BASE % "base"}],
 )
 def base_frame_not_a_link(project: Project) -> Iterator[Finding]:
     """Base frame is not a link of the robot.

@@ -19,28 +19,32 @@ from urdfctl.rules.controllers.common import faults
     distros=ROS2,
     authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: 'No parameter value set'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
-            joint_states:
-              ros__parameters:
-                «extra_joints»: []
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
-            joint_states:
-              ros__parameters:
-                extra_joints: [caster]
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                joint_states:
+                  ros__parameters:
+                    «extra_joints»: []
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                joint_states:
+                  ros__parameters:
+                    extra_joints: [caster]
+            """
+        },
+    ],
 )
 def collection_empty(project: Project) -> Iterator[Finding]:
     """Empty list or map of parameters.

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.control.readers import controllers_in
-from urdfctl.model.parameters import Kind, Value
+from urdfctl.model.controllers import Kind, Value
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 
 _DEFAULT = 100
@@ -21,32 +21,36 @@ _DEFAULT = 100
     authority="ros2_control controller_manager/src/controller_manager.cpp: 'The controller : arm update rate : 200 Hz "
     "should be less than or equal to controller manager's update rate : 100 Hz!'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-                update_rate: «200»
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-                update_rate: 50
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+                    update_rate: «200»
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+                    update_rate: 50
+            """
+        },
+    ],
 )
 def controller_faster_than_manager(project: Project) -> Iterator[Finding]:
     """Controller update rate exceeds or does not divide its manager's rate.

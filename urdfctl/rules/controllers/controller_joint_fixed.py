@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.hardware import Hardware
-from urdfctl.control.names import is_misnamed
 from urdfctl.control.readers import Reader, in_each_distro, robot_of
+from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.joints import hardware_in, named, severity_of
@@ -36,8 +36,8 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow, «mount»"},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow, «mount»"}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"}],
 )
 def controller_joint_fixed(project: Project) -> Iterator[Finding]:
     """Controller uses a fixed joint.

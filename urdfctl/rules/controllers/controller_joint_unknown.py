@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.hardware import Hardware
-from urdfctl.control.names import is_misnamed
 from urdfctl.control.readers import Reader, in_each_distro, robot_of
+from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import Names, in_words, replaced
@@ -43,8 +43,49 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«elbw»"},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"},
+    bad=[
+        {"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«elbw»"},
+        {
+            "robot.urdf": """
+                <robot name="hand">
+                  <link name="base"/>
+                  <link name="left_arm_wrist_joint_link"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                  <joint name="left_arm_wrist_joint" type="continuous"><parent link="base"/><child link="left_arm_wrist_joint_link"/></joint>
+                  <link name="front_laser_turret_joint_link"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                  <joint name="front_laser_turret_joint" type="continuous"><parent link="base"/><child link="front_laser_turret_joint_link"/></joint>
+                  <link name="l_ankle_pitch_joint_link"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                  <joint name="l_ankle_pitch_joint" type="continuous"><parent link="base"/><child link="l_ankle_pitch_joint_link"/></joint>
+                  <link name="upper_jaw_hinge_joint_link"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                  <joint name="upper_jaw_hinge_joint" type="continuous"><parent link="base"/><child link="upper_jaw_hinge_joint_link"/></joint>
+                  <link name="top_drawer_slider_joint_link"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                  <joint name="top_drawer_slider_joint" type="continuous"><parent link="base"/><child link="top_drawer_slider_joint_link"/></joint>
+                  <link name="thumb_link"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                  <joint name="thumb" type="continuous"><parent link="base"/><child link="thumb_link"/></joint>
+                  <ros2_control name="hand" type="system">
+                    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                    <joint name="left_arm_wrist_joint"><command_interface name="position"/><state_interface name="position"/></joint>
+                    <joint name="front_laser_turret_joint"><command_interface name="position"/><state_interface name="position"/></joint>
+                    <joint name="l_ankle_pitch_joint"><command_interface name="position"/><state_interface name="position"/></joint>
+                    <joint name="upper_jaw_hinge_joint"><command_interface name="position"/><state_interface name="position"/></joint>
+                    <joint name="top_drawer_slider_joint"><command_interface name="position"/><state_interface name="position"/></joint>
+                    <joint name="thumb"><command_interface name="position"/><state_interface name="position"/></joint>
+                  </ros2_control>
+                </robot>
+            """,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    hand: {type: forward_command_controller/ForwardCommandController}
+                hand:
+                  ros__parameters:
+                    joints: [thumb, «right_arm_wrist_joint», «rear_laser_turret_joint», «r_ankle_pitch_joint», «lower_jaw_hinge_joint», «bottom_drawer_slider_joint»]
+                    interface_name: position
+            """,
+        },
+    ],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"}],
 )
 def controller_joint_unknown(project: Project) -> Iterator[Finding]:
     """Unknown joint in a controller.

@@ -20,20 +20,24 @@ _IN_ROS2 = r"[A-Za-z_][A-Za-z0-9_]*"
     authority="ros_control controller_manager.cpp: 'Exception thrown while constructing nodehandle for controller with "
     "name 'arm.left'' ; rmw: a node's name consists of letters, digits and underscores",
     options=["--distro=noetic"],
-    bad={
-        "controllers.yaml": """
-            «arm-left»:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow]
-        """
-    },
-    good={
-        "controllers.yaml": """
-            arm_left:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow]
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                «arm-left»:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow]
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                arm_left:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow]
+            """
+        },
+    ],
 )
 def controller_name_unusable(project: Project) -> Iterator[Finding]:
     """Invalid controller name.

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.readers import controllers_in
-from urdfctl.model.controllers import Controller, Controllers
-from urdfctl.model.parameters import Kind
+from urdfctl.model.controllers import Controller, Controllers, Kind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.controllers.sections import meant_for
 from urdfctl.source.span import Place
@@ -19,32 +18,36 @@ from urdfctl.source.span import Place
     authority="ros2_control controller_manager/src/controller_manager.cpp: 'The 'type' param was not defined for 'arm'.'; "
     "ros_control controller_manager.cpp: 'Could not load controller 'arm' because the type was not specified.'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                «arm»:
-                  kind: forward_command_controller/ForwardCommandController
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    «arm»:
+                      kind: forward_command_controller/ForwardCommandController
                 arm:
-                  type: forward_command_controller/ForwardCommandController
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm:
+                      type: forward_command_controller/ForwardCommandController
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
 )
 def controller_type_missing(project: Project) -> Iterator[Finding]:
     """Controller without a type.

@@ -15,22 +15,26 @@ from urdfctl.rule import Finding, Project, Severity, rule
     runtime="works",
     authority="the catalogue of urdfctl: ros_controllers, ros2_controllers and some third-party packages",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: «our_controllers/ImpedanceController»}
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: «our_controllers/ImpedanceController»}
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+            """
+        },
+    ],
 )
 def controller_type_not_catalogued(project: Project) -> Iterator[Finding]:
     """Controller type is not in the catalogue.

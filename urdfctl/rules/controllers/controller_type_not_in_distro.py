@@ -19,22 +19,91 @@ _MAINTAINED = {*since("humble"), "noetic"}
     "controller_manager/src/controller_manager.cpp: 'Loader for controller 'joint_states' (type "
     "'joint_state_controller/JointStateController') not found.'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_states: {type: «joint_state_controller/JointStateController»}
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_states: {type: «joint_state_controller/JointStateController»}
+            """
+        },
+        {
+            "options": "",
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_states: {type: «joint_state_controller/JointStateController»}
+            """,
+        },
+        {
+            "options": "",
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: «joint_state_controller/JointStateController»}
+                    base: {type: mecanum_drive_controller/MecanumDriveController}
+                base:
+                  ros__parameters:
+                    front_left_wheel_command_joint_name: fl
+                    front_right_wheel_command_joint_name: fr
+                    rear_left_wheel_command_joint_name: rl
+                    rear_right_wheel_command_joint_name: rr
+                    base_frame_id: base_link
+                    kinematics:
+                      base_frame_offset: {x: 0.0, y: 0.0, theta: 0.0}
+                      wheels_radius: 0.1
+                      sum_of_robot_center_projection_on_X_Y_axis: 0.4
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+            """
+        },
+        {
+            "options": "",
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    base: {type: mecanum_drive_controller/MecanumDriveController}
+                base:
+                  ros__parameters:
+                    front_left_wheel_command_joint_name: fl
+                    front_right_wheel_command_joint_name: fr
+                    rear_left_wheel_command_joint_name: rl
+                    rear_right_wheel_command_joint_name: rr
+                    base_frame_id: base_link
+                    kinematics:
+                      base_frame_offset: {x: 0.0, y: 0.0, theta: 0.0}
+                      wheels_radius: 0.1
+                      sum_of_robot_center_projection_on_X_Y_axis: 0.4
+            """,
+        },
+        {
+            "options": "",
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                base:
+                  type: four_wheel_steering_controller/FourWheelSteeringController
+                  front_wheel: [fl, fr]
+                  rear_wheel: [rl, rr]
+                  front_steering: [fls, frs]
+                  rear_steering: [rls, rrs]
+                  pose_covariance_diagonal: [0.001, 0.001, 0.001, 0.001, 0.001, 0.03]
+                  twist_covariance_diagonal: [0.001, 0.001, 0.001, 0.001, 0.001, 0.03]
+            """,
+        },
+    ],
 )
 def controller_type_not_in_distro(project: Project) -> Iterator[Finding]:
     """Controller type does not exist in this ROS distro.

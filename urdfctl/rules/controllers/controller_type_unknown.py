@@ -17,30 +17,34 @@ from urdfctl.rules.common import replaced
     "'joint_trajectory_controler/JointTrajectoryController') not found.'; ros_control controller_manager.cpp: 'Could "
     "not load controller 'arm' because controller type '...' does not exist.'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: «forward_command_controllers/ForwardCommandController»}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: «forward_command_controllers/ForwardCommandController»}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
 )
 def controller_type_unknown(project: Project) -> Iterator[Finding]:
     """Unknown controller type.

@@ -15,42 +15,46 @@ from urdfctl.rules.controllers.common import faults
     runtime="refuses",
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Sequences can only be values and not keys in params'",
     options=["--distro=jazzy"],
-    bad={
-        "robot.xacro": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
-                <parameters>$(find arm)/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-        "controllers.yaml": """
-            «- controller_manager»
-        """,
-        "package.xml": """<package><name>arm</name></package>""",
-    },
-    good={
-        "robot.xacro": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
-                <parameters>$(find arm)/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-        """,
-        "package.xml": """<package><name>arm</name></package>""",
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+                    <parameters>$(find arm)/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+            "controllers.yaml": """
+                «- controller_manager»
+            """,
+            "package.xml": """<package><name>arm</name></package>""",
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+                    <parameters>$(find arm)/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+            """,
+            "package.xml": """<package><name>arm</name></package>""",
+        },
+    ],
 )
 def controllers_file_not_a_map(project: Project) -> Iterator[Finding]:
     """Controller file is not a map.

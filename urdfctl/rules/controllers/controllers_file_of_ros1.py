@@ -20,33 +20,37 @@ _ROS2 = 2
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 2'",
     options=["--distro=humble"],
-    bad={
-        "robot.urdf": "",
-        "controllers.yaml": """
-            «arm»:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow]
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                states: {type: joint_state_broadcaster/JointStateBroadcaster}
-                arm: {type: position_controllers/JointGroupPositionController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": "",
+            "controllers.yaml": """
+                «arm»:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow]
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: position_controllers/JointGroupPositionController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+            """,
+        },
+    ],
 )
 def controllers_file_of_ros1(project: Project) -> Iterator[Finding]:
     """Controller file for ROS 1 in a ROS 2 project.

@@ -18,23 +18,27 @@ from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
     authority="ros_control controller_manager/src/controller_manager.cpp: 'Could not load controller 'arm' because the "
     "type was not specified. Did you load the controller configuration on the parameter server?'",
     options=["--distro=noetic"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              «ros__parameters»:
-                arm: {type: position_controllers/JointGroupPositionController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-        """
-    },
-    good={
-        "controllers.yaml": """
-            arm:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow]
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  «ros__parameters»:
+                    arm: {type: position_controllers/JointGroupPositionController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                arm:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow]
+            """
+        },
+    ],
 )
 def controllers_file_of_ros2(project: Project) -> Iterator[Finding]:
     """Controller file for ROS 2 in a ROS 1 project.

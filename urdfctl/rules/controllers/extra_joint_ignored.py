@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.readers import controllers_in, type_of
 from urdfctl.diagnostic import Edit
-from urdfctl.model.parameters import Kind, Parameter, Value
+from urdfctl.model.controllers import Kind, Parameter, Value
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import label
 
@@ -30,8 +30,21 @@ _CONTROLLERS = """
     authority="ros_controllers joint_state_controller/src/joint_state_controller.cpp: 'Extra joint 'caster' does not specify "
     "a valid default position. Ignoring.', 'Extra joint does not specify name. Ignoring.'",
     options=["--distro=noetic"],
-    bad={"controllers.yaml": _CONTROLLERS % "«0»"},
-    good={"controllers.yaml": _CONTROLLERS % "0.0"},
+    bad=[
+        {"controllers.yaml": _CONTROLLERS % "«0»"},
+        {
+            "controllers.yaml": """
+                states:
+                  type: joint_state_controller/JointStateController
+                  publish_rate: 50
+                  extra_joints:
+                    - «{position: 0.0}»
+                    - {name: left_caster, position: «none», velocity: «0»}
+                    - {name: right_caster, velocity: 0.0, effort: «1»}
+            """,
+        },
+    ],
+    good=[{"controllers.yaml": _CONTROLLERS % "0.0"}],
 )
 def extra_joint_ignored(project: Project) -> Iterator[Finding]:
     """Extra joint without a name or with an integer value.

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.control.readers import controllers_in
-from urdfctl.model.controllers import Controller, Controllers
-from urdfctl.model.parameters import Value
+from urdfctl.model.controllers import Controller, Controllers, Value
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import replaced
@@ -42,8 +41,8 @@ _FILE = """
     "'hld' of the controller : 'arm' within the controller list', 'Controller 'arm' cannot be a fallback controller for "
     "itself.'",
     options=["--distro=jazzy"],
-    bad={"controllers.yaml": _FILE % "«hld»"},
-    good={"controllers.yaml": _FILE % "hold"},
+    bad=[{"controllers.yaml": _FILE % "«hld»"}],
+    good=[{"controllers.yaml": _FILE % "hold"}],
 )
 def fallback_controller_unknown(project: Project) -> Iterator[Finding]:
     """Unknown fallback controller.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.controllers.alias_in_parameters import alias_in_parameters
 from urdfctl.rules.controllers.base_frame_not_a_link import base_frame_not_a_link
 from urdfctl.rules.controllers.collection_empty import collection_empty
@@ -53,7 +53,7 @@ from urdfctl.rules.controllers.wheel_radius_not_in_robot import wheel_radius_not
 from urdfctl.rules.controllers.wheels_on_wrong_sides import wheels_on_wrong_sides
 from urdfctl.rules.controllers.wildcard_wins import wildcard_wins
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     controllers_file_of_ros1,
     controllers_file_of_ros2,
     ros_parameters_missing,

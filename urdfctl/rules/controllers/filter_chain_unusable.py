@@ -11,7 +11,7 @@ from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.given import plain
 from urdfctl.control.readers import Reader, in_each_distro
-from urdfctl.model.parameters import Kind, Parameter
+from urdfctl.model.controllers import Kind, Parameter
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.filters import Chain, chains
@@ -43,8 +43,8 @@ _FILE = """
     authority="filters filters/filter_chain.hpp: 'filter_chain.filter1.name and filter_chain.filter1.type are required'; "
     "control_toolbox: 'LowPass filter cannot be configured'",
     options=["--distro=jazzy"],
-    bad={"controllers.yaml": _FILE % "«1»"},
-    good={"controllers.yaml": _FILE % "0.5"},
+    bad=[{"controllers.yaml": _FILE % "«1»"}],
+    good=[{"controllers.yaml": _FILE % "0.5"}],
 )
 def filter_chain_unusable(project: Project) -> Iterator[Finding]:
     """Invalid or empty filter chain.

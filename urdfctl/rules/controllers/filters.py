@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.control.readers import Reader
-from urdfctl.model.parameters import Kind, Parameter, Parameters
+from urdfctl.model.controllers import Kind, Parameter, Parameters
 from urdfctl.startup.records import NamedTuple
 
 _CHAIN = "filter_chain"

@@ -37,8 +37,8 @@ _FILE = """
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _ROBOT, "controllers.yaml": _FILE % "«arm_hardwre»"},
-    good={"robot.urdf": _ROBOT, "controllers.yaml": _FILE % "arm_hardware"},
+    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _FILE % "«arm_hardwre»"}],
+    good=[{"robot.urdf": _ROBOT, "controllers.yaml": _FILE % "arm_hardware"}],
 )
 def hardware_component_unknown(project: Project) -> Iterator[Finding]:
     """Unknown hardware component in hardware_components_initial_state.

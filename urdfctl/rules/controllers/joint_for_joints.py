@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.readers import Reader, in_each_distro
-from urdfctl.model.parameters import Kind, Parameter, Value
+from urdfctl.model.controllers import Kind, Parameter, Value
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.controllers.parameters import missing, number_slips, slips, unread
 
@@ -18,20 +18,24 @@ from urdfctl.rules.controllers.parameters import missing, number_slips, slips, u
     authority="ros_controllers effort_controllers/src/joint_position_controller.cpp: 'No joint given (namespace: /arm)'; "
     "forward_command_controller: ''joints' parameter was empty'",
     options=["--distro=noetic"],
-    bad={
-        "controllers.yaml": """
-            elbow_controller:
-              type: position_controllers/JointPositionController
-              «joints»: [elbow]
-        """
-    },
-    good={
-        "controllers.yaml": """
-            elbow_controller:
-              type: position_controllers/JointPositionController
-              joint: elbow
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                elbow_controller:
+                  type: position_controllers/JointPositionController
+                  «joints»: [elbow]
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                elbow_controller:
+                  type: position_controllers/JointPositionController
+                  joint: elbow
+            """
+        },
+    ],
 )
 def joint_for_joints(project: Project) -> Iterator[Finding]:
     """Parameter `joint` instead of `joints`, or the reverse.

@@ -19,20 +19,24 @@ from urdfctl.rules.controllers.parameters import is_ros1
     authority="ros_controllers forward_command_controller/forward_joint_group_command_controller.h: one handle for "
     "each name in the list, and as many commands as names",
     options=["--distro=noetic"],
-    bad={
-        "controllers.yaml": """
-            arm:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow, «elbow»]
-        """
-    },
-    good={
-        "controllers.yaml": """
-            arm:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow]
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                arm:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow, «elbow»]
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                arm:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow]
+            """
+        },
+    ],
 )
 def joint_named_twice(project: Project) -> Iterator[Finding]:
     """Joint named twice in a ROS 1 controller.

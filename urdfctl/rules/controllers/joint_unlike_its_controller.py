@@ -32,8 +32,8 @@ _CONTROLLERS = """
     authority="ros_controllers: 'Could not find joint 'shouler_lift_joint' in 'hardware_interface::EffortJointInterface'.'; "
     "PR2/pr2_simulator#109",
     options=["--distro=noetic"],
-    bad={"controllers.yaml": _CONTROLLERS % "«shouler_lift_joint»"},
-    good={"controllers.yaml": _CONTROLLERS % "shoulder_lift_joint"},
+    bad=[{"controllers.yaml": _CONTROLLERS % "«shouler_lift_joint»"}],
+    good=[{"controllers.yaml": _CONTROLLERS % "shoulder_lift_joint"}],
 )
 def joint_unlike_its_controller(project: Project) -> Iterator[Finding]:
     """Joint name differs slightly from its controller's name.

@@ -27,8 +27,8 @@ _ARM = """
     severity=Severity.WARNING,
     authority="controller_interface: a controller is not activated if a claimed interface is 'not available' (ROS 2), and "
     "not loaded on 'Could not find joint' (ROS 1)",
-    bad={"controllers.yaml": _ARM % "«arm_joint»"},
-    good={"controllers.yaml": _ARM % "arm_joint1"},
+    bad=[{"controllers.yaml": _ARM % "«arm_joint»"}],
+    good=[{"controllers.yaml": _ARM % "arm_joint1"}],
 )
 def joint_without_number(project: Project) -> Iterator[Finding]:
     """Joint name without a number among numbered joints.

@@ -18,36 +18,40 @@ from urdfctl.rules.controllers.common import faults
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Sequence should be of same type'; 'Sequences cannot be key'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                base: {type: diff_drive_controller/DiffDriveController}
-            base:
-              ros__parameters:
-                left_wheel_names: [shoulder]
-                right_wheel_names: [elbow]
-                wheel_separation: 0.4
-                wheel_radius: 0.1
-                pose_covariance_diagonal: [0.001, 0.001, «1», 1.0, 1.0, 0.03]
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                base: {type: diff_drive_controller/DiffDriveController}
-            base:
-              ros__parameters:
-                left_wheel_names: [shoulder]
-                right_wheel_names: [elbow]
-                wheel_separation: 0.4
-                wheel_radius: 0.1
-                pose_covariance_diagonal: [0.001, 0.001, 1.0, 1.0, 1.0, 0.03]
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base: {type: diff_drive_controller/DiffDriveController}
+                base:
+                  ros__parameters:
+                    left_wheel_names: [shoulder]
+                    right_wheel_names: [elbow]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+                    pose_covariance_diagonal: [0.001, 0.001, «1», 1.0, 1.0, 0.03]
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base: {type: diff_drive_controller/DiffDriveController}
+                base:
+                  ros__parameters:
+                    left_wheel_names: [shoulder]
+                    right_wheel_names: [elbow]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+                    pose_covariance_diagonal: [0.001, 0.001, 1.0, 1.0, 1.0, 0.03]
+            """
+        },
+    ],
 )
 def list_of_several_types(project: Project) -> Iterator[Finding]:
     """List with elements of several types, or with nested lists.

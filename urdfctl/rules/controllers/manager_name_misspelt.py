@@ -22,22 +22,26 @@ _ALIKE = 0.93
     authority="rclcpp: a node reads the section with its name; ros2_control's node is controller_manager: 'The "
     "'type' param was not defined for 'arm'.'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            «controllers_manager»:
-              ros__parameters:
-                update_rate: 100
-                states: {type: joint_state_broadcaster/JointStateBroadcaster}
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                states: {type: joint_state_broadcaster/JointStateBroadcaster}
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                «controllers_manager»:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+            """
+        },
+    ],
 )
 def manager_name_misspelt(project: Project) -> Iterator[Finding]:
     """Misspelt section name of the controller manager.

@@ -18,32 +18,36 @@ from urdfctl.rules.controllers.common import faults
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: a map in a list is read as if it were not in a list",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
-            joint_states:
-              ros__parameters:
-                map_interface_to_joint_state:
-                  - position: absolute_position
-                  - «velocity: absolute_velocity»
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
-            joint_states:
-              ros__parameters:
-                map_interface_to_joint_state:
-                  position: absolute_position
-                  velocity: absolute_velocity
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                joint_states:
+                  ros__parameters:
+                    map_interface_to_joint_state:
+                      - position: absolute_position
+                      - «velocity: absolute_velocity»
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                joint_states:
+                  ros__parameters:
+                    map_interface_to_joint_state:
+                      position: absolute_position
+                      velocity: absolute_velocity
+            """
+        },
+    ],
 )
 def map_in_list(project: Project) -> Iterator[Finding]:
     """List of maps (`- name: value`).

@@ -18,26 +18,30 @@ from urdfctl.rules.controllers.common import faults
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c checks each name with rmw_validate_node_name and rmw_validate_namespace",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-            «arm-controller»:
-              ros__parameters:
-                joints: [shoulder, elbow]
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-            another_node:
-              ros__parameters:
-                joints: [shoulder, elbow]
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                «arm-controller»:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                another_node:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+            """
+        },
+    ],
 )
 def node_name_unusable(project: Project) -> Iterator[Finding]:
     """Invalid node name.

@@ -24,31 +24,151 @@ _LOSES_PARAMETERS = (FaultKind.OUTSIDE_PARAMETERS, FaultKind.NODE_NAME, FaultKin
     authority="generate_parameter_library: 'parameter 'joints' is not initialized', 'Parameter 'joints' cannot be "
     "empty'; ros_controllers: 'No joint given', 'Could not find 'joints' parameter'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            «arm»:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position, velocity]
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                «arm»:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+            """
+        },
+        {
+            "options": "--distro=noetic",
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                «base»:
+                  type: diff_drive_controller/DiffDriveController
+                  left_wheel: left
+                  right_wheel: right
+                  pose_covariance_diagonal: [0.001, 0.001, 0.001, 0.001, 0.001, 0.03]
+                  twist_covariance_diagonal: [0.001, 0.001, 0.001, 0.001, 0.001, 0.03]
+                  linear: {x: {has_velocity_limits: true}}
+            """,
+        },
+        {
+            "options": "--distro=rolling",
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    battery: {type: battery_state_broadcaster/BatteryStateBroadcaster}
+                «battery»:
+                  ros__parameters:
+                    use_sim_time: false
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    base: {type: ackermann_steering_controller/AckermannSteeringController}
+                «base»:
+                  ros__parameters:
+                    wheelbase: 0.6
+                    traction_track_width: 0.4
+                    traction_wheels_radius: 0.1
+                    steering_track_width: 0.4
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    «arm»: {type: joint_trajectory_controller/JointTrajectoryController}
+                    hand: {type: forward_command_controller/ForwardCommandController}
+                hand:
+                  ros__parameters:
+                    joints: [finger]
+                    interface_name: position
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                    hand: {type: forward_command_controller/ForwardCommandController}
+                «hand»:
+                  ros__parameters:
+                    joints: [finger]
+                arm:
+                  joints: [shoulder]
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                    hand: {type: forward_command_controller/ForwardCommandController}
+                «hand»:
+                  ros__parameters:
+                    joints: [finger]
+                arm left:
+                  ros__parameters:
+                    joints: [shoulder]
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                    hand: {type: forward_command_controller/ForwardCommandController}
+                «hand»:
+                  ros__parameters:
+                    joints: [finger]
+                arm:
+                  ros__parameters: [shoulder]
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                    hand: {type: forward_command_controller/ForwardCommandController}
+                «hand»:
+                  ros__parameters:
+                    joints: [finger]
+                ---
+                - arm
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position, velocity]
+            """
+        },
+    ],
 )
 def parameter_missing(project: Project) -> Iterator[Finding]:
     """Required parameter is missing.

@@ -19,36 +19,40 @@ from urdfctl.rules.controllers.parameters import known_as
     runtime="ignores",
     authority="generate_parameter_library: parameters with __map_ are declared for each element of the list they name",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position]
-                constraints:
-                  «elbwo»: {goal: 0.1}
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position]
-                constraints:
-                  elbow: {goal: 0.1}
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position]
+                    constraints:
+                      «elbwo»: {goal: 0.1}
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position]
+                    constraints:
+                      elbow: {goal: 0.1}
+            """
+        },
+    ],
 )
 def parameter_of_no_element(project: Project) -> Iterator[Finding]:
     """Parameter for a joint that the controller does not list.

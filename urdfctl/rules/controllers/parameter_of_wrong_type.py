@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.readers import Reader, in_each_distro
-from urdfctl.model.parameters import Kind, Value
+from urdfctl.model.controllers import Kind, Value
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import is_ros1, known_as
 
@@ -20,34 +20,38 @@ from urdfctl.rules.controllers.parameters import is_ros1, known_as
     authority="rclcpp: 'Wrong parameter type, parameter {joints} is of type {string_array}, setting it to {string} is "
     "not allowed.'; roscpp's getParam fails if the type differs",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position]
-                action_monitor_rate: «20»
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position]
-                action_monitor_rate: 20.0
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position]
+                    action_monitor_rate: «20»
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position]
+                    action_monitor_rate: 20.0
+            """
+        },
+    ],
 )
 def parameter_of_wrong_type(project: Project) -> Iterator[Finding]:
     """Parameter value of the wrong type.

@@ -9,7 +9,7 @@ from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import shown, type_problem
 from urdfctl.catalog.values import is_list
 from urdfctl.control.readers import Reader, in_each_distro
-from urdfctl.model.parameters import Kind, Value
+from urdfctl.model.controllers import Kind, Value
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import replaced
@@ -22,34 +22,38 @@ from urdfctl.rules.controllers.parameters import is_ros1, known_as
     runtime="refuses",
     authority="generate_parameter_library: 'Invalid value set during initialization for parameter ...'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                base: {type: diff_drive_controller/DiffDriveController}
-            base:
-              ros__parameters:
-                left_wheel_names: [shoulder]
-                right_wheel_names: [elbow]
-                wheel_separation: 0.4
-                wheel_radius: «0.0»
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                base: {type: diff_drive_controller/DiffDriveController}
-            base:
-              ros__parameters:
-                left_wheel_names: [shoulder]
-                right_wheel_names: [elbow]
-                wheel_separation: 0.4
-                wheel_radius: 0.1
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base: {type: diff_drive_controller/DiffDriveController}
+                base:
+                  ros__parameters:
+                    left_wheel_names: [shoulder]
+                    right_wheel_names: [elbow]
+                    wheel_separation: 0.4
+                    wheel_radius: «0.0»
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base: {type: diff_drive_controller/DiffDriveController}
+                base:
+                  ros__parameters:
+                    left_wheel_names: [shoulder]
+                    right_wheel_names: [elbow]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+            """
+        },
+    ],
 )
 def parameter_refused(project: Project) -> Iterator[Finding]:
     """Parameter value that the node refuses.

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.control.readers import Reader, in_each_distro
-from urdfctl.model.parameters import Parameter
+from urdfctl.model.controllers import Parameter
 from urdfctl.rule import Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.controllers.parameters import (
@@ -29,34 +29,125 @@ from urdfctl.rules.controllers.parameters import (
     authority="generate_parameter_library and rclcpp: a value for a parameter that no node declares is ignored; "
     "ros_control's controllers ask the parameter server for the names they know",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position]
-                «allow_partial_joint_goal»: true
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: joint_trajectory_controller/JointTrajectoryController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                command_interfaces: [position]
-                state_interfaces: [position]
-                allow_partial_joints_goal: true
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position]
+                    «allow_partial_joint_goal»: true
+            """
+        },
+        {
+            "options": "--distro=noetic",
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm:
+                  type: position_controllers/JointTrajectoryController
+                  joints: [shoulder, elbow]
+                  «stop_trajectory_durations»: 0.5
+                  «goal_time»: 0.5
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    base: {type: diff_drive_controller/DiffDriveController}
+                base:
+                  ros__parameters:
+                    left_wheel_names: [left]
+                    right_wheel_names: [right]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+                    «max_velocity»: 0.5
+                    «left_wheel»: left
+                    «zzz»: 1
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    ros__parameters: {joints: [elbow]}
+                    joints: [shoulder, elbow]
+                    «interface_nam»: position
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    command_interfaces: [position]
+                    state_interfaces: [position]
+                    allow_partial_joints_goal: true
+            """
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+                    qos_overrides: {/joint_states: {publisher: {depth: 5}}}
+                    start_type_description_service: false
+                    diagnostic_updater: {period: 2.0}
+                    enable_logger_service: true
+            """,
+        },
+        {
+            "options": "--distro=noetic",
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm:
+                  type: position_controllers/JointTrajectoryController
+                  joints: [shoulder, elbow]
+                  colour: red
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    type: forward_command_controller/ForwardCommandController
+                    params_file: /opt/arm/arm.yaml
+                    fallback_controllers: [states]
+                    node_options_args: [--ros-args]
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """,
+        },
+    ],
 )
 def parameter_unknown(project: Project) -> Iterator[Finding]:
     """Unknown parameter.

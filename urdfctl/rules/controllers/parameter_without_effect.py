@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.readers import Reader, controllers_in, in_each_distro, readers_of
-from urdfctl.model.parameters import Value
+from urdfctl.model.controllers import Value
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import known_as
 
@@ -17,32 +17,36 @@ from urdfctl.rules.controllers.parameters import known_as
     authority="ros2_control jazzy: controllers' nodes do not declare async_parameters; ros_controllers: controllers for "
     "position joints read no gains",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-                async_parameters:
-                  «thread_priority»: 40
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+                    async_parameters:
+                      «thread_priority»: 40
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
 )
 def parameter_without_effect(project: Project) -> Iterator[Finding]:
     """Parameter without effect.

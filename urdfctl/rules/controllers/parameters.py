@@ -12,9 +12,8 @@ from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.readers import Reader, readers_of
-from urdfctl.model.controllers import Controller
-from urdfctl.model.parameters import Kind
-from urdfctl.model.parameters import Parameter as Given
+from urdfctl.model.controllers import Controller, Kind
+from urdfctl.model.controllers import Parameter as Given
 from urdfctl.names import nearest
 from urdfctl.rule import Project
 from urdfctl.startup.per_object import once_per_object
@@ -209,6 +208,7 @@ def is_sound(reader: Reader, name: str) -> bool:
     return problem(value, parameter.validators) is None
 
 
+@once_per_object
 def is_another(reader: Reader) -> bool:
     """Return whether a controller is probably a fork with the same type name: most of its parameters are unknown."""
     leaves = reader.own.leaves

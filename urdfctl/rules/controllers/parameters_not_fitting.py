@@ -18,34 +18,38 @@ from urdfctl.rules.controllers.parameters import is_sound
     authority="the controllers' own checks, e.g. joint_trajectory_controller: ''velocity' command interface can only be "
     "used alone if 'velocity' and 'position' state interfaces are present'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                base: {type: diff_drive_controller/DiffDriveController}
-            base:
-              ros__parameters:
-                left_wheel_names: [shoulder]
-                right_wheel_names: «[elbow, wrist]»
-                wheel_separation: 0.4
-                wheel_radius: 0.1
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                base: {type: diff_drive_controller/DiffDriveController}
-            base:
-              ros__parameters:
-                left_wheel_names: [shoulder]
-                right_wheel_names: [elbow]
-                wheel_separation: 0.4
-                wheel_radius: 0.1
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base: {type: diff_drive_controller/DiffDriveController}
+                base:
+                  ros__parameters:
+                    left_wheel_names: [shoulder]
+                    right_wheel_names: «[elbow, wrist]»
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base: {type: diff_drive_controller/DiffDriveController}
+                base:
+                  ros__parameters:
+                    left_wheel_names: [shoulder]
+                    right_wheel_names: [elbow]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+            """
+        },
+    ],
 )
 def parameters_not_fitting(project: Project) -> Iterator[Finding]:
     """Inconsistent controller parameters.

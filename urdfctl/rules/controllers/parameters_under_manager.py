@@ -20,30 +20,34 @@ from urdfctl.rules.controllers.parameters import OF_THE_SPAWNER, is_lacking
     authority="ros2_control controller_manager/src/controller_manager.cpp: for a controller the manager's node reads only "
     "type, params_file and fallback_controllers",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm:
+                      type: forward_command_controller/ForwardCommandController
+                      «joints»: [shoulder, elbow]
+                      interface_name: position
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm:
+                      type: forward_command_controller/ForwardCommandController
                 arm:
-                  type: forward_command_controller/ForwardCommandController
-                  «joints»: [shoulder, elbow]
-                  interface_name: position
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm:
-                  type: forward_command_controller/ForwardCommandController
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
 )
 def parameters_under_manager(project: Project) -> Iterator[Finding]:
     """Controller parameters below the controller manager.

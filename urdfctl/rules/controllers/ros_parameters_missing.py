@@ -25,30 +25,82 @@ _MEANT = ("rosparameters", "rosparameter", "rosparams", "rosparam", "parameters"
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 3'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              «ros_parameters»:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  «ros_parameters»:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  «ros__parameter»:
+                    update_rate: 100
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  «rosparameter»:
+                    update_rate: 100
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  «rosparams»:
+                    update_rate: 100
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  «ros_param»:
+                    update_rate: 100
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  «parameters»:
+                    update_rate: 100
+            """,
+        },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  «params»:
+                    update_rate: 100
+            """,
+        },
+        {
+            "controllers.yaml": """
+                «controller_manager»:
+                  update_rate: 100
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
 )
 def ros_parameters_missing(project: Project) -> Iterator[Finding]:
     """Missing or misspelt `ros__parameters` (two underscores).

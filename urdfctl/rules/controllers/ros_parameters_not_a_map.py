@@ -18,30 +18,34 @@ from urdfctl.rules.controllers.common import faults
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: parameters are the keys of a map",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              «ros__parameters»:
-                - joints: [shoulder, elbow]
-                - interface_name: position
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm: {type: forward_command_controller/ForwardCommandController}
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  «ros__parameters»:
+                    - joints: [shoulder, elbow]
+                    - interface_name: position
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: forward_command_controller/ForwardCommandController}
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
 )
 def ros_parameters_not_a_map(project: Project) -> Iterator[Finding]:
     """`ros__parameters` is not a map.

@@ -21,30 +21,34 @@ from urdfctl.rules.controllers.sections import meant_for
     authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: a section is read by the node whose full name it matches; "
     "controller_manager's spawner: 'Controller : /arm parameters not found in parameter files'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm_controller: {type: forward_command_controller/ForwardCommandController}
-            «arm_controler»:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm_controller: {type: forward_command_controller/ForwardCommandController}
-            arm_controller:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm_controller: {type: forward_command_controller/ForwardCommandController}
+                «arm_controler»:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm_controller: {type: forward_command_controller/ForwardCommandController}
+                arm_controller:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
 )
 def section_not_read(project: Project) -> Iterator[Finding]:
     """Controller section with a wrong name or namespace.

@@ -18,27 +18,31 @@ from urdfctl.rules.controllers.common import faults
     distros=ROS1,
     authority="ros_comm roslaunch/src/roslaunch/loader.py: yaml.safe_load, 'expected a single document in the stream'",
     options=["--distro=noetic"],
-    bad={
-        "controllers.yaml": """
-            joint_states:
-              type: joint_state_controller/JointStateController
-              publish_rate: 50
-            ---
-            «arm:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow]»
-        """
-    },
-    good={
-        "controllers.yaml": """
-            joint_states:
-              type: joint_state_controller/JointStateController
-              publish_rate: 50
-            arm:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow]
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                joint_states:
+                  type: joint_state_controller/JointStateController
+                  publish_rate: 50
+                ---
+                «arm:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow]»
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                joint_states:
+                  type: joint_state_controller/JointStateController
+                  publish_rate: 50
+                arm:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow]
+            """
+        },
+    ],
 )
 def several_documents(project: Project) -> Iterator[Finding]:
     """Several YAML documents in a ROS 1 file.

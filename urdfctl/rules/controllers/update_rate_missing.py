@@ -17,21 +17,25 @@ from urdfctl.rule import Finding, Project, Severity, rule
     authority="ros2_control controller_manager/src/controller_manager.cpp: ''update_rate' parameter not set, using "
     "default value.'",
     options=["--distro=humble"],
-    bad={
-        "controllers.yaml": """
-            «controller_manager»:
-              ros__parameters:
-                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                «controller_manager»:
+                  ros__parameters:
+                    joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+            """
+        },
+    ],
 )
 def update_rate_missing(project: Project) -> Iterator[Finding]:
     """Controller manager without an update rate.

@@ -19,22 +19,26 @@ from urdfctl.rules.controllers.common import faults
     authority="ros_comm roslaunch over XML-RPC: 'int exceeds XML-RPC limits', 'dictionary key must be string', "
     "'cannot marshal <type 'datetime.date'> objects'",
     options=["--distro=noetic"],
-    bad={
-        "controllers.yaml": """
-            arm:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow]
-              serial_number: «20260101123456»
-        """
-    },
-    good={
-        "controllers.yaml": """
-            arm:
-              type: position_controllers/JointGroupPositionController
-              joints: [shoulder, elbow]
-              serial_number: '20260101123456'
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                arm:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow]
+                  serial_number: «20260101123456»
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                arm:
+                  type: position_controllers/JointGroupPositionController
+                  joints: [shoulder, elbow]
+                  serial_number: '20260101123456'
+            """
+        },
+    ],
 )
 def value_not_for_parameter_server(project: Project) -> Iterator[Finding]:
     """Value or key that the ROS 1 parameter server does not support.

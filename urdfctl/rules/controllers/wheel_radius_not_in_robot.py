@@ -54,8 +54,8 @@ _CONTROLLERS = """
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic"],
-    bad={"robot.urdf": _ROBOT % '<box size="0.2 0.2 0.2"/>', "controllers.yaml": _CONTROLLERS % "«wheel_joint»"},
-    good={"robot.urdf": _ROBOT % '<sphere radius="0.2"/>', "controllers.yaml": _CONTROLLERS % "wheel_joint"},
+    bad=[{"robot.urdf": _ROBOT % '<box size="0.2 0.2 0.2"/>', "controllers.yaml": _CONTROLLERS % "«wheel_joint»"}],
+    good=[{"robot.urdf": _ROBOT % '<sphere radius="0.2"/>', "controllers.yaml": _CONTROLLERS % "wheel_joint"}],
 )
 def wheel_radius_not_in_robot(project: Project) -> Iterator[Finding]:
     """Wheel radius is neither given nor in the robot.
@@ -75,7 +75,7 @@ def _without_radius(reader: Reader, robot: Robot) -> Iterator[Finding]:
     first = next(iter(elements(reader.given.get("left_wheel"))), None)
     joint = robot.joint(first) if isinstance(first, str) and is_known(first) else None
     child = joint.child.name if joint and joint.child else None
-    link = next((link for link in robot.links if link.name == child), None) if child else None
+    link = robot.link(child) if child else None
     problem = _problem(link, reader.distro) if link else None
     if problem and link is not None:
         at = given.value.items[0].at if given.value.items else given.value.at

@@ -17,34 +17,48 @@ _PAIRS = (("left_wheel", "right_wheel"), ("left_wheel_names", "right_wheel_names
     runtime="misbehaves",
     authority="diff_drive_controller uses the wheels as listed",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                base: {type: diff_drive_controller/DiffDriveController}
-            base:
-              ros__parameters:
-                left_wheel_names: «[right_wheel_joint]»
-                right_wheel_names: [left_wheel_joint]
-                wheel_separation: 0.4
-                wheel_radius: 0.1
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                base: {type: diff_drive_controller/DiffDriveController}
-            base:
-              ros__parameters:
-                left_wheel_names: [left_wheel_joint]
-                right_wheel_names: [right_wheel_joint]
-                wheel_separation: 0.4
-                wheel_radius: 0.1
-        """
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base: {type: diff_drive_controller/DiffDriveController}
+                base:
+                  ros__parameters:
+                    left_wheel_names: «[right_wheel_joint]»
+                    right_wheel_names: [left_wheel_joint]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+            """
+        },
+        {
+            "options": "--distro=noetic",
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                base:
+                  type: diff_drive_controller/DiffDriveController
+                  left_wheel: «[front_right, rear_right]»
+                  right_wheel: [front_left, rear_left]
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    base: {type: diff_drive_controller/DiffDriveController}
+                base:
+                  ros__parameters:
+                    left_wheel_names: [left_wheel_joint]
+                    right_wheel_names: [right_wheel_joint]
+                    wheel_separation: 0.4
+                    wheel_radius: 0.1
+            """
+        },
+    ],
 )
 def wheels_on_wrong_sides(project: Project) -> Iterator[Finding]:
     """Left and right wheels are swapped.

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.readers import controllers_in
-from urdfctl.model.parameters import Kind
+from urdfctl.model.controllers import Kind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 
 _MANAGER = """
@@ -35,8 +35,8 @@ _ALL = """
     distros=ROS2,
     authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: sections that match a node are read in file order",
     options=["--distro=jazzy"],
-    bad={"controllers.yaml": _MANAGER + _ARM % "«[shoulder, elbow]»" + _ALL},
-    good={"controllers.yaml": _MANAGER + _ARM % "[shoulder, elbow]"},
+    bad=[{"controllers.yaml": _MANAGER + _ARM % "«[shoulder, elbow]»" + _ALL}],
+    good=[{"controllers.yaml": _MANAGER + _ARM % "[shoulder, elbow]"}],
 )
 def wildcard_wins(project: Project) -> Iterator[Finding]:
     """Section with a wildcard overrides a node's own section.

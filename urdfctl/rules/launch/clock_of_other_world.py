@@ -19,8 +19,8 @@ _WITH_CLOCK = PUBLISHER.replace("</node>", '  <param name="%s" value="true"/>\n 
     distros=ROS2,
     authority="rclcpp time_source.cpp: with use_sim_time a node takes its time from /clock, and stays at 0 without it; "
     "robot_state_publisher.cpp callbackJointState(): 'Moved backwards in time, re-publishing joint transforms!'",
-    bad=launched(_WITH_CLOCK % "«use_sim_time»", MANAGER, BROADCASTER, ARM),
-    good=SOUND,
+    bad=[launched(_WITH_CLOCK % "«use_sim_time»", MANAGER, BROADCASTER, ARM)],
+    good=[SOUND],
 )
 def clock_of_other_world(project: Project) -> Iterator[Finding]:
     """use_sim_time of robot_state_publisher does not fit the simulator.

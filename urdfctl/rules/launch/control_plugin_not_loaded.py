@@ -34,8 +34,8 @@ _ROBOT = '%s<link name="base"/>%s</robot>'
     authority="gazebo_ros_control README: the plugin 'parses the transmission tags and loads the appropriate hardware "
     "interfaces and controller manager'; spawner: 'Controller Spawner couldn't find the expected controller_manager ROS "
     "interface'",
-    bad={"robot.urdf": _ROBOT % ('«<robot name="arm">»', ""), "arm.launch": _LAUNCH, "package.xml": _MANIFEST},
-    good={"robot.urdf": _ROBOT % ('<robot name="arm">', _PLUGIN), "arm.launch": _LAUNCH, "package.xml": _MANIFEST},
+    bad=[{"robot.urdf": _ROBOT % ('«<robot name="arm">»', ""), "arm.launch": _LAUNCH, "package.xml": _MANIFEST}],
+    good=[{"robot.urdf": _ROBOT % ('<robot name="arm">', _PLUGIN), "arm.launch": _LAUNCH, "package.xml": _MANIFEST}],
 )
 def control_plugin_not_loaded(project: Project) -> Iterator[Finding]:
     """Controllers are spawned in Gazebo, but no plugin of the robot runs them.

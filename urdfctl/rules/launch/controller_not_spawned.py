@@ -18,13 +18,15 @@ from urdfctl.rules.launch_samples import BROADCASTER, CONTROLLERS, MANAGER, PUBL
     runtime="works",
     authority="ros2_control controller_manager.cpp load_controller(): a controller is loaded when a spawner asks for it; "
     "likewise ros_control's controller_manager",
-    bad=launched(
-        PUBLISHER,
-        MANAGER,
-        BROADCASTER,
-        controllers=CONTROLLERS.replace("    arm_controller:", "    «arm_controller»:", 1),
-    ),
-    good=SOUND,
+    bad=[
+        launched(
+            PUBLISHER,
+            MANAGER,
+            BROADCASTER,
+            controllers=CONTROLLERS.replace("    arm_controller:", "    «arm_controller»:", 1),
+        ),
+    ],
+    good=[SOUND],
 )
 def controller_not_spawned(project: Project) -> Iterator[Finding]:
     """Configured controller that the launch file does not spawn.

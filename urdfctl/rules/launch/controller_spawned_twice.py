@@ -17,8 +17,8 @@ from urdfctl.source.span import Place
     severity=Severity.WARNING,
     authority="ros2_control spawner.py: 'Controller already loaded, skipping load_controller', then 'Failed to configure "
     "controller'; ros_control scripts/spawner: 'Failed to load arm_controller'",
-    bad=launched(PUBLISHER, MANAGER, BROADCASTER, ARM, spawner(f"«arm_controller» {FILE}")),
-    good=SOUND,
+    bad=[launched(PUBLISHER, MANAGER, BROADCASTER, ARM, spawner(f"«arm_controller» {FILE}"))],
+    good=[SOUND],
 )
 def controller_spawned_twice(project: Project) -> Iterator[Finding]:
     """Controller is spawned twice.

@@ -37,19 +37,23 @@ _ADDS_PARTS = rb"<(?:xacro:(?!arg\b|property\b)|link\b|joint\b|include\b)"
     severity=Severity.ERROR,
     runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): 'No link elements found in urdf file'",
-    bad={
-        "arm.launch": _LAUNCH.format("«$(find arm)/camera.urdf.xacro»").replace(
-            'command="$(find xacro)/xacro «$(find arm)/camera.urdf.xacro»"',
-            'command="«$(find xacro)/xacro $(find arm)/camera.urdf.xacro»"',
-        ),
-        "camera.urdf.xacro": _MACRO % "",
-        "package.xml": _MANIFEST,
-    },
-    good={
-        "arm.launch": _LAUNCH.format("$(find arm)/camera.urdf.xacro"),
-        "camera.urdf.xacro": _MACRO % '\n      <xacro:camera parent="arm"/>',
-        "package.xml": _MANIFEST,
-    },
+    bad=[
+        {
+            "arm.launch": _LAUNCH.format("«$(find arm)/camera.urdf.xacro»").replace(
+                'command="$(find xacro)/xacro «$(find arm)/camera.urdf.xacro»"',
+                'command="«$(find xacro)/xacro $(find arm)/camera.urdf.xacro»"',
+            ),
+            "camera.urdf.xacro": _MACRO % "",
+            "package.xml": _MANIFEST,
+        },
+    ],
+    good=[
+        {
+            "arm.launch": _LAUNCH.format("$(find arm)/camera.urdf.xacro"),
+            "camera.urdf.xacro": _MACRO % '\n      <xacro:camera parent="arm"/>',
+            "package.xml": _MANIFEST,
+        },
+    ],
 )
 def described_by_macros_only(project: Project) -> Iterator[Finding]:
     """Launched robot description only defines macros.

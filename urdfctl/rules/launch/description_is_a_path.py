@@ -22,12 +22,14 @@ _READERS = ("robot_state_publisher", "ros2_control_node", "move_group", "rviz2")
     distros=ROS2,
     authority="robot_state_publisher src/robot_state_publisher.cpp setupURDF(): 'Unable to initialize urdf::model from robot "
     "description'; it reads the parameter as XML",
-    bad=launched(
-        PUBLISHER.replace('"robot_description"', '"«robot_description»"').replace(
-            "$(command 'xacro $(find-pkg-share arm)/arm.urdf')", "$(find-pkg-share arm)/arm.urdf"
-        )
-    ),
-    good=launched(PUBLISHER),
+    bad=[
+        launched(
+            PUBLISHER.replace('"robot_description"', '"«robot_description»"').replace(
+                "$(command 'xacro $(find-pkg-share arm)/arm.urdf')", "$(find-pkg-share arm)/arm.urdf"
+            )
+        ),
+    ],
+    good=[launched(PUBLISHER)],
 )
 def description_is_a_path(project: Project) -> Iterator[Finding]:
     """Node gets the path of the robot description, not its text.

@@ -22,16 +22,18 @@ _ELSEWHERE = PUBLISHER.replace("<node ", '<node namespace="left" ')
     options=("--distro=jazzy",),
     authority="ros2_control controller_manager.cpp: 'Waiting for data on 'robot_description' topic to finish "
     "initialization'; since jazzy (#1358) the parameter is not read; until iron the topic is '~/robot_description'",
-    bad=launched(
-        _ELSEWHERE,
-        """
+    bad=[
+        launched(
+            _ELSEWHERE,
+            """
       «<node pkg="controller_manager" exec="ros2_control_node">»
         <param from="$(find-pkg-share arm)/controllers.yaml"/>
       </node>""",
-        BROADCASTER,
-        ARM,
-    ),
-    good=SOUND,
+            BROADCASTER,
+            ARM,
+        ),
+    ],
+    good=[SOUND],
 )
 def description_not_published(project: Project) -> Iterator[Finding]:
     """Controller manager gets no robot description.

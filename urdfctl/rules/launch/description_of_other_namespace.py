@@ -42,8 +42,8 @@ def _files(namespace: str) -> dict[str, str]:
     distros=ROS1,
     authority="gazebo_ros_control gazebo_ros_control_plugin.cpp getURDF(): searchParam() from robotNamespace upwards: "
     "'gazebo_ros_control plugin is waiting for model URDF in parameter [robot_description] on the ROS param server.'",
-    bad=_files("/left"),
-    good={name: text.replace("«", "").replace("»", "") for name, text in _files("/arm").items()},
+    bad=[_files("/left")],
+    good=[{name: text.replace("«", "").replace("»", "") for name, text in _files("/arm").items()}],
 )
 def description_of_other_namespace(project: Project) -> Iterator[Finding]:
     """Robot description is in a different namespace than the simulated robot.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.model.parts import Tag
+from urdfctl.model.robot import Tag
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import robot_in
 from urdfctl.rules.launch.common import ROS_2, launch_of
@@ -28,8 +28,8 @@ _TYPED = _PUBLISHER.replace('"/>', '" type="str"/>')
     authority="launch_ros utilities/evaluate_parameters.py: a substitution without a type is passed to yaml.safe_load: "
     "'Unable to parse the value of parameter robot_description as yaml. If the parameter is meant to be a string, try "
     "wrapping it in launch_ros.parameter_descriptions.ParameterValue(value, value_type=str)'",
-    bad=launched(_PUBLISHER.replace(_COMMAND, f"«{_COMMAND}»"), MANAGER, BROADCASTER, ARM, robot=_COMMENTED),
-    good=launched(_TYPED, MANAGER, BROADCASTER, ARM, robot=_COMMENTED),
+    bad=[launched(_PUBLISHER.replace(_COMMAND, f"«{_COMMAND}»"), MANAGER, BROADCASTER, ARM, robot=_COMMENTED)],
+    good=[launched(_TYPED, MANAGER, BROADCASTER, ARM, robot=_COMMENTED)],
 )
 def description_read_as_yaml(project: Project) -> Iterator[Finding]:
     """Robot description is parsed as YAML, and is not valid YAML.

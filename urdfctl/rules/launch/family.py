@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.launch.clock_of_other_world import clock_of_other_world
 from urdfctl.rules.launch.control_plugin_not_loaded import control_plugin_not_loaded
 from urdfctl.rules.launch.controller_not_spawned import controller_not_spawned
@@ -35,7 +35,7 @@ from urdfctl.rules.launch.spawner_without_manager import spawner_without_manager
 from urdfctl.rules.launch.xacro_command_malformed import xacro_command_malformed
 from urdfctl.rules.launch.xacro_program_gone import xacro_program_gone
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     spawned_controller_unknown,
     controller_spawned_twice,
     controller_not_spawned,

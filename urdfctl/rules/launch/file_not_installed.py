@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.launch import Launch
-from urdfctl.model.package import Package
+from urdfctl.model.launch import Launch, Package
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2
 from urdfctl.rules.launch_samples import MANIFEST, SOUND
@@ -39,8 +38,8 @@ def _files(folders: str, mark: str = "") -> dict[str, str]:
     runtime="refuses",
     authority="ament_index_python get_package_share_directory(): <prefix>/share/<package>, where only install() rules and "
     "data_files of setup.py put files",
-    bad=_files("launch urdf", "$(find-pkg-share arm)/config/controllers.yaml"),
-    good=_files("launch urdf config"),
+    bad=[_files("launch urdf", "$(find-pkg-share arm)/config/controllers.yaml")],
+    good=[_files("launch urdf config")],
 )
 def file_not_installed(project: Project) -> Iterator[Finding]:
     """File used by a launch file is not installed.

@@ -30,8 +30,8 @@ def _files(name: str) -> dict[str, str]:
     runtime="refuses",
     distros=ROS1,
     authority="roslaunch loader.py post_process_include_args(): 'unused args [gui] for include of [/arm/inner.launch]'",
-    bad=_files("«gvi»"),
-    good=_files("gui"),
+    bad=[_files("«gvi»")],
+    good=[_files("gui")],
 )
 def include_argument_unknown(project: Project) -> Iterator[Finding]:
     """Unknown argument for an included launch file.

@@ -36,8 +36,8 @@ def _files(folders: str) -> dict[str, str]:
     distros=ROS2,
     authority="CMake install(): 'file INSTALL cannot find \"/ws/src/arm/launch\": No such file or directory.'; "
     "ament_cmake_core: \"ament_cmake_symlink_install_directory() can't find '/ws/src/arm/launch'\"",
-    bad=_files("config «launch»"),
-    good=_files("config"),
+    bad=[_files("config «launch»")],
+    good=[_files("config")],
 )
 def installed_file_missing(project: Project) -> Iterator[Finding]:
     """CMakeLists.txt installs a file or folder that does not exist.

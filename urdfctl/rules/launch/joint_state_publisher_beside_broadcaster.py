@@ -20,8 +20,8 @@ _TOPICS = ("joint_states", "/joint_states")
     runtime="misbehaves",
     authority="joint_state_publisher: publishes joint_states of all joints, zero for joints without input; "
     "robot_state_publisher takes whatever comes on joint_states",
-    bad=launched(PUBLISHER, MANAGER, BROADCASTER, ARM, _NODE),
-    good=SOUND,
+    bad=[launched(PUBLISHER, MANAGER, BROADCASTER, ARM, _NODE)],
+    good=[SOUND],
 )
 def joint_state_publisher_beside_broadcaster(project: Project) -> Iterator[Finding]:
     """joint_state_publisher and the broadcaster both publish joint states.

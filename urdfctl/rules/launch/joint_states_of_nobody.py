@@ -35,8 +35,8 @@ def _files(*nodes: str) -> dict[str, str]:
     in_library=False,
     authority="robot_state_publisher: transforms of movable joints are published only for positions from joint_states; RViz: "
     "'No transform from [fore] to [base]'",
-    bad=_files(PUBLISHER.replace("<node pkg", "«<node pkg").replace('publisher">', 'publisher">»'), _RVIZ),
-    good=_files(PUBLISHER, _RVIZ, _STATES),
+    bad=[_files(PUBLISHER.replace("<node pkg", "«<node pkg").replace('publisher">', 'publisher">»'), _RVIZ)],
+    good=[_files(PUBLISHER, _RVIZ, _STATES)],
 )
 def joint_states_of_nobody(project: Project) -> Iterator[Finding]:
     """Nobody publishes the states of the joints that RViz shows.

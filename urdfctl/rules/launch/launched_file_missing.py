@@ -20,13 +20,15 @@ _ARGUMENTS = {".rviz": "RViz configuration", ".vcg": "RViz configuration", ".wor
     runtime="refuses",
     authority="roslaunch: 'file does not exist'; launch: 'The following exception occurred ... No such file or directory'; "
     "rcl: 'Error opening YAML file'; xacro: 'No such file or directory'",
-    bad=launched(
-        PUBLISHER,
-        MANAGER,
-        BROADCASTER,
-        spawner("arm_controller -p «$(find-pkg-share arm)/controler.yaml»"),
-    ),
-    good=SOUND,
+    bad=[
+        launched(
+            PUBLISHER,
+            MANAGER,
+            BROADCASTER,
+            spawner("arm_controller -p «$(find-pkg-share arm)/controler.yaml»"),
+        ),
+    ],
+    good=[SOUND],
 )
 def launched_file_missing(project: Project) -> Iterator[Finding]:
     """Launch file uses a file that does not exist.

@@ -21,8 +21,8 @@ def _files(names: str) -> dict[str, str]:
     in_library=False,
     authority="industrial_core industrial_robot_client: the joints of controller_joint_names are those that are streamed and "
     "reported: 'mismatched number of joints'; joint_trajectory_action: 'Joint trajectory action failing on invalid joints'",
-    bad=_files("shoulder, elbow, «wrist»"),
-    good=_files("shoulder, elbow"),
+    bad=[_files("shoulder, elbow, «wrist»")],
+    good=[_files("shoulder, elbow")],
 )
 def listed_joint_unknown(project: Project) -> Iterator[Finding]:
     """Unknown joint in controller_joint_names.

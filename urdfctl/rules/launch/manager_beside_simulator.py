@@ -34,8 +34,8 @@ _SIMULATED = ROBOT.replace("mock_components/GenericSystem", "gz_ros2_control/Gaz
     distros=ROS2,
     authority="ros2_control hardware_interface resource_manager.cpp: 'According to the loaded plugin descriptions the class "
     "gz_ros2_control/GazeboSimSystem with base class type hardware_interface::SystemInterface does not exist.'",
-    bad=launched(PUBLISHER, _MANAGER, BROADCASTER, ARM, robot=_SIMULATED),
-    good=SOUND,
+    bad=[launched(PUBLISHER, _MANAGER, BROADCASTER, ARM, robot=_SIMULATED)],
+    good=[SOUND],
 )
 def manager_beside_simulator(project: Project) -> Iterator[Finding]:
     """ros2_control_node is started for a robot with simulated hardware.

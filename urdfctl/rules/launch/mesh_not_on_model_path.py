@@ -54,8 +54,8 @@ def _files(mark: str, export: str) -> dict[str, str]:
     authority="sdformat parser_urdf.cc: package:// becomes model://; gazebo_ros and ros_gz_sim scripts GazeboRosPaths: the model "
     "path is taken from <export><gazebo_ros gazebo_model_path=.../></export>; 'No mesh specified', 'Unable to find file "
     "with URI [model://arm/tool.stl]'",
-    bad=_files("«{}»", ""),
-    good=_files("{}", _EXPORT),
+    bad=[_files("«{}»", "")],
+    good=[_files("{}", _EXPORT)],
 )
 def mesh_not_on_model_path(project: Project) -> Iterator[Finding]:
     """Gazebo does not find the meshes of a package.

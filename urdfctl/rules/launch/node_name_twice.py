@@ -41,8 +41,8 @@ _NODE = '<node name="NAME" pkg="joint_state_publisher" type="joint_state_publish
     distros=ROS1,
     authority="roslaunch config.py add_node(): 'roslaunch file contains multiple nodes named [/spawner]. Please check all "
     "<node> 'name' attributes to make sure they are unique.'",
-    bad=_files(f"«{_NODE}»"),
-    good=_files(_NODE),
+    bad=[_files(f"«{_NODE}»")],
+    good=[_files(_NODE)],
 )
 def node_name_twice(project: Project) -> Iterator[Finding]:
     """Two nodes of a launch file have the same name.

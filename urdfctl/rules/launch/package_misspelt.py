@@ -16,8 +16,8 @@ from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, S
     because="the package may be installed",
     authority="roslaunch substitution_args.py _find(): rospkg ResourceNotFound; launch_ros FindPackageShare: "
     "\"package 'amr' not found, searching: ...\"",
-    bad=launched(PUBLISHER.replace("(find-pkg-share arm)", "(find-pkg-share «armm»)", 1), MANAGER, BROADCASTER, ARM),
-    good=SOUND,
+    bad=[launched(PUBLISHER.replace("(find-pkg-share arm)", "(find-pkg-share «armm»)", 1), MANAGER, BROADCASTER, ARM)],
+    good=[SOUND],
 )
 def package_misspelt(project: Project) -> Iterator[Finding]:
     """Misspelt package in a launch file.

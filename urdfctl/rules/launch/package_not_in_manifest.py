@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import MAINTAINED
 from urdfctl.control.simulator_plugins import components
-from urdfctl.model.launch import Launch
-from urdfctl.model.package import Package
+from urdfctl.model.launch import Launch, Package
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_conditional
 from urdfctl.rules.launch_samples import MANIFEST, SOUND
@@ -46,8 +45,8 @@ _CONTROLLERS = ("ros_controllers", "ros2_controllers")
     severity=Severity.WARNING,
     authority="REP 149: <exec_depend> declares what is needed at run time, and rosdep installs that; "
     "ament_index: 'package 'xacro' not found, searching: ...'",
-    bad={**SOUND, "package.xml": _LACKING},
-    good=SOUND,
+    bad=[{**SOUND, "package.xml": _LACKING}],
+    good=[SOUND],
 )
 def package_not_in_manifest(project: Project) -> Iterator[Finding]:
     """Package used by a launch file is missing in package.xml.

@@ -22,8 +22,8 @@ _REJECTING = since("lyrical")
     options=("--distro=jazzy",),
     authority="ros2_control #1694 (jazzy): parameters of controllers are given to the spawner; #3016 (lyrical): the manager "
     "no longer hands its own on: 'Length of parameter 'joints' is '0' but must be greater than '0''",
-    bad=launched(PUBLISHER, MANAGER, BROADCASTER, spawner("«arm_controller»")),
-    good=SOUND,
+    bad=[launched(PUBLISHER, MANAGER, BROADCASTER, spawner("«arm_controller»"))],
+    good=[SOUND],
 )
 def parameters_not_given_to_controller(project: Project) -> Iterator[Finding]:
     """Controller parameters are passed to the manager, not to the spawner.

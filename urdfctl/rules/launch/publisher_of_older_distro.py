@@ -25,8 +25,8 @@ _MANIFEST = "<package><name>arm</name><exec_depend>robot_state_publisher</exec_d
     options=["--distro=noetic"],
     authority="robot_state_publisher CHANGELOG 1.15.0 (noetic): 'Remove state_publisher'; joint_state_publisher 1.12.14: "
     "'This backwards compatibility option will be removed in Noetic.'",
-    bad={"robot.urdf": "", "arm.launch": _LAUNCH.format("«state_publisher»"), "package.xml": _MANIFEST},
-    good={"robot.urdf": "", "arm.launch": _LAUNCH.format("robot_state_publisher"), "package.xml": _MANIFEST},
+    bad=[{"robot.urdf": "", "arm.launch": _LAUNCH.format("«state_publisher»"), "package.xml": _MANIFEST}],
+    good=[{"robot.urdf": "", "arm.launch": _LAUNCH.format("robot_state_publisher"), "package.xml": _MANIFEST}],
 )
 def publisher_of_older_distro(project: Project) -> Iterator[Finding]:
     """State publisher with a name or an option that noetic removed.

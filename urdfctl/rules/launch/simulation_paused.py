@@ -20,8 +20,8 @@ _HOW = {"gz": "Add '-r' to gz_args", "gazebo-classic": "Set 'pause' to 'false'"}
     distros=ROS2,
     authority="gz sim --help: '-r: Run simulation on start'; ros2_control: 'Switch controller timed out after 5.000000 "
     "seconds!' (gz_ros2_control#421)",
-    bad=launched(PUBLISHER, '\n      «<executable cmd="gz sim empty.sdf"/>»', BROADCASTER, ARM),
-    good=SOUND,
+    bad=[launched(PUBLISHER, '\n      «<executable cmd="gz sim empty.sdf"/>»', BROADCASTER, ARM)],
+    good=[SOUND],
 )
 def simulation_paused(project: Project) -> Iterator[Finding]:
     """Simulation is started paused, but controllers are spawned in it.

@@ -12,6 +12,7 @@ from urdfctl.rules.common import in_words, replaced
 from urdfctl.rules.launch.common import ROS_2, manager_nodes, simulators_managers
 from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
 from urdfctl.source.span import Place
+from urdfctl.startup.per_object import once_for_the_last
 
 
 @rule(
@@ -20,8 +21,8 @@ from urdfctl.source.span import Place
     runtime="refuses",
     authority="ros2_control controller_manager.cpp: 'The 'type' param was not defined for 'arm'.'; ros_control "
     "controller_manager.cpp: 'Could not load controller 'arm' because the type was not specified.'",
-    bad=launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"«arm_controler» {FILE}")),
-    good=SOUND,
+    bad=[launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"«arm_controler» {FILE}"))],
+    good=[SOUND],
 )
 def spawned_controller_unknown(project: Project) -> Iterator[Finding]:
     """Unknown controller is spawned.
@@ -73,19 +74,34 @@ def _is_meant(name: str, spawn: Spawn, controller: Controller) -> bool:
     return unknown or f"{spawn.namespace}/{name}" == controller.full_name
 
 
+@once_for_the_last
+def _declared(controllers: Controllers) -> dict[str, Controller]:
+    """The first declared controller of each name."""
+    return {one.name: one for one in reversed(controllers.controllers) if one.declared_at is not None}
+
+
+@once_for_the_last
+def _in_words(controllers: Controllers) -> str:
+    return in_words(sorted(_declared(controllers)))
+
+
+@once_for_the_last
+def _taken(launch: Launch) -> set[str]:
+    return {name.rpartition("/")[2] for spawn in launch.spawns for name, _ in spawn.names}
+
+
 def _finding(name: str, at: Place, spawn: Spawn, controllers: Controllers, launch: Launch) -> Finding:
     severity = None if spawn.sure else Severity.WARNING
-    declared = [controller for controller in controllers.controllers if controller.declared_at is not None]
-    elsewhere = next((controller for controller in declared if controller.name == name), None)
+    declared = _declared(controllers)
+    elsewhere = declared.get(name)
     if elsewhere is not None and elsewhere.declared_at is not None:
         message = f"controller '{name}' is spawned in namespace '{spawn.namespace or '/'}', but declared in "
         message += f"'{elsewhere.namespace or '/'}'"
         return Finding(at, message, (Note("it is declared here", elsewhere.declared_at),), severity=severity)
-    taken = {other.rpartition("/")[2] for each in launch.spawns for other, _ in each.names}
-    meant = nearest(name, [controller.name for controller in declared if controller.name not in taken])
+    meant = nearest(name, declared.keys() - _taken(launch))
     if meant is None:
         severity = Severity.WARNING if launch.ros != ROS_2 else severity  # another launch file may load its parameters
-        names = in_words(sorted({controller.name for controller in declared}))
+        names = _in_words(controllers)
         message = f"controller '{name}' is spawned, but no file declares it; declared: {names}"
         return Finding(at, message, severity=severity)
     fix: Fix = replaced(at, name, meant)

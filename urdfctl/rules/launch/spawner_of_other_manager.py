@@ -18,8 +18,8 @@ from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, 
     distros=ROS2,
     whole_robot=True,
     authority="ros2_control spawner.py: 'Could not contact service /left/controller_manager/list_controllers'",
-    bad=launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"«arm_controller» -c /left/controller_manager {FILE}")),
-    good=SOUND,
+    bad=[launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"«arm_controller» -c /left/controller_manager {FILE}"))],
+    good=[SOUND],
 )
 def spawner_of_other_manager(project: Project) -> Iterator[Finding]:
     """Spawner contacts a controller manager that does not run.

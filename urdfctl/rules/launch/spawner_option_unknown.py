@@ -20,8 +20,8 @@ from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, 
     distros=ROS2,
     authority="ros2_control spawner.py: argparse ends the program where it does not know an option: 'unrecognized "
     "arguments'; the options of each distro's branch",
-    bad=launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"arm_controller «--controller_manager» /cm {FILE}")),
-    good=SOUND,
+    bad=[launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"arm_controller «--controller_manager» /cm {FILE}"))],
+    good=[SOUND],
 )
 def spawner_option_unknown(project: Project) -> Iterator[Finding]:
     """Unknown option of the spawner.

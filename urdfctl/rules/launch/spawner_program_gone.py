@@ -27,8 +27,8 @@ _GONE = {
     options=("--distro=humble",),
     authority="ros2_control controller_manager/setup.cfg: console_scripts spawner, unspawner; galactic: ''spawner.py' is "
     "deprecated, please use 'spawner' (without .py extension)'; ros2controlcli: verbs of foxy",
-    bad=launched(PUBLISHER, MANAGER, BROADCASTER.replace('"spawner"', '"«spawner.py»"'), ARM),
-    good=SOUND,
+    bad=[launched(PUBLISHER, MANAGER, BROADCASTER.replace('"spawner"', '"«spawner.py»"'), ARM)],
+    good=[SOUND],
 )
 def spawner_program_gone(project: Project) -> Iterator[Finding]:
     """Launch file calls a foxy program that loads controllers.

@@ -26,8 +26,8 @@ from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, lau
     distros=ROS2,
     whole_robot=True,
     authority="ros2_control spawner.py: 'waiting for service /controller_manager/list_controllers to become available...'",
-    bad=launched(PUBLISHER, BROADCASTER.replace("joint_state_broadcaster", "«joint_state_broadcaster»"), ARM),
-    good=SOUND,
+    bad=[launched(PUBLISHER, BROADCASTER.replace("joint_state_broadcaster", "«joint_state_broadcaster»"), ARM)],
+    good=[SOUND],
 )
 def spawner_without_manager(project: Project) -> Iterator[Finding]:
     """Controllers are spawned without a controller manager.

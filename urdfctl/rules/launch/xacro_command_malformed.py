@@ -19,10 +19,12 @@ _GLUED = r"\.(?:xacro|urdf)(?=\w+:=)"
     runtime="refuses",
     authority="launch substitutions/command.py: the parts are put together as they are, and split like a shell does: "
     "'executed command failed' or 'file not found'",
-    bad=launched(
-        PUBLISHER.replace("$(command 'xacro $(find-pkg-share arm)/arm.urdf')", _BAD), MANAGER, BROADCASTER, ARM
-    ),
-    good=SOUND,
+    bad=[
+        launched(
+            PUBLISHER.replace("$(command 'xacro $(find-pkg-share arm)/arm.urdf')", _BAD), MANAGER, BROADCASTER, ARM
+        ),
+    ],
+    good=[SOUND],
 )
 def xacro_command_malformed(project: Project) -> Iterator[Finding]:
     """Missing space in the command that creates the robot description.

@@ -20,8 +20,8 @@ _LOADED = "<launch><param name=\"robot_description\" command={}$(find xacro)/{} 
     options=("--distro=noetic",),
     authority="ros/xacro pull request 239, released as 1.14.2 for noetic: xacro.py is removed; roslaunch: "
     "'Invalid <param> tag: Cannot load command parameter [robot_description]: no such command'",
-    bad={"robot.urdf": "", "arm.launch": _LOADED.format('"«', "xacro.py", '»"')},
-    good={"robot.urdf": "", "arm.launch": _LOADED.format('"', "xacro", '"')},
+    bad=[{"robot.urdf": "", "arm.launch": _LOADED.format('"«', "xacro.py", '»"')}],
+    good=[{"robot.urdf": "", "arm.launch": _LOADED.format('"', "xacro", '"')}],
 )
 def xacro_program_gone(project: Project) -> Iterator[Finding]:
     """Launch file calls xacro by its old name, xacro.py.

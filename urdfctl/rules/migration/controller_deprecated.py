@@ -18,24 +18,28 @@ from urdfctl.rules.migration.common import severity_of_old
     distros=ROS2,
     authority="ros2_controllers doc/migration.rst and release_notes.rst: deprecated types and their successors",
     options=["--distro=foxy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_state_controller:
-                  type: «joint_state_controller/JointStateController»
-        """,
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_state_broadcaster:
-                  type: joint_state_broadcaster/JointStateBroadcaster
-        """,
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_state_controller:
+                      type: «joint_state_controller/JointStateController»
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_state_broadcaster:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+        },
+    ],
 )
 def controller_deprecated(project: Project) -> Iterator[Finding]:
     """Deprecated controller type.

@@ -18,31 +18,35 @@ from urdfctl.rules.migration.common import lacking
     authority="ros2_controllers#2016: position_controllers, velocity_controllers and effort_controllers are removed; "
     "doc/migration.rst of each distro",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    wheels:
+                      type: «velocity_controllers/JointGroupVelocityController»
                 wheels:
-                  type: «velocity_controllers/JointGroupVelocityController»
-            wheels:
-              ros__parameters:
-                joints: [shoulder, elbow]
-        """,
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    wheels:
+                      type: forward_command_controller/ForwardCommandController
                 wheels:
-                  type: forward_command_controller/ForwardCommandController
-            wheels:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: velocity
-        """,
-    },
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: velocity
+            """,
+        },
+    ],
 )
 def controller_gone_soon(project: Project) -> Iterator[Finding]:
     """Controller type is missing in a later distro.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.migration.controller_deprecated import controller_deprecated
 from urdfctl.rules.migration.controller_gone_soon import controller_gone_soon
 from urdfctl.rules.migration.gazebo_classic_gone import gazebo_classic_gone
@@ -12,7 +12,7 @@ from urdfctl.rules.migration.migration_todo_left import migration_todo_left
 from urdfctl.rules.migration.plugin_deprecated import plugin_deprecated
 from urdfctl.rules.migration.plugin_gone_soon import plugin_gone_soon
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     gazebo_classic_gone,
     plugin_deprecated,
     hardware_deprecated,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, in_words
 from urdfctl.control.simulator_plugins import components
-from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.model.robot import Ros2Control
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.migration.common import severity_of_old
@@ -21,22 +21,26 @@ from urdfctl.rules.migration.common import severity_of_old
     authority="ros2_control doc/migration.rst: fake_components are mock_components, removed in jazzy; gz_ros2_control "
     "src/gz_system.cpp: 'The ign_ros2_control plugin got renamed to gz_ros2_control.'",
     options=["--distro=humble"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>«<plugin>»fake_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»fake_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def hardware_deprecated(project: Project) -> Iterator[Finding]:
     """Old name of a hardware plugin.

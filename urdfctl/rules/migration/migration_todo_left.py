@@ -14,22 +14,26 @@ from urdfctl.rule import Finding, Project, Severity, rule
     severity=Severity.WARNING,
     in_library=True,
     authority="urdfctl migrate: the comment that it writes where a person must decide",
-    bad={
-        "robot.urdf": """
-            <gazebo reference="fore">
-              <!-- «TODO(urdfctl): 'libarm_extra.so' has no known successor in gz» -->
-              <mu1>0.9</mu1>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo reference="fore">
-              <!-- TODO: measure it -->
-              <mu1>0.9</mu1>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <!-- «TODO(urdfctl): 'libarm_extra.so' has no known successor in gz» -->
+                  <mu1>0.9</mu1>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <!-- TODO: measure it -->
+                  <mu1>0.9</mu1>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def migration_todo_left(project: Project) -> Iterator[Finding]:
     """Migration leaves a decision open.

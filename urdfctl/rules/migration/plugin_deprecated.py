@@ -23,32 +23,36 @@ _OF_GZ = since("jazzy")
     "src/SystemLoader.cc: 'Trying to load deprecated plugin [ignition-gazebo-diff-drive-system]. Using "
     "[gz-sim-diff-drive-system] instead.'",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="«ign_ros2_control-system»" name="ign_ros2_control::IgnitionROS2ControlPlugin">
-                <parameters>/opt/arm/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>/opt/arm/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="«ign_ros2_control-system»" name="ign_ros2_control::IgnitionROS2ControlPlugin">
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def plugin_deprecated(project: Project) -> Iterator[Finding]:
     """Simulator plugin has an old name from Ignition.

@@ -25,8 +25,8 @@ _WITHOUT = LIMITS.replace("has_acceleration_limits: true", "has_acceleration_lim
     in_library=False,
     authority="moveit_core time_optimal_trajectory_generation.cpp: 'No acceleration limit was defined for joint shoulder! You have "
     "to define acceleration limits in the URDF or joint_limits.yaml'; until humble 1 rad/s^2 is assumed",
-    bad=planned(joint_limits=_WITHOUT.replace("shoulder:", "«shoulder»:")),
-    good=planned(joint_limits=LIMITS),
+    bad=[planned(joint_limits=_WITHOUT.replace("shoulder:", "«shoulder»:"))],
+    good=[planned(joint_limits=LIMITS)],
 )
 def acceleration_limit_missing(project: Project) -> Iterator[Finding]:
     """Joint of a planning group without an acceleration limit.

@@ -18,8 +18,8 @@ from urdfctl.rules.moveit.samples import planned
     whole_robot=True,
     in_library=False,
     authority="srdfdom src/model.cpp loadCollisionPairs(): \"Link 'uper' is not known to URDF. Cannot disable/enable collisons.\"",
-    bad=planned('link2="upper"', 'link2="«uper»"'),
-    good=planned(),
+    bad=[planned('link2="upper"', 'link2="«uper»"')],
+    good=[planned()],
 )
 def collision_pair_unknown(project: Project) -> Iterator[Finding]:
     """<disable_collisions> names an unknown link.

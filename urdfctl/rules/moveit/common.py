@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.control.groups import Groups
 from urdfctl.model.controllers import Key, MoveItController
-from urdfctl.model.semantic import Semantic
+from urdfctl.model.moveit import Semantic
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_known, whole_robot_in
 from urdfctl.startup.per_object import once_for_the_last

@@ -24,8 +24,8 @@ _MOVEIT = """
     because="planning works without controllers",
     authority="moveit_simple_controller_manager.cpp: 'Returned 0 controllers in list', 'No controller_names specified.'; "
     "trajectory_execution_manager.cpp: 'Unable to identify any set of controllers that can actuate the specified joints'",
-    bad=planned(moveit_controllers=_MOVEIT.format("«controller_names»", "[]")),
-    good=planned(moveit_controllers=_MOVEIT.format("controller_names", "[arm_controller]")),
+    bad=[planned(moveit_controllers=_MOVEIT.format("«controller_names»", "[]"))],
+    good=[planned(moveit_controllers=_MOVEIT.format("controller_names", "[arm_controller]"))],
 )
 def controller_list_empty(project: Project) -> Iterator[Finding]:
     """MoveIt's list of controllers is empty.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.moveit.acceleration_limit_missing import acceleration_limit_missing
 from urdfctl.rules.moveit.collision_pair_unknown import collision_pair_unknown
 from urdfctl.rules.moveit.controller_list_empty import controller_list_empty
@@ -30,7 +30,7 @@ from urdfctl.rules.moveit.solver_group_unknown import solver_group_unknown
 from urdfctl.rules.moveit.solver_needs_chain import solver_needs_chain
 from urdfctl.rules.moveit.virtual_joint_not_at_root import virtual_joint_not_at_root
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     moveit_controller_incomplete,
     moveit_controller_unknown,
     moveit_joints_differ,

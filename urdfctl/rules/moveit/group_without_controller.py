@@ -24,8 +24,8 @@ def _files(joints: str, mark: str) -> dict[str, str]:
     in_library=False,
     authority="moveit_ros_planning trajectory_execution_manager.cpp: 'Unable to identify any set of controllers that can actuate "
     "the specified joints: [ elbow shoulder ]'",
-    bad=_files("[elbow]", "«arm»"),
-    good=_files("[shoulder, elbow]", "arm"),
+    bad=[_files("[elbow]", "«arm»")],
+    good=[_files("[shoulder, elbow]", "arm")],
 )
 def group_without_controller(project: Project) -> Iterator[Finding]:
     """Planning group has joints without a controller in MoveIt's configuration.

@@ -48,8 +48,8 @@ def _files(parameters: str, kinematics: str = KINEMATICS) -> dict[str, str]:
     options=("--distro=jazzy",),
     authority="moveit2 kinematics_plugin_loader.cpp getLoaderFunction(): since jazzy only robot_description_kinematics.<group> is "
     "read, until humble also <group>; 'No kinematics plugins defined. Fill and load kinematics.yaml!'",
-    bad=_files(_LOADED, KINEMATICS.replace("arm:", "«arm»:")),
-    good=_files(f"{{'robot_description_kinematics': {_LOADED}}}"),
+    bad=[_files(_LOADED, KINEMATICS.replace("arm:", "«arm»:"))],
+    good=[_files(f"{{'robot_description_kinematics': {_LOADED}}}")],
 )
 def kinematics_without_prefix(project: Project) -> Iterator[Finding]:
     """kinematics.yaml is passed without robot_description_kinematics.

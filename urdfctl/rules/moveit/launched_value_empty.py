@@ -17,8 +17,8 @@ from urdfctl.rules.moveit.samples import MOVEIT, planned
     options=("--distro=humble",),
     authority="launch_ros normalize_parameters.py: an empty list becomes an empty tuple, \"Expected 'value' to be one of ..., but "
     "got '()' of type '<class 'tuple'>'\" (moveit2#2837); None: 'Unexpected type for parameter value None'",
-    bad=planned(moveit_controllers=MOVEIT.replace("    joints: [shoulder, elbow]", "    «joints»: []")),
-    good=planned(moveit_controllers=MOVEIT),
+    bad=[planned(moveit_controllers=MOVEIT.replace("    joints: [shoulder, elbow]", "    «joints»: []"))],
+    good=[planned(moveit_controllers=MOVEIT)],
 )
 def launched_value_empty(project: Project) -> Iterator[Finding]:
     """Empty list or missing value in a file of MoveIt.

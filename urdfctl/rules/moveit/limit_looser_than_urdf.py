@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.moveit_parts import JointLimits
+from urdfctl.model.moveit import JointLimits
 from urdfctl.model.robot import Joint
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
@@ -19,8 +19,8 @@ _TOLERANCE = 1e-3
     runtime="misbehaves",
     authority="moveit_ros_planning robot_model_loader.cpp configure(): limits in joint_limits.yaml replace those of the URDF; the "
     "setup assistant writes: 'Joint limits can be turned off with has_velocity_limits' and expects tighter ones",
-    bad=planned(joint_limits=LIMITS.replace("max_velocity: 1.5", "max_velocity: «15.0»", 1)),
-    good=planned(joint_limits=LIMITS),
+    bad=[planned(joint_limits=LIMITS.replace("max_velocity: 1.5", "max_velocity: «15.0»", 1))],
+    good=[planned(joint_limits=LIMITS)],
 )
 def limit_looser_than_urdf(project: Project) -> Iterator[Finding]:
     """joint_limits.yaml allows more than the URDF.

@@ -26,8 +26,17 @@ _ALWAYS = ("max_position", "min_position")
     options=("--distro=humble",),
     authority="moveit_ros_planning robot_model_loader.cpp configure(): declare_parameter(..., PARAMETER_DOUBLE); rclcpp: "
     "\"parameter 'robot_description_planning.joint_limits.elbow.max_velocity' has invalid type: expected [double] got [integer]\"",
-    bad=planned(joint_limits=LIMITS.replace("max_acceleration: 2.0", "max_acceleration: «2»", 1)),
-    good=planned(joint_limits=LIMITS),
+    bad=[
+        planned(joint_limits=LIMITS.replace("max_acceleration: 2.0", "max_acceleration: «2»", 1)),
+        planned(
+            joint_limits="""
+                joint_limits:
+                  shoulder: {has_velocity_limits: true, max_velocity: «1», has_jerk_limits: true, max_jerk: «5»}
+                  elbow: {max_position: «1», min_position: «-1», has_velocity_limits: false, max_velocity: 1}
+            """
+        ),
+    ],
+    good=[planned(joint_limits=LIMITS)],
 )
 def limit_not_double(project: Project) -> Iterator[Finding]:
     """Joint limit is an integer.

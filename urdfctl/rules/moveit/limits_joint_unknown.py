@@ -20,8 +20,8 @@ from urdfctl.rules.moveit.samples import LIMITS, planned
     in_library=False,
     options=("--distro=humble",),
     authority="moveit_ros_planning robot_model_loader.cpp configure(): limits are read by the names of the robot's own joints",
-    bad=planned(joint_limits=LIMITS.replace("elbow:", "«elbow_joint»:")),
-    good=planned(joint_limits=LIMITS),
+    bad=[planned(joint_limits=LIMITS.replace("elbow:", "«elbow_joint»:"))],
+    good=[planned(joint_limits=LIMITS)],
 )
 def limits_joint_unknown(project: Project) -> Iterator[Finding]:
     """joint_limits.yaml names an unknown joint.

@@ -34,8 +34,88 @@ _WITHOUT_PARALLEL = tuple(distro for distro in until("iron") if distro in ROS2)
     authority="moveit_simple_controller_manager.cpp: 'Action client not connected to action server: arm_controller/gripper_cmd', "
     "'Unknown controller type: GripperCmd'; ros2_controllers: joint_trajectory_controller offers ~/follow_joint_trajectory, "
     "the gripper controllers ~/gripper_cmd; ParallelGripperCommand exists since jazzy",
-    bad=configured("type: FollowJointTrajectory", "type: «GripperCommand»"),
-    good=configured(),
+    bad=[
+        configured("type: FollowJointTrajectory", "type: «GripperCommand»"),
+        {
+            "ros2_controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    a: {type: position_controllers/JointTrajectoryController}
+                    b: {type: velocity_controllers/JointTrajectoryController}
+                    c: {type: effort_controllers/JointTrajectoryController}
+                    d: {type: pos_vel_controllers/JointTrajectoryController}
+                    e: {type: position_controllers/GripperActionController}
+                    f: {type: velocity_controllers/GripperActionController}
+                    g: {type: effort_controllers/GripperActionController}
+                    h: {type: pos_vel_controllers/GripperActionController}
+                    i: {type: parallel_gripper_action_controller/GripperActionController}
+            """,
+            "moveit_controllers.yaml": """
+                moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
+                moveit_simple_controller_manager:
+                  controller_names: [a, b, c, d, e, f, g, h, i]
+                  a: {type: «GripperCommand», action_ns: follow_joint_trajectory, joints: [elbow]}
+                  b: {type: «GripperCommand», action_ns: follow_joint_trajectory, joints: [elbow]}
+                  c: {type: «GripperCommand», action_ns: follow_joint_trajectory, joints: [elbow]}
+                  d: {type: «GripperCommand», action_ns: follow_joint_trajectory, joints: [elbow]}
+                  e: {type: «FollowJointTrajectory», action_ns: gripper_cmd, joints: [elbow]}
+                  f: {type: «FollowJointTrajectory», action_ns: gripper_cmd, joints: [elbow]}
+                  g: {type: «FollowJointTrajectory», action_ns: gripper_cmd, joints: [elbow]}
+                  h: {type: «FollowJointTrajectory», action_ns: gripper_cmd, joints: [elbow]}
+                  i: {type: «FollowJointTrajectory», action_ns: gripper_cmd, joints: [elbow]}
+            """,
+        },
+        {
+            "ros2_controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    a: {type: position_controllers/JointTrajectoryController}
+                    b: {type: velocity_controllers/JointTrajectoryController}
+                    c: {type: effort_controllers/JointTrajectoryController}
+                    d: {type: pos_vel_controllers/JointTrajectoryController}
+                    e: {type: position_controllers/GripperActionController}
+                    f: {type: velocity_controllers/GripperActionController}
+                    g: {type: effort_controllers/GripperActionController}
+                    h: {type: pos_vel_controllers/GripperActionController}
+                    i: {type: parallel_gripper_action_controller/GripperActionController}
+            """,
+            "moveit_controllers.yaml": """
+                moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
+                moveit_simple_controller_manager:
+                  controller_names: [a, e, i, b]
+                  a: {type: FollowJointTrajectory, action_ns: «trajectory», joints: [elbow]}
+                  e: {type: GripperCommand, action_ns: «gripper», joints: [elbow]}
+                  i: {type: ParallelGripperCommand, action_ns: «gripper», joints: [elbow]}
+                  b: {type: «Follow», action_ns: x, joints: [elbow]}
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "ros2_controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    a: {type: position_controllers/JointTrajectoryController}
+                    b: {type: velocity_controllers/JointTrajectoryController}
+                    c: {type: effort_controllers/JointTrajectoryController}
+                    d: {type: pos_vel_controllers/JointTrajectoryController}
+                    e: {type: position_controllers/GripperActionController}
+                    f: {type: velocity_controllers/GripperActionController}
+                    g: {type: effort_controllers/GripperActionController}
+                    h: {type: pos_vel_controllers/GripperActionController}
+                    i: {type: parallel_gripper_action_controller/GripperActionController}
+            """,
+            "moveit_controllers.yaml": """
+                moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
+                moveit_simple_controller_manager:
+                  controller_names: [i]
+                  i: {type: «ParallelGripperCommand», action_ns: gripper_cmd, joints: [elbow]}
+            """,
+        },
+    ],
+    good=[configured()],
 )
 def moveit_action_differs(project: Project) -> Iterator[Finding]:
     """MoveIt expects another action than the controller offers.

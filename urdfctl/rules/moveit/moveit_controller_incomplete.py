@@ -23,11 +23,21 @@ _ACTIONS = {"FollowJointTrajectory": "follow_joint_trajectory", "GripperCommand"
     authority="moveit2 moveit_simple_controller_manager.cpp: 'No action namespace specified for controller `arm_controller` "
     "through parameter', 'No type specified for controller', 'No joints specified for controller'; moveit: 'name, joints, "
     "action_ns, and type must be specifed for each controller'",
-    bad=configured(
-        "  arm_controller:\n        type: FollowJointTrajectory\n        action_ns: follow_joint_trajectory",
-        "  «arm_controller»:\n        type: FollowJointTrajectory",
-    ),
-    good=configured(),
+    bad=[
+        configured(
+            "  arm_controller:\n        type: FollowJointTrajectory\n        action_ns: follow_joint_trajectory",
+            "  «arm_controller»:\n        type: FollowJointTrajectory",
+        ),
+        configured(
+            "  arm_controller:\n        type: FollowJointTrajectory\n        action_ns: follow_joint_trajectory",
+            "  «arm_controller»:\n        type: GripperCommand",
+        ),
+        configured(
+            "  arm_controller:\n        type: FollowJointTrajectory\n        action_ns: follow_joint_trajectory",
+            "  «arm_controller»:\n        default: true",
+        ),
+    ],
+    good=[configured()],
 )
 def moveit_controller_incomplete(project: Project) -> Iterator[Finding]:
     """Incomplete controller in MoveIt's configuration.

@@ -18,8 +18,8 @@ from urdfctl.rules.moveit.samples import configured
     severity=Severity.WARNING,
     authority="moveit2 moveit_simple_controller_manager.cpp: 'Action client not connected: arm_controler/"
     "follow_joint_trajectory', 'Returned 0 controllers in list'",
-    bad=configured("[arm_controller]\n      arm_controller:", "[«arm_controler»]\n      arm_controler:"),
-    good=configured(),
+    bad=[configured("[arm_controller]\n      arm_controller:", "[«arm_controler»]\n      arm_controler:")],
+    good=[configured()],
 )
 def moveit_controller_unknown(project: Project) -> Iterator[Finding]:
     """Unknown controller in MoveIt's configuration.

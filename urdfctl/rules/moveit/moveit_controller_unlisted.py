@@ -24,8 +24,8 @@ _LISTED = "\n      arm_controller:"
     because="the section may be left over",
     distros=ROS2,
     authority="moveit_simple_controller_manager.cpp initialize(): only the controllers in controller_names are created",
-    bad=configured(_LISTED, _HAND.replace("hand_controller", "«hand_controller»")),
-    good=configured(),
+    bad=[configured(_LISTED, _HAND.replace("hand_controller", "«hand_controller»"))],
+    good=[configured()],
 )
 def moveit_controller_unlisted(project: Project) -> Iterator[Finding]:
     """Controller is described, but controller_names does not list it.

@@ -29,8 +29,8 @@ def _files(semantic: str) -> dict[str, str]:
     authority='launch_param_builder utils.py raise_if_file_not_found(): "File .../config/kinematics.yaml doesn\'t exist"; '
     "moveit_configs_builder.py to_moveit_configs(): reads the SRDF, kinematics.yaml and joint_limits.yaml; roslaunch: 'Invalid "
     "<param> tag: No such file or directory'",
-    bad=_files("«$(find arm)/config/robot.srdf»"),
-    good=_files("$(find arm)/config/arm.srdf"),
+    bad=[_files("«$(find arm)/config/robot.srdf»")],
+    good=[_files("$(find arm)/config/arm.srdf")],
 )
 def moveit_file_missing(project: Project) -> Iterator[Finding]:
     """File of MoveIt's configuration does not exist.

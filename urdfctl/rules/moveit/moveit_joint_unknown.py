@@ -24,8 +24,8 @@ def _files(joints: str) -> dict[str, str]:
     options=["--distro=noetic"],
     authority="moveit trajectory_execution_manager.cpp: 'Unable to identify any set of controllers that can actuate the "
     "specified joints'; robot_model_loader.cpp reads limits by the names of the robot's own joints",
-    bad=_files("shoulder, «elbow_joint»"),
-    good=_files("shoulder, elbow"),
+    bad=[_files("shoulder, «elbow_joint»")],
+    good=[_files("shoulder, elbow")],
 )
 def moveit_joint_unknown(project: Project) -> Iterator[Finding]:
     """Unknown joint in MoveIt's configuration.

@@ -20,8 +20,8 @@ _PARTIAL = "allow_partial_joints_goal"
     runtime="refuses",
     authority="ros2_controllers joint_trajectory_controller.cpp: 'Incoming joint elbow_joint doesn't match the controller's "
     "joints.', 'Joints on incoming trajectory don't match the controller joints.'",
-    bad=configured("joints: [shoulder, elbow]", "joints: [shoulder, «elbow_joint»]"),
-    good=configured(),
+    bad=[configured("joints: [shoulder, elbow]", "joints: [shoulder, «elbow_joint»]")],
+    good=[configured()],
 )
 def moveit_joints_differ(project: Project) -> Iterator[Finding]:
     """MoveIt and the controller list different joints.

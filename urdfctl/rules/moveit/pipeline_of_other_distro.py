@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, applies_to, since, until
-from urdfctl.model.moveit_parts import Pipeline
+from urdfctl.model.moveit import Pipeline
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.moveit.samples import planned
 from urdfctl.source.yaml import Scalar, Sequence
@@ -34,12 +34,14 @@ _NEW_PIPELINE = """
     authority="moveit2 planning_pipeline.cpp: since jazzy planning_plugins, request_adapters and response_adapters are lists: "
     "\"Planning plugin name is empty or not defined in namespace 'ompl'\"; until iron planning_plugin is a text, and "
     "request_adapters a text with names between spaces",
-    bad=planned(
-        ompl_planning=_OLD_PIPELINE.replace("planning_plugin:", "«planning_plugin»:").replace(
-            "request_adapters: >-", "«request_adapters»: >-"
-        )
-    ),
-    good=planned(ompl_planning=_NEW_PIPELINE),
+    bad=[
+        planned(
+            ompl_planning=_OLD_PIPELINE.replace("planning_plugin:", "«planning_plugin»:").replace(
+                "request_adapters: >-", "«request_adapters»: >-"
+            )
+        ),
+    ],
+    good=[planned(ompl_planning=_NEW_PIPELINE)],
 )
 def pipeline_of_other_distro(project: Project) -> Iterator[Finding]:
     """Planning pipeline is written for another distro.

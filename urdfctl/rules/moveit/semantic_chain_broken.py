@@ -20,8 +20,8 @@ _ALONE = """
     in_library=False,
     authority="srdfdom src/model.cpp loadGroups(): 'Base link name not specified for chain', \"Links 'a' and 'b' do not form a "
     "chain. Not included in group 'arm'\"",
-    bad=planned('<chain base_link="base" tip_link="fore"/>', _ALONE),
-    good=planned(),
+    bad=[planned('<chain base_link="base" tip_link="fore"/>', _ALONE)],
+    good=[planned()],
 )
 def semantic_chain_broken(project: Project) -> Iterator[Finding]:
     """Chain of a planning group does not connect two links.

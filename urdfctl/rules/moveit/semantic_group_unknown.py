@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.model.controllers import Key
-from urdfctl.model.semantic import Semantic
+from urdfctl.model.moveit import Semantic
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import Names, is_known, replaced
 from urdfctl.rules.moveit.samples import planned
@@ -17,8 +17,8 @@ from urdfctl.rules.moveit.samples import planned
     severity=Severity.ERROR,
     authority="srdfdom src/model.cpp: \"Group 'arms' has unsatisfied subgroups\", \"Group state 'home' specified for group 'ar', "
     "but that group is not known\", \"End effector 'hand' specified for group 'grip', but that group is not known\"",
-    bad=planned('group="arm"', 'group="«arn»"'),
-    good=planned(),
+    bad=[planned('group="arm"', 'group="«arn»"')],
+    good=[planned()],
 )
 def semantic_group_unknown(project: Project) -> Iterator[Finding]:
     """SRDF refers to an unknown group.

@@ -14,8 +14,8 @@ from urdfctl.rules.moveit.samples import planned
     runtime="warns",
     authority='srdfdom src/model.cpp: "Group \'wrist\' is empty."; moveit_core robot_model.cpp addJointModelGroup(): "Group '
     "'wrist' must have at least one valid joint\", \"A group named 'arm' already exists. Not adding.\"",
-    bad=planned('<group name="wrist"><joint name="elbow"/></group>', '<group name="«wrist»"/>'),
-    good=planned(),
+    bad=[planned('<group name="wrist"><joint name="elbow"/></group>', '<group name="«wrist»"/>')],
+    good=[planned()],
 )
 def semantic_group_unusable(project: Project) -> Iterator[Finding]:
     """Planning group is empty, or defined twice.

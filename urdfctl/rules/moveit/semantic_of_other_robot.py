@@ -16,8 +16,8 @@ from urdfctl.rules.moveit.samples import planned
     runtime="warns",
     in_library=False,
     authority="srdfdom src/model.cpp initXml(): 'Semantic description is not specified for the same robot as the URDF'",
-    bad=planned('<robot name="arm">', '<robot name="«old_arm»">'),
-    good=planned(),
+    bad=[planned('<robot name="arm">', '<robot name="«old_arm»">')],
+    good=[planned()],
 )
 def semantic_of_other_robot(project: Project) -> Iterator[Finding]:
     """SRDF is for another robot than the URDF.

@@ -9,7 +9,7 @@ from urdfctl.model.launch import Launch, Node
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.source.span import Place
 
-_READERS = ("moveit_ros_move_group", "moveit_servo", "rviz", "moveit_commander", "moveit_ros_visualization")
+_READERS = ("moveit_ros_move_group", "moveit_servo", "moveit_commander", "moveit_ros_visualization")
 
 
 def _files(node: str, namespace: str) -> dict[str, str]:
@@ -46,8 +46,18 @@ _NODE = '<node name="move_group" pkg="moveit_ros_move_group" type="move_group"{}
     options=("--distro=noetic",),
     authority="moveit_ros_planning rdf_loader.cpp: the name is searched in the node's namespace and those above it: 'Robot "
     "semantic description not found. Did you forget to define or remap 'robot_description_semantic'?'",
-    bad=_files(f"«{_NODE}»", ""),
-    good=_files(_NODE, ' ns="left"'),
+    bad=[
+        _files(f"«{_NODE}»", ""),
+        _files(
+            """«<node name="servo" pkg="moveit_servo" type="servo_server"/>»
+              «<node name="commander" pkg="moveit_commander" type="moveit_commander_cmdline.py"/>»
+              «<node name="view" pkg="moveit_ros_visualization" type="moveit_ros_visualization"/>»
+              <node name="rviz" pkg="rviz" type="rviz"/>""",
+            "",
+        ),
+        _files(f"«{_NODE}»" + '«<node name="rviz" pkg="rviz" type="rviz"/>»', ""),
+    ],
+    good=[_files(_NODE, ' ns="left"')],
 )
 def semantic_out_of_reach(project: Project) -> Iterator[Finding]:
     """robot_description_semantic is in another namespace than the node that reads it.

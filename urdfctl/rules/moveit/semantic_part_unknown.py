@@ -20,8 +20,8 @@ from urdfctl.rules.moveit.samples import planned
     authority="srdfdom src/model.cpp loadGroups(): \"Joint 'elbow' declared as part of group 'arm' is not known to the URDF\", "
     "\"Link 'fore' declared as part of a chain in group 'arm' is not known to the URDF\"; loadGroupStates(), "
     "loadEndEffectors(), loadVirtualJoints(), loadPassiveJoints()",
-    bad=planned('tip_link="fore"', 'tip_link="«forearm»"'),
-    good=planned(),
+    bad=[planned('tip_link="fore"', 'tip_link="«forearm»"')],
+    good=[planned()],
 )
 def semantic_part_unknown(project: Project) -> Iterator[Finding]:
     """SRDF names an unknown link or joint.

@@ -15,8 +15,8 @@ from urdfctl.rules.moveit.samples import KINEMATICS, planned
     runtime="ignores",
     authority="moveit_ros_planning robot_model_loader.cpp loadKinematicsSolvers(): a group in kinematics.yaml that is not in the "
     "SRDF is skipped; 'No kinematics plugins defined. Fill and load kinematics.yaml!'",
-    bad=planned(kinematics=KINEMATICS.replace("    arm:", "    «manipulator»:")),
-    good=planned(kinematics=KINEMATICS),
+    bad=[planned(kinematics=KINEMATICS.replace("    arm:", "    «manipulator»:"))],
+    good=[planned(kinematics=KINEMATICS)],
 )
 def solver_group_unknown(project: Project) -> Iterator[Finding]:
     """kinematics.yaml names an unknown group.

@@ -22,8 +22,11 @@ _FINGER = """
 """
 
 
-def _files(group: str) -> dict[str, str]:
-    files = planned('<joint name="elbow"/></group>', _HAND, kinematics=KINEMATICS.replace("    arm:", f"    {group}:"))
+def _files(group: str, solver: str = "kdl_kinematics_plugin/KDLKinematicsPlugin") -> dict[str, str]:
+    kinematics = KINEMATICS.replace("    arm:", f"    {group}:").replace(
+        "kdl_kinematics_plugin/KDLKinematicsPlugin", solver
+    )
+    files = planned('<joint name="elbow"/></group>', _HAND, kinematics=kinematics)
     return {
         **files,
         "arm.urdf": _FINGER.replace('<link name="finger">', '<link name="finger_link">').replace(
@@ -40,8 +43,12 @@ def _files(group: str) -> dict[str, str]:
     in_library=False,
     authority="moveit_kinematics kdl_kinematics_plugin.cpp initialize(): \"Group 'both' is not a chain\"; kinematics_plugin_loader"
     ".cpp: 'Kinematics solver of type ... could not be initialized for group'",
-    bad=_files("«both»"),
-    good=_files("arm"),
+    bad=[
+        _files("«both»"),
+        _files("«both»", "lma_kinematics_plugin/LMAKinematicsPlugin"),
+        _files("«both»", "trac_ik_kinematics_plugin/TRAC_IKKinematicsPlugin"),
+    ],
+    good=[_files("arm"), _files("both", "bio_ik/BioIKKinematicsPlugin")],
 )
 def solver_needs_chain(project: Project) -> Iterator[Finding]:
     """Kinematics solver for a group that is not a chain.

@@ -20,8 +20,8 @@ _VIRTUAL = '<virtual_joint name="to_world" type="planar" parent_frame="map" chil
     in_library=False,
     authority="moveit_core robot_model.cpp constructJointModel(): \"Skipping virtual joint 'to_world' because its child frame "
     "'base' does not match the URDF frame 'world'\"",
-    bad=planned('<group name="arm">', _VIRTUAL.format("«base»")),
-    good=planned('<group name="arm">', _VIRTUAL.format("world")),
+    bad=[planned('<group name="arm">', _VIRTUAL.format("«base»"))],
+    good=[planned('<group name="arm">', _VIRTUAL.format("world"))],
 )
 def virtual_joint_not_at_root(project: Project) -> Iterator[Finding]:
     """Virtual joint is not attached to the root link.

@@ -15,22 +15,26 @@ from urdfctl.source.problem import ProblemKind
     runtime="ignores",
     options=("prefx:=left_",),
     authority="xacro/cli.py load_mappings(): every name:=value is kept; nothing compares them with <xacro:arg>",
-    bad={
-        "robot.xacro": """
-            «<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">»
-              <xacro:arg name="prefix" default=""/>
-              <link name="$(arg prefix)base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:arg name="prefx" default=""/>
-              <link name="$(arg prefx)base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                «<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">»
+                  <xacro:arg name="prefix" default=""/>
+                  <link name="$(arg prefix)base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:arg name="prefx" default=""/>
+                  <link name="$(arg prefx)base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def argument_unknown(project: Project) -> Iterator[Finding]:
     """Argument that the description does not declare.

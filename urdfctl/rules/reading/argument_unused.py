@@ -14,22 +14,26 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.INFO,
     runtime="works",
     authority="xacro/__init__.py eval_all(): an <xacro:arg> only stores its default",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:arg name="«prefix»" default="my_"/>
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:arg name="prefix" default="my_"/>
-              <link name="$(arg prefix)base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:arg name="«prefix»" default="my_"/>
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:arg name="prefix" default="my_"/>
+                  <link name="$(arg prefix)base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def argument_unused(project: Project) -> Iterator[Finding]:
     """Unused argument.

@@ -15,23 +15,27 @@ from urdfctl.source.problem import ProblemKind
     runtime="refuses",
     because="a launch file passes the arguments",
     authority="xacro/substitution_args.py _eval_arg(): without a value xacro reports 'Undefined substitution argument'",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:arg name="«tool»" default=""/>
-              <xacro:include filename="$(arg tool).xacro"/>
-              <link name="$(arg prefix)base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:arg name="prefix" default="my_"/>
-              <link name="$(arg prefix)base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:arg name="«tool»" default=""/>
+                  <xacro:include filename="$(arg tool).xacro"/>
+                  <link name="$(arg prefix)base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:arg name="prefix" default="my_"/>
+                  <link name="$(arg prefix)base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def arguments_needed(project: Project) -> Iterator[Finding]:
     """Description needs arguments.

@@ -15,22 +15,26 @@ from urdfctl.source.span import Place, SourceSpan
     runtime="misbehaves",
     severity=Severity.WARNING,
     authority="xacro/__init__.py LEXER: an expression is '$' followed by '{'",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="side" value="left"/>
-              <link name="«{side}_wheel»"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="side" value="left"/>
-              <link name="${side}_wheel"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="side" value="left"/>
+                  <link name="«{side}_wheel»"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="side" value="left"/>
+                  <link name="${side}_wheel"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def braces_without_dollar(project: Project) -> Iterator[Finding]:
     """Property name in braces without `$`.

@@ -14,21 +14,25 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/__init__.py get_boolean_value(): '... which is not a boolean expression'",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              «<xacro:if value="yes">»<link name="camera"/></xacro:if>
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:if value="true"><link name="camera"/></xacro:if>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  «<xacro:if value="yes">»<link name="camera"/></xacro:if>
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:if value="true"><link name="camera"/></xacro:if>
+                </robot>
+            """,
+        },
+    ],
 )
 def condition_not_boolean(project: Project) -> Iterator[Finding]:
     """Condition of `<xacro:if>` or `<xacro:unless>` is not a boolean.

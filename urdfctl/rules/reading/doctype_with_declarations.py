@@ -14,22 +14,26 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="CWE-776: recursive entity expansion; tinyxml, which urdfdom uses, knows no entities of a document's own",
-    bad={
-        "robot.urdf": """
-            «<!DOCTYPE» robot [<!ENTITY mass "1.0">]>
-            <robot name="r">
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <!DOCTYPE robot>
-            <robot name="r">
-              <link name="base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<!DOCTYPE» robot [<!ENTITY mass "1.0">]>
+                <robot name="r">
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <!DOCTYPE robot>
+                <robot name="r">
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def doctype_with_declarations(project: Project) -> Iterator[Finding]:
     """DOCTYPE with entity declarations.

@@ -14,22 +14,26 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/__init__.py eval_text(): re-raises whatever Python raised, 'when evaluating expression ...'",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="side" value="left"/>
-              <link name="«${side * 0.5}»"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="number" value="2"/>
-              <link name="link_${number * 2}"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="side" value="left"/>
+                  <link name="«${side * 0.5}»"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="number" value="2"/>
+                  <link name="link_${number * 2}"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def expression_fails(project: Project) -> Iterator[Finding]:
     """Expression cannot be evaluated.

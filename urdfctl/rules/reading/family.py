@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.reading.argument_default_unusable import argument_default_unusable
 from urdfctl.rules.reading.argument_unknown import argument_unknown
 from urdfctl.rules.reading.argument_unused import argument_unused
@@ -39,7 +39,7 @@ from urdfctl.rules.reading.yaml_key_twice import yaml_key_twice
 from urdfctl.rules.reading.yaml_not_readable import yaml_not_readable
 from urdfctl.rules.reading.yaml_tab import yaml_tab
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     rule_crashed,
     xml_not_well_formed,
     file_not_found,

@@ -14,24 +14,28 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/__init__.py parse(): raises 'No such file or directory'",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              «<xacro:include filename="wheel.xacro"/>»
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:include filename="wheel.xacro"/>
-            </robot>
-        """,
-        "wheel.xacro": """
-            <robot><link name="base"/></robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  «<xacro:include filename="wheel.xacro"/>»
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:include filename="wheel.xacro"/>
+                </robot>
+            """,
+            "wheel.xacro": """
+                <robot><link name="base"/></robot>
+            """,
+        },
+    ],
 )
 def file_not_found(project: Project) -> Iterator[Finding]:
     """Included or loaded file does not exist.

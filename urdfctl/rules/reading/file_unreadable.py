@@ -14,27 +14,31 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/__init__.py parse(): open() raises IsADirectoryError or PermissionError",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              «<xacro:include filename="parts"/>»
-              <link name="base"/>
-            </robot>
-        """,
-        "parts/README": """
-            not a description
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:include filename="parts/wheel.xacro"/>
-            </robot>
-        """,
-        "parts/wheel.xacro": """
-            <robot><link name="base"/></robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  «<xacro:include filename="parts"/>»
+                  <link name="base"/>
+                </robot>
+            """,
+            "parts/README": """
+                not a description
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:include filename="parts/wheel.xacro"/>
+                </robot>
+            """,
+            "parts/wheel.xacro": """
+                <robot><link name="base"/></robot>
+            """,
+        },
+    ],
 )
 def file_unreadable(project: Project) -> Iterator[Finding]:
     """File cannot be read.

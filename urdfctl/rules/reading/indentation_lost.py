@@ -18,28 +18,32 @@ from urdfctl.rule import Finding, Project, Severity, Stage, rule
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 1'",
     options=["--distro=jazzy"],
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-            «ros__parameters»:
-            update_rate: 100
-            arm:
-            type: forward_command_controller/ForwardCommandController
-        """
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                «ros__parameters»:
                 update_rate: 100
                 arm:
-                  type: forward_command_controller/ForwardCommandController
-            arm:
-              ros__parameters:
-                joints: [shoulder, elbow]
-                interface_name: position
-        """
-    },
+                type: forward_command_controller/ForwardCommandController
+            """
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm:
+                      type: forward_command_controller/ForwardCommandController
+                arm:
+                  ros__parameters:
+                    joints: [shoulder, elbow]
+                    interface_name: position
+            """
+        },
+    ],
 )
 def indentation_lost(project: Project) -> Iterator[Finding]:
     """`ros__parameters` is beside its node's name, not below it.

@@ -16,26 +16,30 @@ from urdfctl.source.problem import ProblemKind
     runtime="refuses",
     distros=ROS2,
     authority="launch launch/launch_description_sources/python_launch_file_utilities.py: the file is imported as a Python module; 'InvalidLaunchFileError'",
-    bad={
-        "arm.launch.py": """
-            from launch import LaunchDescription
-            from launch_ros.actions import Node
+    bad=[
+        {
+            "arm.launch.py": """
+                from launch import LaunchDescription
+                from launch_ros.actions import Node
 
 
-            def generate_launch_description():
-                return LaunchDescription«»([Node(package='joint_state_publisher', executable='joint_state_publisher')]
-        """,
-    },
-    good={
-        "arm.launch.py": """
-            from launch import LaunchDescription
-            from launch_ros.actions import Node
+                def generate_launch_description():
+                    return LaunchDescription«»([Node(package='joint_state_publisher', executable='joint_state_publisher')]
+            """,
+        },
+    ],
+    good=[
+        {
+            "arm.launch.py": """
+                from launch import LaunchDescription
+                from launch_ros.actions import Node
 
 
-            def generate_launch_description():
-                return LaunchDescription([Node(package='joint_state_publisher', executable='joint_state_publisher')])
-        """,
-    },
+                def generate_launch_description():
+                    return LaunchDescription([Node(package='joint_state_publisher', executable='joint_state_publisher')])
+            """,
+        },
+    ],
 )
 def launch_file_not_python(project: Project) -> Iterator[Finding]:
     """Launch file has a Python syntax error.

@@ -14,23 +14,27 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/__init__.py handle_macro_call(): 'Invalid parameter', 'Undefined parameters', 'Not enough blocks', 'Unused block'",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
-              <xacro:wheel side="left" radius="«0.1»"/>
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
-              <xacro:wheel side="left"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
+                  <xacro:wheel side="left" radius="«0.1»"/>
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
+                  <xacro:wheel side="left"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def macro_call_mismatch(project: Project) -> Iterator[Finding]:
     """Macro call does not match the macro's parameters.

@@ -14,23 +14,27 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.WARNING,
     runtime="ignores",
     authority="xacro/__init__.py grab_macro(): macros[name] = macro, over whatever was there",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="part"><link name="base"/></xacro:macro>
-              <xacro:macro name="«part»"><link name="other"/></xacro:macro>
-              <xacro:part/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="part"><link name="base"/></xacro:macro>
-              <xacro:part/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="part"><link name="base"/></xacro:macro>
+                  <xacro:macro name="«part»"><link name="other"/></xacro:macro>
+                  <xacro:part/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="part"><link name="base"/></xacro:macro>
+                  <xacro:part/>
+                </robot>
+            """,
+        },
+    ],
 )
 def macro_defined_twice(project: Project) -> Iterator[Finding]:
     """Macro is defined twice.

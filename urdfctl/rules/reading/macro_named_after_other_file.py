@@ -30,16 +30,20 @@ _ROBOT = """
     severity=Severity.WARNING,
     runtime="ignores",
     authority="xacro/__init__.py grab_macro(): macros[name] = macro, over whatever was there",
-    bad={
-        "robot.xacro": _ROBOT.replace("CALLED", "left_arm"),
-        "left_arm.xacro": _side("left_arm", "left"),
-        "right_arm.xacro": _side("«left_arm»", "right"),
-    },
-    good={
-        "robot.xacro": _ROBOT.replace("CALLED", "right_arm"),
-        "left_arm.xacro": _side("left_arm", "left"),
-        "right_arm.xacro": _side("right_arm", "right"),
-    },
+    bad=[
+        {
+            "robot.xacro": _ROBOT.replace("CALLED", "left_arm"),
+            "left_arm.xacro": _side("left_arm", "left"),
+            "right_arm.xacro": _side("«left_arm»", "right"),
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": _ROBOT.replace("CALLED", "right_arm"),
+            "left_arm.xacro": _side("left_arm", "left"),
+            "right_arm.xacro": _side("right_arm", "right"),
+        },
+    ],
 )
 def macro_named_after_other_file(project: Project) -> Iterator[Finding]:
     """Macro has the same name as a macro in another file.

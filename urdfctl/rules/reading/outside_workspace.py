@@ -14,24 +14,28 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/__init__.py process_include() and load_yaml(): open any path they are given",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              «<xacro:include filename="/etc/hostname"/>»
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:include filename="wheel.xacro"/>
-            </robot>
-        """,
-        "wheel.xacro": """
-            <robot><link name="base"/></robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  «<xacro:include filename="/etc/hostname"/>»
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:include filename="wheel.xacro"/>
+                </robot>
+            """,
+            "wheel.xacro": """
+                <robot><link name="base"/></robot>
+            """,
+        },
+    ],
 )
 def outside_workspace(project: Project) -> Iterator[Finding]:
     """File outside the workspace.

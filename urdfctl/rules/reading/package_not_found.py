@@ -15,27 +15,31 @@ from urdfctl.source.problem import ProblemKind
     because="the package may be installed on the robot",
     severity=Severity.WARNING,
     authority="xacro/substitution_args.py _eval_find(): ament_index_python raises PackageNotFoundError",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              «<xacro:include filename="$(find no_such_description)/urdf/wheel.xacro"/>»
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:include filename="$(find my_description)/wheel.xacro"/>
-            </robot>
-        """,
-        "my_description/package.xml": """
-            <package format="3"><name>my_description</name></package>
-        """,
-        "my_description/wheel.xacro": """
-            <robot><link name="base"/></robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  «<xacro:include filename="$(find no_such_description)/urdf/wheel.xacro"/>»
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:include filename="$(find my_description)/wheel.xacro"/>
+                </robot>
+            """,
+            "my_description/package.xml": """
+                <package format="3"><name>my_description</name></package>
+            """,
+            "my_description/wheel.xacro": """
+                <robot><link name="base"/></robot>
+            """,
+        },
+    ],
 )
 def package_not_found(project: Project) -> Iterator[Finding]:
     """Package used by the description was not found.

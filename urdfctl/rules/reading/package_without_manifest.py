@@ -15,29 +15,33 @@ from urdfctl.source.problem import ProblemKind
     because="a built workspace may have the package",
     severity=Severity.WARNING,
     authority="colcon-ros and catkin_pkg: a package is a folder that holds a package.xml (REP 149)",
-    bad={
-        "my_description/robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              «<xacro:include filename="$(find my_description)/wheel.xacro"/>»
-            </robot>
-        """,
-        "my_description/wheel.xacro": """
-            <robot><link name="base"/></robot>
-        """,
-    },
-    good={
-        "my_description/robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:include filename="$(find my_description)/wheel.xacro"/>
-            </robot>
-        """,
-        "my_description/wheel.xacro": """
-            <robot><link name="base"/></robot>
-        """,
-        "my_description/package.xml": """
-            <package format="3"><name>my_description</name></package>
-        """,
-    },
+    bad=[
+        {
+            "my_description/robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  «<xacro:include filename="$(find my_description)/wheel.xacro"/>»
+                </robot>
+            """,
+            "my_description/wheel.xacro": """
+                <robot><link name="base"/></robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "my_description/robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:include filename="$(find my_description)/wheel.xacro"/>
+                </robot>
+            """,
+            "my_description/wheel.xacro": """
+                <robot><link name="base"/></robot>
+            """,
+            "my_description/package.xml": """
+                <package format="3"><name>my_description</name></package>
+            """,
+        },
+    ],
 )
 def package_without_manifest(project: Project) -> Iterator[Finding]:
     """Package without package.xml.

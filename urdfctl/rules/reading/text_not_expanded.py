@@ -23,14 +23,16 @@ _NAMES = ("joint", "wheel", "interface")
     stage=Stage.ACTIVATE,
     authority="rcl rcl_yaml_param_parser/src/parse.c and rosparam load_file() read values as they are; roslaunch evaluates "
     '$(...) with subst_value="true", launch_ros with allow_substs, and nothing evaluates ${...}',
-    bad=launched(
-        PUBLISHER,
-        MANAGER,
-        BROADCASTER,
-        ARM,
-        controllers=CONTROLLERS.replace("joints: [shoulder, elbow]", 'joints: [«"${prefix}shoulder"», elbow]'),
-    ),
-    good=SOUND,
+    bad=[
+        launched(
+            PUBLISHER,
+            MANAGER,
+            BROADCASTER,
+            ARM,
+            controllers=CONTROLLERS.replace("joints: [shoulder, elbow]", 'joints: [«"${prefix}shoulder"», elbow]'),
+        ),
+    ],
+    good=[SOUND],
 )
 def text_not_expanded(project: Project) -> Iterator[Finding]:
     """Expression in a controller file that nothing expands.

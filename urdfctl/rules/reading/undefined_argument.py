@@ -14,26 +14,30 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/substitution_args.py _eval_arg(): ArgException; xacro reports 'Undefined substitution argument'",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <link name="«$(arg prefix)base»"/>
-              <xacro:arg name="side" default="left"/>
-              <xacro:property name="where" value="$(arg side)"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <link name="«$(arg prefix)base»"/>
+                  <xacro:arg name="side" default="left"/>
+                  <xacro:property name="where" value="$(arg side)"/>
+                </robot>
+            """,
+        },
+    ],
     options=("side:=right",),
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:arg name="prefix" default="my_"/>
-              <link name="$(arg prefix)base"/>
-              <xacro:arg name="side" default="left"/>
-              <xacro:property name="where" value="$(arg side)"/>
-            </robot>
-        """,
-    },
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:arg name="prefix" default="my_"/>
+                  <link name="$(arg prefix)base"/>
+                  <xacro:arg name="side" default="left"/>
+                  <xacro:property name="where" value="$(arg side)"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def undefined_argument(project: Project) -> Iterator[Finding]:
     """Argument or environment variable without a value.

@@ -14,22 +14,26 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/__init__.py eval_text(): NameError 'name ... is not defined' when evaluating expression",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="radius" value="0.1"/>
-              <link name="«${raduis}»"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="prefix" value="my"/>
-              <link name="${prefix}_base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="radius" value="0.1"/>
+                  <link name="«${raduis}»"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="prefix" value="my"/>
+                  <link name="${prefix}_base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def undefined_name(project: Project) -> Iterator[Finding]:
     """Undefined name in an expression.

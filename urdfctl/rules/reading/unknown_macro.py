@@ -14,22 +14,26 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/__init__.py handle_macro_call(): 'unknown macro name'",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              «<xacro:wheel side="left"/>»
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
-              <xacro:wheel side="left"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  «<xacro:wheel side="left"/>»
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
+                  <xacro:wheel side="left"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def unknown_macro(project: Project) -> Iterator[Finding]:
     """Macro is called before it is defined.

@@ -14,36 +14,40 @@ from urdfctl.source.problem import ProblemKind
     runtime="misbehaves",
     severity=Severity.WARNING,
     authority="xacro/__init__.py eval_all(): each <xacro:if> is decided by itself",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="is_round" value="true"/>
-              <link name="base">
-                <visual>
-                  <geometry>
-                    <xacro:if value="${is_round}"><sphere radius="1"/></xacro:if>
-                    «<xacro:if value="${is_round}">»<sphere radius="2"/></xacro:if>
-                  </geometry>
-                </visual>
-              </link>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="is_round" value="true"/>
-              <link name="base">
-                <visual>
-                  <geometry>
-                    <xacro:if value="${is_round}"><sphere radius="1"/></xacro:if>
-                    <xacro:unless value="${is_round}"><sphere radius="2"/></xacro:unless>
-                  </geometry>
-                </visual>
-              </link>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="is_round" value="true"/>
+                  <link name="base">
+                    <visual>
+                      <geometry>
+                        <xacro:if value="${is_round}"><sphere radius="1"/></xacro:if>
+                        «<xacro:if value="${is_round}">»<sphere radius="2"/></xacro:if>
+                      </geometry>
+                    </visual>
+                  </link>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="is_round" value="true"/>
+                  <link name="base">
+                    <visual>
+                      <geometry>
+                        <xacro:if value="${is_round}"><sphere radius="1"/></xacro:if>
+                        <xacro:unless value="${is_round}"><sphere radius="2"/></xacro:unless>
+                      </geometry>
+                    </visual>
+                  </link>
+                </robot>
+            """,
+        },
+    ],
 )
 def xacro_condition_repeated(project: Project) -> Iterator[Finding]:
     """Same condition on two alternatives.

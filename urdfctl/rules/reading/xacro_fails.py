@@ -14,22 +14,26 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="xacro/__init__.py and xmlutils.py: check_attrs(), reqd_attrs(), grab_property(), grab_macro()",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              «<xacro:property name="2nd" value="1"/>»
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="second" value="base"/>
-              <link name="${second}"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  «<xacro:property name="2nd" value="1"/>»
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="second" value="base"/>
+                  <link name="${second}"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def xacro_fails(project: Project) -> Iterator[Finding]:
     """Xacro cannot process an element.

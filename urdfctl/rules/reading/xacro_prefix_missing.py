@@ -23,23 +23,27 @@ _PROLOG = rb"(?s)(?:\xef\xbb\xbf)?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*>)
     runtime="ignores",
     distros=_REQUIRED,
     authority="xacro CHANGELOG 1.14.0 (noetic): 'removed deprecated --xacro-ns option'; eval_all() looks at names that begin with 'xacro:' only",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
-              «<wheel side="left"/>»
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
-              <xacro:wheel side="left"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
+                  «<wheel side="left"/>»
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
+                  <xacro:wheel side="left"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def xacro_prefix_missing(project: Project) -> Iterator[Finding]:
     """Xacro tag or macro call without the prefix `xacro:`.

@@ -14,22 +14,26 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.WARNING,
     runtime="warns",
     authority="xacro/__init__.py: check_attrs() 'unknown attribute(s)', Table._setitem() 'redefining global symbol', and others",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              «<xacro:property name="width" value="1" unit="m"/>»
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:property name="part" value="base"/>
-              <link name="${part}"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  «<xacro:property name="width" value="1" unit="m"/>»
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="part" value="base"/>
+                  <link name="${part}"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def xacro_warns(project: Project) -> Iterator[Finding]:
     """Xacro prints a warning about an element.

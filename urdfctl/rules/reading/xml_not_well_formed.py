@@ -14,20 +14,24 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp: parseURDF() returns nothing when tinyxml cannot parse; xacro/__init__.py: 'XML parsing error'",
-    bad={
-        "robot.urdf": """
-            <robot name="r">
-              <link name="base">
-            «</robot>»
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <robot name="r">
-              <link name="base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <robot name="r">
+                  <link name="base">
+                «</robot>»
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <robot name="r">
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def xml_not_well_formed(project: Project) -> Iterator[Finding]:
     """File is not well-formed XML.

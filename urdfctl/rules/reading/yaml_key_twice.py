@@ -15,30 +15,34 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.WARNING,
     runtime="ignores",
     authority="rcl_yaml_param_parser/src/parse.c: parse_value() overwrites; PyYAML: construct_mapping() keeps the last one",
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm:
+                      type: joint_trajectory_controller/JointTrajectoryController
                 arm:
-                  type: joint_trajectory_controller/JointTrajectoryController
-            arm:
-              ros__parameters:
-                joints: [shoulder]
-                command_interfaces: [position]
-                state_interfaces: [position]
-                «joints»: [elbow]
-        """,
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm:
-                  type: joint_trajectory_controller/JointTrajectoryController
-        """,
-    },
+                  ros__parameters:
+                    joints: [shoulder]
+                    command_interfaces: [position]
+                    state_interfaces: [position]
+                    «joints»: [elbow]
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm:
+                      type: joint_trajectory_controller/JointTrajectoryController
+            """,
+        },
+    ],
 )
 def yaml_key_twice(project: Project) -> Iterator[Finding]:
     """Duplicate key in a map.

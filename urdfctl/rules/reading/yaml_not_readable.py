@@ -15,24 +15,28 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="rcl_yaml_param_parser/src/parse.c: 'Error parsing a event near line %d'; roslaunch: 'file <f> contains invalid YAML'",
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm:
-                  type: joint_trajectory_controller«:» JointTrajectoryController
-        """,
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm:
-                  type: joint_trajectory_controller/JointTrajectoryController
-        """,
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm:
+                      type: joint_trajectory_controller«:» JointTrajectoryController
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm:
+                      type: joint_trajectory_controller/JointTrajectoryController
+            """,
+        },
+    ],
 )
 def yaml_not_readable(project: Project) -> Iterator[Finding]:
     """Controller file is not valid YAML.

@@ -15,22 +15,26 @@ from urdfctl.source.problem import ProblemKind
     severity=Severity.ERROR,
     runtime="refuses",
     authority="YAML 1.1, section 4.2.1: tabs must not be used for indentation; PyYAML (roslaunch's reader) scanner.py: scan_to_next_token() skips blanks only",
-    bad={
-        "controllers.yaml": """
-            controller_manager:
-            «\t»ros__parameters:
-            \t\tupdate_rate: 100
-        """,
-    },
-    good={
-        "controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                arm:
-                  type: joint_trajectory_controller/JointTrajectoryController
-        """,
-    },
+    bad=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                «\t»ros__parameters:
+                \t\tupdate_rate: 100
+            """,
+        },
+    ],
+    good=[
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm:
+                      type: joint_trajectory_controller/JointTrajectoryController
+            """,
+        },
+    ],
 )
 def yaml_tab(project: Project) -> Iterator[Finding]:
     """Tab in a controller file where YAML does not allow it.

@@ -18,30 +18,34 @@ from urdfctl.rules.ros2_control.common import component, components
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Error while parsing 'elbow'. There should"
     ' be exactly one joint defined in this component but found 2"',
     in_library=False,
-    bad={
-        "robot.urdf": """
-            <ros2_control name="elbow" type="actuator">
-              <hardware><plugin>arm_drivers/Motor</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
-              «<transmission name="gear">»
-                <plugin>transmission_interface/DifferentialTransmission</plugin>
-                <joint name="shoulder" role="joint1"/>
-                <joint name="elbow" role="joint2"/>
-                <actuator name="left" role="actuator1"/>
-                <actuator name="right" role="actuator2"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="elbow" type="actuator">
-              <hardware><plugin>arm_drivers/Motor</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="elbow" type="actuator">
+                  <hardware><plugin>arm_drivers/Motor</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+                  «<transmission name="gear">»
+                    <plugin>transmission_interface/DifferentialTransmission</plugin>
+                    <joint name="shoulder" role="joint1"/>
+                    <joint name="elbow" role="joint2"/>
+                    <actuator name="left" role="actuator1"/>
+                    <actuator name="right" role="actuator2"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="elbow" type="actuator">
+                  <hardware><plugin>arm_drivers/Motor</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def actuator_with_several_joints(project: Project) -> Iterator[Finding]:
     """Transmission of an actuator component without exactly one joint.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from urdfctl.model.parts import Tag
+from urdfctl.model.robot import Tag
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, severity_where
 from urdfctl.rules.ros2_control.common import (
@@ -29,24 +29,55 @@ _POLICIES = ("synchronized", "detached")
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Error parsing async tag: String must be a'
     " flat array: starts with '[' and ends with ']', no nested arrays\"",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system" is_async="true">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <properties><async affinity="«0,1»" thread_priority="40"/></properties>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system" is_async="true">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <properties><async affinity="[0,1]" thread_priority="40" scheduling_policy="detached"/></properties>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="true">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <properties><async affinity="«0,1»" thread_priority="40"/></properties>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="true">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <properties><async affinity="«[a]»" scheduling_policy="«fifo»" thread_priority="«high»" print_warnings="«1»"/></properties>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <properties>«<async affinity="[0]"/>»</properties>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="true">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <properties><async affinity="[0,1]" thread_priority="40" scheduling_policy="detached"/></properties>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="true">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <properties><async scheduling_policy="synchronized" print_warnings="false"/></properties>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def async_properties_malformed(project: Project) -> Iterator[Finding]:
     """Invalid or unused `<async>` properties of a component.

@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.parts import Tag
-from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.model.robot import Ros2Control, Tag
 from urdfctl.names import nearest
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import attribute_respelt
@@ -23,28 +22,82 @@ from urdfctl.source.span import SourceSpan
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: FindAttribute("...") by exact names; other'
     " attributes are silently ignored",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position" min="«-1»"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"><param name="min">-1</param></command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position" min="«-1»"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_asnc="«true»" rwrate="«100»" thread_prioriti="«50»">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint nam="«elbow»" name="elbow" mimick="«false»">
+                    <command_interface name="position" datatype="«double»" siz="«1»" max="«1»"><param nme="«a»" name="min">-1</param></command_interface>
+                    <state_interface name="position" initial_value="«0»"/>
+                    <param name="frame" value="«fore»"/>
+                  </joint>
+                  <sensor nam="«tip»" name="tip"><state_interface name="force"/></sensor>
+                  <gpio nam="«io»" name="io"><state_interface name="on" data_typ="«bool»"/></gpio>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="«true»" rw_rate="«100»" thread_priority="«50»">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow" mimic="«false»">
+                    <command_interface name="position" data_type="«double»" size="«1»"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"><param name="min">-1</param></command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="true" rw_rate="100" thread_priority="50">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow" mimic="false">
+                    <command_interface name="position" data_type="double" size="1"/>
+                    <state_interface name="position"/>
+                  </joint>
+                  <gpio name="io"><state_interface name="on" data_type="bool" size="2"/></gpio>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <gpio name="io"><state_interface name="on" data_type="bool" size="2"/></gpio>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def attribute_not_read(project: Project) -> Iterator[Finding]:
     """Ignored attribute in a component.

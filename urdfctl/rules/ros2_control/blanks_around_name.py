@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, since
 from urdfctl.diagnostic import Edit
-from urdfctl.model.parts import Tag, Text
-from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.model.robot import Ros2Control, Tag, Text
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced, severity_where
 from urdfctl.rules.ros2_control.common import OLD, components
@@ -23,29 +22,33 @@ from urdfctl.source.span import SourceSpan
     authority="ros2_control hardware_interface/src/component_parser.cpp trims names since jazzy 4.43, kilted 5.12 "
     "and rolling 6.4, but not before; topic_based_hardware_interfaces#1: a formatter wrapped the lines of <plugin>",
     options=["--distro=humble"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                «<plugin>»
-                  mock_components/GenericSystem
-                </plugin>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    «<plugin>»
+                      mock_components/GenericSystem
+                    </plugin>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def blanks_around_name(project: Project) -> Iterator[Finding]:
     """Whitespace around a name in a component.

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.model.parts import Tag
-from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.model.robot import Ros2Control, Tag
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, label, replaced, severity_where
 from urdfctl.rules.ros2_control.common import JAZZY, component, components, first_of, is_boolean
@@ -22,30 +21,60 @@ _WORDS = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false",
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Input string : 'yes' is not a valid "
     "boolean value. Expected 'true' or 'false'.\"",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-                <limits enable="«yes»"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-                <limits enable="true"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                    <limits enable="«yes»"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="«Yes»">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow" mimic="«1»">
+                    <command_interface name="position"><limits enable="«on»"/></command_interface>
+                    <state_interface name="position"><limits enable="«0»"/></state_interface>
+                    <limits enable="«no»"/>
+                  </joint>
+                  <sensor name="tip"><state_interface name="force"><limits enable="«off»"/></state_interface></sensor>
+                  <transmission name="drive">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" read_only="«maybe»"><mechanical_reduction>1</mechanical_reduction></joint>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=iron",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="«yes»">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/><limits enable="no"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                    <limits enable="true"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def boolean_malformed(project: Project) -> Iterator[Finding]:
     """Invalid boolean attribute in a component.

@@ -20,28 +20,51 @@ _MIRRORED = ("position", "velocity", "acceleration", "effort")
     authority="measured with jazzy's mock_components/GenericSystem: \"Data type: 'int32' will not be casted to "
     'double for interface: elbow/position. Use get_optional<int32>() instead."',
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position" data_type="«int32»"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position" data_type="«int32»"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position" data_type="«bool»"/>
+                    <command_interface name="velocity" data_type="«int8»"/>
+                    <command_interface name="acceleration" data_type="«uint8»"/>
+                    <command_interface name="effort" data_type="«float32»"/>
+                    <command_interface name="gripping" data_type="bool"/>
+                    <state_interface name="position"/>
+                    <state_interface name="velocity"/>
+                    <state_interface name="acceleration"/>
+                    <state_interface name="effort"/>
+                    <state_interface name="gripping" data_type="bool"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def command_of_other_data_type(project: Project) -> Iterator[Finding]:
     """Mirrored command interface of mock hardware is not of type double.

@@ -21,34 +21,38 @@ _PLUGIN = "gazebo_ros2_control"
     authority="gazebo_ros2_control#295, gz_ros2_control#503: \"Couldn't parse parameter override rule: '--param "
     'robot_description:=<?xml version="; the plugin passes the description to the controller manager as a '
     "parameter, which is parsed as YAML",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
-                <parameters>/opt/arm/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-            «<!-- TODO: tune the gains -->»
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
-                <parameters>/opt/arm/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-            <!-- TODO tune the gains -->
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+                «<!-- TODO: tune the gains -->»
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+                <!-- TODO tune the gains -->
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
     """Comment breaks Gazebo Classic's plugin in humble.

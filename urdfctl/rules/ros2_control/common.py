@@ -6,8 +6,7 @@ import re
 from collections.abc import Container, Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2, since, until
-from urdfctl.model.parts import Tag, Text
-from urdfctl.model.ros2_control import Interface, Parameter, Part, Ros2Control
+from urdfctl.model.robot import Interface, Parameter, Part, Ros2Control, Tag, Text
 from urdfctl.rule import Edit, Fix, Note, Project
 from urdfctl.rules.common import is_known, label, robot_in
 from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.parts import Tag
+from urdfctl.model.robot import Tag
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import respelt, severity_where
@@ -20,25 +20,77 @@ from urdfctl.source.opaque import UNKNOWN
     runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "invalid tag name"',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              «<joints name="elbow">»<command_interface name="position"/></joints>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  «<joints name="elbow">»<command_interface name="position"/></joints>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  «<plugin>»mock_components/GenericSystem</plugin>
+                  «<param name="port">»/dev/ttyUSB0</param>
+                  «<group>»arms</group>
+                  «<command_interface name="position"/>»
+                  «<state_interface name="position"/>»
+                  «<hardwares/>»
+                  «<sensr name="tip"/>»
+                  «<gpios name="io"/>»
+                  «<transmision name="drive"/>»
+                  «<note/>»
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  «<propertie/>»
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=iron",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  «<properties/>»
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <properties/>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_child_unknown(project: Project) -> Iterator[Finding]:
     """Unknown element in `<ros2_control>`.

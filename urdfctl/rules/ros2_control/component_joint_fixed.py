@@ -18,27 +18,31 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, parts
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Joint 'flange' is of type 'fixed'. Fixed "
     'joints do not make sense in ros2_control."',
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="«flange»"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="«flange»"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_joint_fixed(project: Project) -> Iterator[Finding]:
     """Fixed joint in a ros2_control component.

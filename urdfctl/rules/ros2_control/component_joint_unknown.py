@@ -20,25 +20,29 @@ from urdfctl.rules.written import at_written
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Joint 'elbw' not found in URDF\"",
     whole_robot=True,
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="«elbw»"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="«elbw»"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_joint_unknown(project: Project) -> Iterator[Finding]:
     """Unknown joint in a ros2_control component.
@@ -63,7 +67,7 @@ def component_joint_unknown(project: Project) -> Iterator[Finding]:
 
 
 def _links(robot: Robot, name: str) -> Iterator[Note]:
-    link = next((link for link in robot.links if link.name == name), None)
+    link = robot.link(name)
     if link is None:
         return
     yield Note(f"'{name}' is a link; a component controls joints", link.at)

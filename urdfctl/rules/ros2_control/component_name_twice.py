@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.model.robot import Ros2Control
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.ros2_control.common import components
@@ -19,30 +19,34 @@ from urdfctl.rules.ros2_control.common import components
     authority='ros2_control hardware_interface/src/resource_manager.cpp: "Hardware name arm is duplicated. Please '
     "provide a unique 'name' in the URDF.\"",
     in_library=False,
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <ros2_control name="«arm»" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <ros2_control name="arm_base" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <ros2_control name="«arm»" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <ros2_control name="arm_base" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_name_twice(project: Project) -> Iterator[Finding]:
     """Duplicate component name.

@@ -18,31 +18,35 @@ from urdfctl.rules.ros2_control.common import components
     distros=since("humble"),
     authority='ros2_control transmission_interface/src/differential_transmission_loader.cpp: "Failed to construct '
     'transmission"; "There should be exactly two unique joint names"',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              «<transmission name="elbow_gear">»
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
-              </transmission>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="elbow_gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
-                <actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  «<transmission name="elbow_gear">»
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_transmission_ends(project: Project) -> Iterator[Finding]:
     """Wrong number of joints or actuators in a transmission of a component.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.ros2_control import ControlTransmission
+from urdfctl.model.robot import ControlTransmission
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.ros2_control.common import component, components
@@ -18,40 +18,44 @@ from urdfctl.rules.ros2_control.common import component, components
     distros=ROS2,
     authority="measured with jazzy's controller manager, which accepts both; hardware identifies transmissions by name",
     in_library=False,
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="elbow" role="joint1"/><actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-              <transmission name="«gear»">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="shoulder" role="joint1"/><actuator name="shoulder_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="elbow_gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="elbow" role="joint1"/><actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-              <transmission name="shoulder_gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="shoulder" role="joint1"/><actuator name="shoulder_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" role="joint1"/><actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                  <transmission name="«gear»">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="shoulder" role="joint1"/><actuator name="shoulder_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" role="joint1"/><actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                  <transmission name="shoulder_gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="shoulder" role="joint1"/><actuator name="shoulder_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_transmission_name_twice(project: Project) -> Iterator[Finding]:
     """Duplicate transmission name in a component.

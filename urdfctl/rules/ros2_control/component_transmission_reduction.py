@@ -18,32 +18,36 @@ from urdfctl.rules.ros2_control.common import components, is_number
     distros=ROS2,
     authority='ros2_control transmission_interface/simple_transmission.hpp: "Transmission reduction ratio cannot be'
     ' zero."; component_parser.cpp get_parameter_value_or() uses the default for anything that is not a number',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="elbow_gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="elbow" role="joint1">«<mechanical_reduction>»0</mechanical_reduction></joint>
-                <actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="elbow_gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
-                <actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" role="joint1">«<mechanical_reduction>»0</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_transmission_reduction(project: Project) -> Iterator[Finding]:
     """Invalid reduction or offset of a transmission in a component.

@@ -19,32 +19,36 @@ from urdfctl.rules.ros2_control.common import component, components, corrected
     distros=ROS2,
     authority='ros2_control transmission_interface/ros2_control_plugins.xml has three types; "Failed to construct '
     'transmission" for any other',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="elbow_gear">
-                «<plugin>»transmission_interface/SimpelTransmission</plugin>
-                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
-                <actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="elbow_gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
-                <actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    «<plugin>»transmission_interface/SimpelTransmission</plugin>
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_transmission_unknown(project: Project) -> Iterator[Finding]:
     """Unknown transmission type in a component.

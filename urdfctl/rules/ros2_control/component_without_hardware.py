@@ -17,24 +17,28 @@ from urdfctl.rules.ros2_control.common import component, components
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp leaves the class empty; pluginlib: "the '
     'class with base class type hardware_interface::SystemInterface does not exist"',
-    bad={
-        "robot.urdf": """
-            «<ros2_control name="arm" type="system">»
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<ros2_control name="arm" type="system">»
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_without_hardware(project: Project) -> Iterator[Finding]:
     """Component without `<hardware>`.

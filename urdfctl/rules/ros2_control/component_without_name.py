@@ -15,25 +15,29 @@ from urdfctl.rules.ros2_control.common import components
     runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no attribute name in ros2_control tag"',
-    bad={
-        "robot.urdf": """
-            «<ros2_control type="system">»
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<ros2_control type="system">»
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def component_without_name(project: Project) -> Iterator[Finding]:
     """`<ros2_control>` without a name.

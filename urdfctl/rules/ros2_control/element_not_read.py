@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.parts import Tag
-from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.model.robot import Ros2Control, Tag
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import respelt
@@ -22,29 +21,100 @@ from urdfctl.source.opaque import UNKNOWN
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: FirstChildElement("...") by exact names; '
     "other elements are silently ignored",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                «<state_interfaces name="position"/>»
-                <state_interface name="velocity"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    «<state_interfaces name="position"/>»
+                    <state_interface name="velocity"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    «<plugins>»x</plugins>
+                    «<parm name="port">»1</parm>
+                    «<note>»x</note>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">«<parm name="min">»-1</parm></command_interface>
+                    <state_interface name="position">«<parm name="initial_value">»0</parm></state_interface>
+                    «<EffortJointInterface/>»
+                    «<hardwareInterface>»hardware_interface/PositionJointInterface</hardwareInterface>
+                  </joint>
+                  <sensor name="tip"><state_interface name="force"/>«<parm name="frame">»tip</parm></sensor>
+                  <gpio name="io"><state_interface name="on"/>«<parm name="pin">»1</parm></gpio>
+                  <transmission name="drive">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow">«<mechanical_reducton>»1</mechanical_reducton>«<offsets>»0</offsets></joint>
+                    <actuator name="motor">«<mechanicalReduction>»1</mechanicalReduction></actuator>
+                    «<actuators name="other"/>»
+                    «<parm name="ratio">»2</parm>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    «<group>»arms</group>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">«<limits enable="true"/>»</command_interface>
+                    <state_interface name="position">«<limits enable="true"/>»</state_interface>
+                    «<limits enable="true"/>»
+                  </joint>
+                  <sensor name="tip"><state_interface name="force"/>«<limits enable="true"/>»</sensor>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    <group>arms</group>
+                    <param name="calculate_dynamics">true</param>
+                  </hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"><limits enable="true"/></command_interface>
+                    <state_interface name="position"><limits enable="true"/></state_interface>
+                    <limits enable="true"/>
+                  </joint>
+                  <sensor name="tip">
+                    <state_interface name="force"><param name="unit">N</param></state_interface>
+                    <limits enable="true"/>
+                    <param name="frame">tip</param>
+                  </sensor>
+                  <gpio name="io"><state_interface name="on"/><param name="pin">1</param></gpio>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def element_not_read(project: Project) -> Iterator[Finding]:
     """Ignored element in a component.

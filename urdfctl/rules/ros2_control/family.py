@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.ros2_control.actuator_with_several_joints import actuator_with_several_joints
 from urdfctl.rules.ros2_control.async_properties_malformed import async_properties_malformed
 from urdfctl.rules.ros2_control.attribute_not_read import attribute_not_read
@@ -70,7 +70,7 @@ from urdfctl.rules.ros2_control.transmission_not_read_by_ros2 import transmissio
 from urdfctl.rules.ros2_control.transmission_of_ros1_in_component import transmission_of_ros1_in_component
 from urdfctl.rules.ros2_control.transmission_without_plugin import transmission_without_plugin
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     component_without_name,
     component_without_type,
     component_type_unknown,

@@ -16,28 +16,32 @@ from urdfctl.rules.ros2_control.common import component, components, side_by_sid
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp reads the first <plugin>, and replaces an "
     "earlier <hardware> with a later one",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>arm_drivers/Arm</plugin>
-                «<plugin>»mock_components/GenericSystem</plugin>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>arm_drivers/Arm</plugin>
+                    «<plugin>»mock_components/GenericSystem</plugin>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def hardware_given_twice(project: Project) -> Iterator[Finding]:
     """Component with two plugins or two `<hardware>` elements.

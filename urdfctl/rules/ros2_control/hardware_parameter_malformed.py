@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.hardware import HardwareType
-from urdfctl.model.ros2_control import Parameter
+from urdfctl.model.robot import Parameter
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, severity_where
 from urdfctl.rules.ros2_control.common import JAZZY, components, is_boolean, is_number, known_hardware
@@ -22,28 +22,55 @@ _EXPECTED = {"bool": "'true' or 'false'", "double": "a number"}
     authority="ros2_control hardware_interface/src/lexical_casts.cpp: \"Input string : 'yes' is not a valid boolean "
     "value. Expected 'true' or 'false'.\", \"Failed converting string to real number\"",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>mock_components/GenericSystem</plugin>
-                «<param name="calculate_dynamics">»yes</param>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>mock_components/GenericSystem</plugin>
-                <param name="calculate_dynamics">true</param>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    «<param name="calculate_dynamics">»yes</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    «<param name="position_state_following_offset">»much</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    «<param name="calculate_dynamics">»yes</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    <param name="calculate_dynamics">true</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def hardware_parameter_malformed(project: Project) -> Iterator[Finding]:
     """Hardware parameter has a value of the wrong type.

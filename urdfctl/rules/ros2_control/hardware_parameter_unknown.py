@@ -18,28 +18,32 @@ from urdfctl.rules.ros2_control.common import components, known_hardware
     distros=ROS2,
     authority="mock_components generic_system.cpp and others look up parameters by exact names; others are "
     "silently ignored",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>mock_components/GenericSystem</plugin>
-                <param name="«state_following_offset»">0.1</param>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>mock_components/GenericSystem</plugin>
-                <param name="position_state_following_offset">0.1</param>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    <param name="«state_following_offset»">0.1</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    <param name="position_state_following_offset">0.1</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def hardware_parameter_unknown(project: Project) -> Iterator[Finding]:
     """Unknown or deprecated hardware parameter.

@@ -18,25 +18,29 @@ from urdfctl.rules.ros2_control.facts import TYPES
     distros=ROS2,
     authority='pluginlib class_loader: "the class mock_components/GenericSystem with base class type '
     'hardware_interface::SensorInterface does not exist"',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="«actuator»">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="«actuator»">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def hardware_plugin_of_other_type(project: Project) -> Iterator[Finding]:
     """Component and its plugin have different types.

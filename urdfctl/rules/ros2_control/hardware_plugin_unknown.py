@@ -27,22 +27,112 @@ _WHOLE = (*_CORE, "gz_ros2_control", "ign_ros2_control", "gazebo_ros2_control")
     "mock_component/GenericSystem with base class type hardware_interface::SystemInterface does not "
     'exist."',
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>«<plugin>»mock_component/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»mock_component/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»fake_component/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»gz_ros2_control/GazeboSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»mock_components/System</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»gazebo_ros2_control/System</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»ign_ros2_control/System</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»fake_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»gazebo_ros2_control/GazeboSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»${plugin}</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_driver/ArmSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def hardware_plugin_unknown(project: Project) -> Iterator[Finding]:
     """Hardware plugin is misspelt or not available in this distro.

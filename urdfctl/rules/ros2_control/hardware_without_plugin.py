@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.ros2_control import Hardware, Ros2Control
+from urdfctl.model.robot import Hardware, Ros2Control
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_all_there, is_conditional
@@ -19,27 +19,31 @@ from urdfctl.rules.ros2_control.common import component, components
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Missing <plugin> tag of <hardware> '
     'element in your URDF.", "text not specified in the hardware plugin tag"',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              «<hardware>»
-                <class_type>mock_components/GenericSystem</class_type>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  «<hardware>»
+                    <class_type>mock_components/GenericSystem</class_type>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def hardware_without_plugin(project: Project) -> Iterator[Finding]:
     """`<hardware>` without a plugin.

@@ -20,32 +20,36 @@ from urdfctl.rules.ros2_control.facts import DATA_TYPES
     authority='ros2_control hardware_interface/include/hardware_interface/handle.hpp: "Invalid initial value : '
     "'90deg' parsed for interface : 'elbow/position' with type : 'double'\"",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position">
-                  «<param name="initial_value">»90deg</param>
-                </state_interface>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position">
-                  <param name="initial_value">0.5</param>
-                </state_interface>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position">
+                      «<param name="initial_value">»90deg</param>
+                    </state_interface>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position">
+                      <param name="initial_value">0.5</param>
+                    </state_interface>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def initial_value_malformed(project: Project) -> Iterator[Finding]:
     """Initial value does not match the type of its interface.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.ros2_control import Part, Ros2Control
+from urdfctl.model.robot import Part, Ros2Control
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known, label
 from urdfctl.rules.ros2_control.common import is_deaf, known_hardware, parts
@@ -22,29 +22,33 @@ _OLD_NAME = "initial_<interface>"
     'generic_system.cpp: "Parsing of optional initial interface values failed or uses a deprecated '
     'format"',
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                «<param name="initial_position">»0.5</param>
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"><param name="initial_value">0.5</param></state_interface>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    «<param name="initial_position">»0.5</param>
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"><param name="initial_value">0.5</param></state_interface>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def initial_value_of_joint(project: Project) -> Iterator[Finding]:
     """Initial value in a joint instead of its interface.

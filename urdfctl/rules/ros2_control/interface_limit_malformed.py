@@ -18,34 +18,38 @@ from urdfctl.rules.ros2_control.common import called, interfaces, is_number
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Error parsing the limits for the '
     "interface: position from the tags [min: 'low' and max: 'high'] within ros2_control tag inside the "
     'URDF. Skipping it"',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position">
-                  «<param name="min">»-90deg</param>
-                  <param name="max">1</param>
-                </command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position">
-                  <param name="min">-1</param>
-                  <param name="max">1</param>
-                </command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">
+                      «<param name="min">»-90deg</param>
+                      <param name="max">1</param>
+                    </command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">
+                      <param name="min">-1</param>
+                      <param name="max">1</param>
+                    </command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def interface_limit_malformed(project: Project) -> Iterator[Finding]:
     """Malformed limit of an interface.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.ros2_control import Interface
+from urdfctl.model.robot import Interface
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known, label, replaced
 from urdfctl.rules.ros2_control.common import JAZZY, called, known_hardware, parts
@@ -22,32 +22,83 @@ _LIMITED = ("position", "velocity", "effort", "acceleration", "jerk")
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Jerk only accepts max limits."; it looks '
     "for min and max in lower case",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position">
-                  <param name="«Min»">-1</param>
-                </command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position">
-                  <param name="min">-1</param>
-                </command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">
+                      <param name="«Min»">-1</param>
+                    </command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">
+                      <param name="«minimum»">-1</param>
+                      <param name="«upper»">1</param>
+                    </command_interface>
+                    <command_interface name="velocity"><param name="«Maximum»">1</param></command_interface>
+                    <command_interface name="acceleration"><param name="«lower»">-1</param><param name="«MAX»">1</param></command_interface>
+                    <command_interface name="jerk">«<param name="min">»-1</param></command_interface>
+                    <command_interface name="current">«<param name="max">»1</param></command_interface>
+                    <state_interface name="position"><param name="«initialValue»">0</param></state_interface>
+                    <state_interface name="velocity"><param name="«Initial_Value»">0</param></state_interface>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">
+                      <param name="min">-1</param>
+                    </command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"><param name="max">1</param></command_interface>
+                    <command_interface name="velocity"><param name="max">1</param></command_interface>
+                    <command_interface name="effort"><param name="max">1</param></command_interface>
+                    <command_interface name="acceleration"><param name="max">1</param></command_interface>
+                    <command_interface name="jerk"><param name="max">1</param></command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_driver/ArmSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"><param name="lower">-1</param></command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def interface_limit_not_read(project: Project) -> Iterator[Finding]:
     """Ignored limit of an interface.

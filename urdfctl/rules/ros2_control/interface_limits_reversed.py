@@ -17,34 +17,38 @@ from urdfctl.rules.ros2_control.common import called, interfaces, is_number
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp accepts min and max as they are; the limiter "
     "then has an empty range",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position">
-                  «<param name="min">»1</param>
-                  <param name="max">-1</param>
-                </command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position">
-                  <param name="min">-1</param>
-                  <param name="max">1</param>
-                </command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">
+                      «<param name="min">»1</param>
+                      <param name="max">-1</param>
+                    </command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">
+                      <param name="min">-1</param>
+                      <param name="max">1</param>
+                    </command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def interface_limits_reversed(project: Project) -> Iterator[Finding]:
     """Lower limit of an interface is above the upper limit.

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.parts import Number
-from urdfctl.model.robot import Limit
-from urdfctl.model.ros2_control import Interface, Parameter
+from urdfctl.model.robot import Interface, Limit, Number, Parameter
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.ros2_control.common import called, is_number, parts
@@ -24,34 +22,38 @@ _ROUNDING = 5e-4
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp update_interface_limits(): the larger min "
     "and the smaller max of tag and URDF apply",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position">
-                  «<param name="min">»-3.14</param>
-                  <param name="max">1</param>
-                </command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position">
-                  <param name="min">-0.5</param>
-                  <param name="max">1</param>
-                </command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">
+                      «<param name="min">»-3.14</param>
+                      <param name="max">1</param>
+                    </command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position">
+                      <param name="min">-0.5</param>
+                      <param name="max">1</param>
+                    </command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def interface_limits_wider_than_urdf(project: Project) -> Iterator[Finding]:
     """Limit of a command interface is wider than the limit in the URDF.

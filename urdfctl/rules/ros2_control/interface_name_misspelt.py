@@ -21,28 +21,62 @@ _STANDARD = ("position", "velocity", "effort", "acceleration")
     distros=ROS2,
     authority="ros2_control hardware_interface/include/hardware_interface/types/hardware_interface_type_values.hpp "
     "has the names that controllers request; any other name is specific to the hardware",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="«hardware_interface/PositionJointInterface»"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="«hardware_interface/PositionJointInterface»"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="«postion»"/>
+                    <command_interface name="«velocty»"/>
+                    <command_interface name="«VelocityJointInterface»"/>
+                    <command_interface name="«efort»"/>
+                    <command_interface name="«EffortJointInterface»"/>
+                    <state_interface name="position"/>
+                    <state_interface name="«acceleraton»"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="velocity"/>
+                    <command_interface name="effort"/>
+                    <command_interface name="position_pid"/>
+                    <state_interface name="position"/>
+                    <state_interface name="acceleration"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def interface_name_misspelt(project: Project) -> Iterator[Finding]:
     """Misspelt interface name of a joint, or a name from ROS 1.

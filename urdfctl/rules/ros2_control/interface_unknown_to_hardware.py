@@ -19,33 +19,37 @@ from urdfctl.rules.ros2_control.common import called, known_hardware, parts
     distros=ROS2,
     authority='ros2_control hardware_interface/src/resource_manager.cpp: "Wrong state or command interface '
     'configuration. missing command interfaces: elbow/acceleration"',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="«acceleration»"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="effort"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>/opt/arm/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="«acceleration»"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="effort"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def interface_unknown_to_hardware(project: Project) -> Iterator[Finding]:
     """Interface is not provided by the hardware.

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.diagnostic import Edit
-from urdfctl.model.ros2_control import Interface
+from urdfctl.model.robot import Interface
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known, label
 from urdfctl.rules.ros2_control.common import interfaces, whole_element
@@ -19,28 +19,32 @@ from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
     runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no attribute name in command_interface tag"',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                «<command_interface>»position</command_interface>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    «<command_interface>»position</command_interface>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def interface_without_name(project: Project) -> Iterator[Finding]:
     """Interface without a name.

@@ -16,30 +16,34 @@ from urdfctl.rules.ros2_control.common import JAZZY, first_of, parts
     distros=JAZZY,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"no attribute 'enable' in 'limits' tag\"",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-                «<limits min="-1" max="1"/>»
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"><param name="min">-1</param><param name="max">1</param></command_interface>
-                <state_interface name="position"/>
-                <limits enable="true"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                    «<limits min="-1" max="1"/>»
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"><param name="min">-1</param><param name="max">1</param></command_interface>
+                    <state_interface name="position"/>
+                    <limits enable="true"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def limits_without_enable(project: Project) -> Iterator[Finding]:
     """`<limits>` of a component without `enable`.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.ros2_control import Parameter, Part
+from urdfctl.model.robot import Parameter, Part
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_all_there, is_known, robot_in, severity_where
@@ -20,38 +20,42 @@ from urdfctl.rules.ros2_control.common import component, is_deaf, known_hardware
     authority='ros2_control doc/migration.rst (jazzy): "The mimic-joint configuration is now done via URDF"; '
     "mock_components generic_system.cpp up to iron: \"Mimicked joint 'elbw' not found\"",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <link name="finger"/>
-            <joint name="grip" type="prismatic">
-              <parent link="fore"/><child link="finger"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
-            </joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <joint name="grip">
-                «<param name="mimic">»elbow</param>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="finger">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="grip" type="prismatic">
-              <parent link="fore"/><child link="finger"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
-              <mimic joint="elbow"/>
-            </joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <joint name="grip"><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="finger"/>
+                <joint name="grip" type="prismatic">
+                  <parent link="fore"/><child link="finger"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
+                </joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="grip">
+                    «<param name="mimic">»elbow</param>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="finger">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="grip" type="prismatic">
+                  <parent link="fore"/><child link="finger"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
+                  <mimic joint="elbow"/>
+                </joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="grip"><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def mimic_as_parameter(project: Project) -> Iterator[Finding]:
     """Mimic parameter of a joint is ignored or names an unknown joint.

@@ -18,25 +18,29 @@ from urdfctl.rules.ros2_control.common import JAZZY, parts
     ' the URDF"',
     whole_robot=True,
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow" mimic="«true»"><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow" mimic="«true»"><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def mimic_attribute_without_mimic(project: Project) -> Iterator[Finding]:
     """Joint marked as mimic has no `<mimic>` in the URDF.

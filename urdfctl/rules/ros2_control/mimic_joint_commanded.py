@@ -17,34 +17,38 @@ from urdfctl.rules.ros2_control.common import JAZZY, followers
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Joint 'elbow' has mimic attribute not set"
     ' to false: Activated mimic joints cannot have command interfaces."',
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <link name="finger"/>
-            <joint name="grip" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/><mimic joint="elbow"/>
-            </joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <joint name="grip">
-                «<command_interface name="position"/>»
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="finger"/>
+                <joint name="grip" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="0" upper="0.1" effort="1" velocity="1"/><mimic joint="elbow"/>
+                </joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="grip">
+                    «<command_interface name="position"/>»
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def mimic_joint_commanded(project: Project) -> Iterator[Finding]:
     """Mimic joint with a command interface.

@@ -42,11 +42,13 @@ _CONTROL = """
     authority="gz_ros2_control doc/index.rst, Using mimic joints in simulation; gz_system.cpp write() and "
     "gazebo_system.cpp write() move the mimic joints of the component only",
     options=["--distro=jazzy"],
-    bad={"robot.urdf": _FINGER + _CONTROL % ""},
-    good={
-        "robot.urdf": _FINGER.replace("«", "").replace("»", "")
-        + _CONTROL % '<joint name="grip"><state_interface name="position"/></joint>'
-    },
+    bad=[{"robot.urdf": _FINGER + _CONTROL % ""}],
+    good=[
+        {
+            "robot.urdf": _FINGER.replace("«", "").replace("»", "")
+            + _CONTROL % '<joint name="grip"><state_interface name="position"/></joint>'
+        },
+    ],
 )
 def mimic_joint_not_in_component(project: Project) -> Iterator[Finding]:
     """Mimic joint is missing in the simulated <ros2_control> component.

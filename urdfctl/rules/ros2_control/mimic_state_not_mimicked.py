@@ -18,39 +18,43 @@ from urdfctl.rules.ros2_control.facts import MOCK
     authority="measured with jazzy's mock_components/GenericSystem: \"The requested state interface not found: "
     "'elbow/velocity'\", thrown during the first read",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <link name="finger"/>
-            <joint name="grip" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="-1" upper="1" effort="1" velocity="1"/><mimic joint="elbow"/>
-            </joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <joint name="grip">
-                <state_interface name="position"/>
-                «<state_interface name="velocity"/>»
-              </joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="finger">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="grip" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="-1" upper="1" effort="1" velocity="1"/><mimic joint="elbow"/>
-            </joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <joint name="grip"><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="finger"/>
+                <joint name="grip" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="-1" upper="1" effort="1" velocity="1"/><mimic joint="elbow"/>
+                </joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="grip">
+                    <state_interface name="position"/>
+                    «<state_interface name="velocity"/>»
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="finger">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="grip" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="-1" upper="1" effort="1" velocity="1"/><mimic joint="elbow"/>
+                </joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="grip"><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def mimic_state_not_mimicked(project: Project) -> Iterator[Finding]:
     """Mimic joint of mock hardware has a state that the mimicked joint lacks.

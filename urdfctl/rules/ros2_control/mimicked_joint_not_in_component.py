@@ -18,30 +18,34 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, followers
     '<ros2_control> tag"',
     in_library=False,
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <link name="finger"/>
-            <joint name="grip" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/><mimic joint="elbow"/>
-            </joint>
-            <ros2_control name="gripper" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="«grip»"><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="finger"/>
+                <joint name="grip" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="0" upper="0.1" effort="1" velocity="1"/><mimic joint="elbow"/>
+                </joint>
+                <ros2_control name="gripper" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="«grip»"><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def mimicked_joint_not_in_component(project: Project) -> Iterator[Finding]:
     """Mimicked joint is not in the same component.

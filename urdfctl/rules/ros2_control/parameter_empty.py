@@ -17,28 +17,32 @@ from urdfctl.rules.ros2_control.common import parameters
     authority='ros2_control hardware_interface/src/component_parser.cpp up to galactic: "text not specified in the '
     '<name> tag"',
     options=["--distro=foxy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>my_robot/MyHardware</plugin>
-                «<param name="calibration">»</param>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>my_robot/MyHardware</plugin>
-                <param name="calibration">calibration.yaml</param>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>my_robot/MyHardware</plugin>
+                    «<param name="calibration">»</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>my_robot/MyHardware</plugin>
+                    <param name="calibration">calibration.yaml</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def parameter_empty(project: Project) -> Iterator[Finding]:
     """Empty parameter in a component.

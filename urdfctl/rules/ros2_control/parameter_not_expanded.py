@@ -17,28 +17,32 @@ from urdfctl.rules.ros2_control.common import parameters
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros2_control passes a parameter's text to the hardware unchanged; only xacro expands ${...} and $(...)",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>my_robot/MyHardware</plugin>
-                «<param name="calibration">»$(find my_robot)/config/calibration.yaml</param>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>my_robot/MyHardware</plugin>
-                <param name="calibration">config/calibration.yaml</param>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>my_robot/MyHardware</plugin>
+                    «<param name="calibration">»$(find my_robot)/config/calibration.yaml</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>my_robot/MyHardware</plugin>
+                    <param name="calibration">config/calibration.yaml</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def parameter_not_expanded(project: Project) -> Iterator[Finding]:
     """Xacro expression in a parameter is not expanded.

@@ -16,28 +16,32 @@ from urdfctl.rules.ros2_control.common import parameters
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no parameter name attribute set in param '
     'tag"',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>
-                <plugin>mock_components/GenericSystem</plugin>
-                «<param>»true</param>
-              </hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>
+                    <plugin>mock_components/GenericSystem</plugin>
+                    «<param>»true</param>
+                  </hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def parameter_without_name(project: Project) -> Iterator[Finding]:
     """`<param>` of a component without a name.

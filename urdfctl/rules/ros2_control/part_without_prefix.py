@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.ros2_control import Part
+from urdfctl.model.robot import Part
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import label, replaced
 from urdfctl.rules.ros2_control.common import parts
@@ -35,8 +35,8 @@ _MACRO = """
     authority="ros2_control hardware_interface/src/component_parser.cpp: 'Joint 'elbow' not found in URDF'; "
     "ros2_control_demos#152, 'Do not ignore prefix argument for joint names.'",
     options=["--distro=jazzy"],
-    bad={"arm.ros2_control.xacro": _MACRO % "«elbow»"},
-    good={"arm.ros2_control.xacro": _MACRO % "${prefix}elbow"},
+    bad=[{"arm.ros2_control.xacro": _MACRO % "«elbow»"}],
+    good=[{"arm.ros2_control.xacro": _MACRO % "${prefix}elbow"}],
 )
 def part_without_prefix(project: Project) -> Iterator[Finding]:
     """Macro does not use its prefix in the joint or sensor names of `<ros2_control>`.

@@ -18,27 +18,31 @@ from urdfctl.source.opaque import UNKNOWN
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no ros2_control tag"; it reads '
     "only the children of the root element",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              «<ros2_control name="arm" type="system">»
-                <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-                <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              </ros2_control>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  «<ros2_control name="arm" type="system">»
+                    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                    <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  </ros2_control>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def ros2_control_not_in_root(project: Project) -> Iterator[Finding]:
     """`<ros2_control>` is not directly in `<robot>`.

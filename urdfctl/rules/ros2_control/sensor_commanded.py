@@ -17,28 +17,32 @@ from urdfctl.rules.ros2_control.common import called, component, parts
     distros=ROS2,
     authority="ros2_control hardware_interface: sensors export only state interfaces; a component of type sensor "
     "has no write()",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <sensor name="wrist_sensor">
-                «<command_interface name="tare"/>»
-                <state_interface name="force.z"/>
-              </sensor>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <sensor name="wrist_sensor"><state_interface name="force.z"/></sensor>
-              <gpio name="wrist_io"><command_interface name="tare"/></gpio>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <sensor name="wrist_sensor">
+                    «<command_interface name="tare"/>»
+                    <state_interface name="force.z"/>
+                  </sensor>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <sensor name="wrist_sensor"><state_interface name="force.z"/></sensor>
+                  <gpio name="wrist_io"><command_interface name="tare"/></gpio>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def sensor_commanded(project: Project) -> Iterator[Finding]:
     """Sensor with a command interface.

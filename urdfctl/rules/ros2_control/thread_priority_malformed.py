@@ -17,22 +17,26 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, components, is_p
     authority="ros2_control hardware_interface/src/component_parser.cpp: 'Could not parse thread_priority tag in "
     '"ros2_control". Got "0", but expected a non-zero positive integer.\'',
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system" is_async="true" thread_priority="«0»">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system" is_async="true" thread_priority="50">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="true" thread_priority="«0»">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system" is_async="true" thread_priority="50">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def thread_priority_malformed(project: Project) -> Iterator[Finding]:
     """Thread priority of a component is not a positive integer.

@@ -17,32 +17,36 @@ from urdfctl.rules.ros2_control.common import component, components
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Error while parsing 'arm'. Transmission "
     "'gear' declared joint 'elbw' is not available in component 'arm'.\"",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="elbow_gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="«elbw»" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
-                <actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="elbow_gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
-                <actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="«elbw»" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def transmission_joint_not_in_component(project: Project) -> Iterator[Finding]:
     """Transmission names a joint that is not in its component.

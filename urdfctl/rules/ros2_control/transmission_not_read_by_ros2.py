@@ -17,30 +17,34 @@ from urdfctl.rules.ros2_control.common import replacement
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp reads only the children of <ros2_control>;"
     " transmissions of ROS 1 are in the root, where ROS 2 ignores them",
-    bad={
-        "robot.urdf": """
-            «<transmission name="elbow_transmission">»
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
-              <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
-            </transmission>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<transmission name="elbow_transmission">»
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+                  <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                </transmission>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def transmission_not_read_by_ros2(project: Project) -> Iterator[Finding]:
     """Transmission of ROS 1 in a ROS 2 robot.

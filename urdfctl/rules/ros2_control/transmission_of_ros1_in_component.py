@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.ros2_control import ControlTransmission
+from urdfctl.model.robot import ControlTransmission
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import label
 from urdfctl.rules.ros2_control.common import (
@@ -25,31 +25,35 @@ from urdfctl.rules.ros2_control.common import (
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Missing <plugin> tag of <transmission> '
     'element in your URDF."; foxy, galactic and iron crash there',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              «<transmission name="elbow_transmission">»
-                <type>transmission_interface/SimpleTransmission</type>
-                <joint name="elbow"><hardwareInterface>EffortJointInterface</hardwareInterface></joint>
-                <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
-              </transmission>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="effort"/>
-                <state_interface name="position"/>
-                <state_interface name="velocity"/>
-                <state_interface name="effort"/>
-              </joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  «<transmission name="elbow_transmission">»
+                    <type>transmission_interface/SimpleTransmission</type>
+                    <joint name="elbow"><hardwareInterface>EffortJointInterface</hardwareInterface></joint>
+                    <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="effort"/>
+                    <state_interface name="position"/>
+                    <state_interface name="velocity"/>
+                    <state_interface name="effort"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def transmission_of_ros1_in_component(project: Project) -> Iterator[Finding]:
     """Transmission of a component in the ROS 1 format.

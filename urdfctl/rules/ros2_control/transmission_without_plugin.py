@@ -17,31 +17,35 @@ from urdfctl.rules.ros2_control.common import component, components
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Missing <plugin> tag of <transmission> '
     'element in your URDF."; foxy, galactic and iron crash there',
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              «<transmission name="elbow_gear">»
-                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
-                <actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-              <transmission name="elbow_gear">
-                <plugin>transmission_interface/SimpleTransmission</plugin>
-                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
-                <actuator name="elbow_motor" role="actuator1"/>
-              </transmission>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  «<transmission name="elbow_gear">»
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    <plugin>transmission_interface/SimpleTransmission</plugin>
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def transmission_without_plugin(project: Project) -> Iterator[Finding]:
     """Transmission of a component without a plugin.

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.hardware import PluginChild
 from urdfctl.control.gazebo_plugins import BECAME
 from urdfctl.control.simulator_plugins import LoadedPlugin, control_plugins, loaded_plugins
-from urdfctl.model.parts import Tag
+from urdfctl.model.robot import Tag
 from urdfctl.names import folded, is_slip
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_all_there, is_known

@@ -18,24 +18,28 @@ from urdfctl.rules.simulation.common import number
     distros=ROS1,
     authority="gazebo_ros_control src/gazebo_ros_control_plugin.cpp: 'Desired controller update period (0 s) is faster than the "
     "gazebo simulation period (0.001 s).'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <controlPeriod>«0»</controlPeriod>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <controlPeriod>0.002</controlPeriod>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <controlPeriod>«0»</controlPeriod>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <controlPeriod>0.002</controlPeriod>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def control_period_not_positive(project: Project) -> Iterator[Finding]:
     """Control period is not positive, or too long to be in seconds.

@@ -15,20 +15,24 @@ from urdfctl.rules.common import robot_in
     runtime="ignores",
     authority="gazebo physics/Model.cc, Model::LoadPlugins: only the plugins of a model; gz-sim: 'is not a model. Please "
     "make sure that Gazebo ROS 2 Control is attached to a valid model.'",
-    bad={
-        "robot.urdf": """
-            <gazebo reference="upper">
-              «<plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>»
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo reference="upper">
+                  «<plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>»
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def control_plugin_in_reference(project: Project) -> Iterator[Finding]:
     """Control or drive plugin inside `<gazebo reference="...">`.

@@ -16,23 +16,27 @@ from urdfctl.rules.common import is_known
     in_library=False,
     authority="gazebo_ros_control and gz_ros2_control: each plugin creates its own controller manager; roscpp: 'Tried to "
     "advertise a service that is already advertised in this node'; ros-controls/gz_ros2_control#145",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
-            </gazebo>
-            <gazebo>
-              «<plugin name="control_again" filename="libgazebo_ros_control.so"/>»
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
+                </gazebo>
+                <gazebo>
+                  «<plugin name="control_again" filename="libgazebo_ros_control.so"/>»
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def control_plugin_twice(project: Project) -> Iterator[Finding]:
     """Control plugin is loaded twice.

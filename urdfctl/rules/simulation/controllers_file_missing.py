@@ -16,41 +16,45 @@ from urdfctl.rules.simulation.common import controllers_files
     distros=ROS2,
     authority="gazebo_ros2_control src/gazebo_ros2_control_plugin.cpp: 'parser error Couldn't parse params file ... Error "
     "opening YAML file'; rcl rcl_yaml_param_parser/src/parser.c",
-    bad={
-        "robot.xacro": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>«$(find arm)/config/controlers.yaml»</parameters>
-              </plugin>
-            </gazebo>
-        """,
-        "package.xml": "<package><name>arm</name></package>",
-    },
-    good={
-        "robot.xacro": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>$(find arm)/config/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-        "package.xml": "<package><name>arm</name></package>",
-        "config/controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_state_broadcaster:
-                  type: joint_state_broadcaster/JointStateBroadcaster
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>«$(find arm)/config/controlers.yaml»</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+            "package.xml": "<package><name>arm</name></package>",
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+            "package.xml": "<package><name>arm</name></package>",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_state_broadcaster:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+        },
+    ],
 )
 def controllers_file_missing(project: Project) -> Iterator[Finding]:
     """Controller file of a simulator plugin does not exist.

@@ -19,36 +19,40 @@ from urdfctl.rules.common import is_known
     authority="gazebo_ros_control src/gazebo_ros_control_plugin.cpp: the manager's node handle is robotNamespace; "
     "controller_manager src/controller_manager.cpp: 'Could not load controller 'x' because the type was not "
     "specified. Did you load the controller configuration on the parameter server'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                «<robotNamespace>»/left_arm</robotNamespace>
-              </plugin>
-            </gazebo>
-        """,
-        "controllers.yaml": """
-            arm:
-              joint_state_controller:
-                type: joint_state_controller/JointStateController
-                publish_rate: 50
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <robotNamespace>/arm</robotNamespace>
-              </plugin>
-            </gazebo>
-        """,
-        "controllers.yaml": """
-            arm:
-              joint_state_controller:
-                type: joint_state_controller/JointStateController
-                publish_rate: 50
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    «<robotNamespace>»/left_arm</robotNamespace>
+                  </plugin>
+                </gazebo>
+            """,
+            "controllers.yaml": """
+                arm:
+                  joint_state_controller:
+                    type: joint_state_controller/JointStateController
+                    publish_rate: 50
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotNamespace>/arm</robotNamespace>
+                  </plugin>
+                </gazebo>
+            """,
+            "controllers.yaml": """
+                arm:
+                  joint_state_controller:
+                    type: joint_state_controller/JointStateController
+                    publish_rate: 50
+            """,
+        },
+    ],
 )
 def controllers_of_other_namespace(project: Project) -> Iterator[Finding]:
     """Controllers are configured outside the namespace of the simulated robot.

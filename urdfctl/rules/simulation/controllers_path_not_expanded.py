@@ -18,40 +18,44 @@ from urdfctl.rules.simulation.common import controllers_files
     distros=ROS2,
     authority="ros-controls/gazebo_ros2_control#141 and #155: 'Error opening YAML file' with the literal '$(find ...)': only "
     "xacro expands it",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>«$(find arm)/config/controllers.yaml»</parameters>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>$(find arm)/config/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-        "package.xml": "<package><name>arm</name></package>",
-        "config/controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_state_broadcaster:
-                  type: joint_state_broadcaster/JointStateBroadcaster
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>«$(find arm)/config/controllers.yaml»</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+            "package.xml": "<package><name>arm</name></package>",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_state_broadcaster:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+        },
+    ],
 )
 def controllers_path_not_expanded(project: Project) -> Iterator[Finding]:
     """Expression in the path of the controller file is not expanded.

@@ -18,40 +18,86 @@ _HOMES = ("/home/", "/root/", "/Users/")
     severity=Severity.WARNING,
     distros=ROS2,
     authority="gz_ros2_control and gazebo_ros2_control pass the text to rcl as --params-file: 'Error opening YAML file'",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>«/home/me/ws/install/arm/share/arm/config/controllers.yaml»</parameters>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>$(find arm)/config/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-        "package.xml": "<package><name>arm</name></package>",
-        "config/controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_state_broadcaster:
-                  type: joint_state_broadcaster/JointStateBroadcaster
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>«/home/me/ws/install/arm/share/arm/config/controllers.yaml»</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+                    <parameters>«/root/ws/controllers.yaml»</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+                    <parameters>«/Users/me/ws/controllers.yaml»</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+            "package.xml": "<package><name>arm</name></package>",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_state_broadcaster:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def controllers_path_of_one_machine(project: Project) -> Iterator[Finding]:
     """Absolute path of the controller file in a user's folder.

@@ -16,29 +16,33 @@ from urdfctl.rules.simulation.common import unread_settings, wheel_measures
     runtime="misbehaves",
     authority="gazebo_plugins gazebo_ros_diff_drive.cpp: wheelSeparation 0.34, wheelDiameter 0.15 by default; gz-sim "
     "DiffDrive.cc: wheel_separation 1.0, wheel_radius 0.2",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              «<plugin name="drive" filename="libgazebo_ros_diff_drive.so">»
-                <leftJoint>shoulder</leftJoint>
-                <rightJoint>elbow</rightJoint>
-                <wheelDiameter>0.1</wheelDiameter>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
-                <leftJoint>shoulder</leftJoint>
-                <rightJoint>elbow</rightJoint>
-                <wheelSeparation>0.3</wheelSeparation>
-                <wheelDiameter>0.1</wheelDiameter>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  «<plugin name="drive" filename="libgazebo_ros_diff_drive.so">»
+                    <leftJoint>shoulder</leftJoint>
+                    <rightJoint>elbow</rightJoint>
+                    <wheelDiameter>0.1</wheelDiameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>shoulder</leftJoint>
+                    <rightJoint>elbow</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def drive_wheels_unmeasured(project: Project) -> Iterator[Finding]:
     """Drive without wheel size or wheel separation.

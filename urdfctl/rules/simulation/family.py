@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.simulation.control_period_not_positive import control_period_not_positive
 from urdfctl.rules.simulation.control_plugin_in_reference import control_plugin_in_reference
 from urdfctl.rules.simulation.control_plugin_missing import control_plugin_missing
@@ -35,7 +35,7 @@ from urdfctl.rules.simulation.sensor_plugin_outside_sensor import sensor_plugin_
 from urdfctl.rules.simulation.spawner_of_other_namespace import spawner_of_other_namespace
 from urdfctl.rules.simulation.wheel_pairs_miscounted import wheel_pairs_miscounted
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     plugin_without_filename,
     plugin_without_name,
     plugin_filename_misspelt,

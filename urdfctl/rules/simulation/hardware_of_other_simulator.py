@@ -17,32 +17,36 @@ from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
     authority="gz_ros2_control src/gz_ros2_control_plugin.cpp and gazebo_ros2_control src/gazebo_ros2_control_plugin.cpp:"
     " 'The plugin failed to load for some reason. Error: According to the loaded plugin descriptions the class "
     "gazebo_ros2_control/GazeboSystem ... does not exist'",
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware>«<plugin>»gazebo_ros2_control/GazeboSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>/opt/arm/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>/opt/arm/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»gazebo_ros2_control/GazeboSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def hardware_of_other_simulator(project: Project) -> Iterator[Finding]:
     """Hardware and control plugin are for different simulators.

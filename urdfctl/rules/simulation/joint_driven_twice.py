@@ -18,40 +18,44 @@ from urdfctl.source.span import Place
     in_library=False,
     authority="gazebo_plugins gazebo_ros_diff_drive.cpp sets each wheel's velocity and force in every step, and "
     "gazebo_ros_control's DefaultRobotHWSim::writeSim writes to the same joint",
-    bad={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
-              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
-                <leftJoint>shoulder</leftJoint>
-                <rightJoint>«elbow»</rightJoint>
-                <wheelSeparation>0.3</wheelSeparation>
-                <wheelDiameter>0.1</wheelDiameter>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
-                <leftJoint>shoulder</leftJoint>
-                <rightJoint>elbow</rightJoint>
-                <wheelSeparation>0.3</wheelSeparation>
-                <wheelDiameter>0.1</wheelDiameter>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>shoulder</leftJoint>
+                    <rightJoint>«elbow»</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>shoulder</leftJoint>
+                    <rightJoint>elbow</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def joint_driven_twice(project: Project) -> Iterator[Finding]:
     """Joint is driven twice.

@@ -17,25 +17,29 @@ from urdfctl.rules.common import is_all_there
     authority="gazebo_ros_control (kinetic) src/gazebo_ros_control_plugin.cpp: 'GazeboRosControlPlugin missing <legacyModeNS> "
     "while using DefaultRobotHWSim, defaults to true.'; removed in melodic, ros-simulation/gazebo_ros_pkgs#709",
     options=["--distro=kinetic"],
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              «<plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">»
-                <robotNamespace>/arm</robotNamespace>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <robotNamespace>/arm</robotNamespace>
-                <legacyModeNS>false</legacyModeNS>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  «<plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">»
+                    <robotNamespace>/arm</robotNamespace>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotNamespace>/arm</robotNamespace>
+                    <legacyModeNS>false</legacyModeNS>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def legacy_mode_not_given(project: Project) -> Iterator[Finding]:
     """Plugin of ros_control without `<legacyModeNS>` in kinetic.

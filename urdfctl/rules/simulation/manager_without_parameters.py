@@ -20,50 +20,54 @@ from urdfctl.rules.simulation.common import controllers_files
     "src/gz_ros2_control_plugin.cpp: the manager is <ros><namespace> with <controller_manager_name>; "
     "ros-controls/ros2_control#1669",
     options=["--distro=jazzy"],
-    bad={
-        "robot.xacro": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>$(find arm)/config/controllers.yaml</parameters>
-                <ros>«<namespace>»left_arm</namespace></ros>
-              </plugin>
-            </gazebo>
-        """,
-        "package.xml": "<package><name>arm</name></package>",
-        "config/controllers.yaml": """
-            controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_state_broadcaster:
-                  type: joint_state_broadcaster/JointStateBroadcaster
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>$(find arm)/config/controllers.yaml</parameters>
-                <ros><namespace>left_arm</namespace></ros>
-              </plugin>
-            </gazebo>
-        """,
-        "package.xml": "<package><name>arm</name></package>",
-        "config/controllers.yaml": """
-            /**/controller_manager:
-              ros__parameters:
-                update_rate: 100
-                joint_state_broadcaster:
-                  type: joint_state_broadcaster/JointStateBroadcaster
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                    <ros>«<namespace>»left_arm</namespace></ros>
+                  </plugin>
+                </gazebo>
+            """,
+            "package.xml": "<package><name>arm</name></package>",
+            "config/controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_state_broadcaster:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                    <parameters>$(find arm)/config/controllers.yaml</parameters>
+                    <ros><namespace>left_arm</namespace></ros>
+                  </plugin>
+                </gazebo>
+            """,
+            "package.xml": "<package><name>arm</name></package>",
+            "config/controllers.yaml": """
+                /**/controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    joint_state_broadcaster:
+                      type: joint_state_broadcaster/JointStateBroadcaster
+            """,
+        },
+    ],
 )
 def manager_without_parameters(project: Project) -> Iterator[Finding]:
     """Controller file has no section for the plugin's controller manager.

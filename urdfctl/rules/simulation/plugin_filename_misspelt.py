@@ -19,20 +19,24 @@ from urdfctl.rules.common import is_known, replaced
     runtime="warns",
     authority="gazebo common/Plugin.hh: 'Failed to load plugin libgazebo_ros_contol.so: cannot open shared object file'; "
     "gz-sim src/SystemLoader.cc: 'couldn't find shared library'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="«gazebo_ros_control.so»"/>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="«gazebo_ros_control.so»"/>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def plugin_filename_misspelt(project: Project) -> Iterator[Finding]:
     """Misspelt file name of a plugin.

@@ -19,30 +19,78 @@ from urdfctl.rules.simulation.common import default_joints, named_joints
     in_library=False,
     authority="gazebo_plugins gazebo_ros_utils.h: 'couldn't get wheel hinge joint named'; gazebo_ros_diff_drive.cpp (ROS 2): "
     "'Joint [elbw] not found, plugin will not work.'; gz-sim DiffDrive.cc: 'Failed to find left joint'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
-                <leftJoint>«shouldr»</leftJoint>
-                <rightJoint>elbow</rightJoint>
-                <wheelSeparation>0.3</wheelSeparation>
-                <wheelDiameter>0.1</wheelDiameter>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
-                <leftJoint>shoulder</leftJoint>
-                <rightJoint>elbow</rightJoint>
-                <wheelSeparation>0.3</wheelSeparation>
-                <wheelDiameter>0.1</wheelDiameter>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>«shouldr»</leftJoint>
+                    <rightJoint>elbow</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="left"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <link name="right"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="left_mount" type="fixed"><parent link="fore"/><child link="left"/></joint>
+                <joint name="right_mount" type="fixed"><parent link="fore"/><child link="right"/></joint>
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>«left_mount»</leftJoint>
+                    <rightJoint>«right_mount»</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <gazebo>
+                  «<plugin name="drive" filename="libgazebo_ros_diff_drive.so">»
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>shoulder</leftJoint>
+                    <rightJoint>elbow</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="left"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <link name="right"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="left_mount" type="fixed"><parent link="fore"/><child link="left"/></joint>
+                <joint name="right_mount" type="fixed"><parent link="fore"/><child link="right"/></joint>
+                <gazebo reference="left_mount"><preserveFixedJoint>true</preserveFixedJoint></gazebo>
+                <gazebo reference="right_mount"><disableFixedJointLumping>true</disableFixedJointLumping></gazebo>
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>left_mount</leftJoint>
+                    <rightJoint>right_mount</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def plugin_joint_unknown(project: Project) -> Iterator[Finding]:
     """Plugin names an unknown or fixed joint.

@@ -18,26 +18,63 @@ from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
     in_library=False,
     authority="gazebo_plugins gazebo_ros_p3d.cpp: 'bodyName: forearm does not exist'; gazebo_ros_force.cpp: 'link named: "
     "forearm does not exist'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="pose" filename="libgazebo_ros_p3d.so">
-                <bodyName>«forearm»</bodyName>
-                <topicName>pose</topicName>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="pose" filename="libgazebo_ros_p3d.so">
-                <bodyName>fore</bodyName>
-                <topicName>pose</topicName>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="pose" filename="libgazebo_ros_p3d.so">
+                    <bodyName>«forearm»</bodyName>
+                    <topicName>pose</topicName>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="pose" filename="libgazebo_ros_p3d.so">
+                    <body_name>«forearm»</body_name>
+                  </plugin>
+                </gazebo>
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <left_joint>shoulder</left_joint>
+                    <right_joint>elbow</right_joint>
+                    <wheel_separation>0.3</wheel_separation>
+                    <wheel_diameter>0.1</wheel_diameter>
+                    <robot_base_frame>base_footprint</robot_base_frame>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="pose" filename="libgazebo_ros_p3d.so">
+                    <bodyName>fore</bodyName>
+                    <topicName>pose</topicName>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "options": "--distro=noetic",
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>shoulder</leftJoint>
+                    <rightJoint>elbow</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                    <robotBaseFrame>base_footprint</robotBaseFrame>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def plugin_link_unknown(project: Project) -> Iterator[Finding]:
     """Plugin names an unknown link.

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.hardware import PluginChild
 from urdfctl.control.simulator_plugins import loaded_plugins
-from urdfctl.model.parts import Tag
+from urdfctl.model.robot import Tag
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known
 from urdfctl.rules.simulation.common import is_written_empty, number
@@ -18,32 +18,53 @@ from urdfctl.rules.simulation.common import is_written_empty, number
     runtime="warns",
     authority="sdformat src/Param.cc: 'Invalid argument. Unable to set value', 'Unable to convert parameter[...] whose type is "
     "string, to type double'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
-                <leftJoint>shoulder</leftJoint>
-                <rightJoint>elbow</rightJoint>
-                <wheelSeparation>0.3</wheelSeparation>
-                <wheelDiameter>0.1</wheelDiameter>
-                «<updateRate>»fast</updateRate>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
-                <leftJoint>shoulder</leftJoint>
-                <rightJoint>elbow</rightJoint>
-                <wheelSeparation>0.3</wheelSeparation>
-                <wheelDiameter>0.1</wheelDiameter>
-                <updateRate>50</updateRate>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>shoulder</leftJoint>
+                    <rightJoint>elbow</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                    «<updateRate>»fast</updateRate>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <left_joint>shoulder</left_joint>
+                    <right_joint>elbow</right_joint>
+                    «<wheel_separation>»</wheel_separation>
+                    <wheel_diameter>0.1</wheel_diameter>
+                    «<num_wheel_pairs>»one</num_wheel_pairs>
+                    «<odometry_source>»2</odometry_source>
+                    «<publish_odom>»yes</publish_odom>
+                    «<publish_odom_tf>»</publish_odom_tf>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <leftJoint>shoulder</leftJoint>
+                    <rightJoint>elbow</rightJoint>
+                    <wheelSeparation>0.3</wheelSeparation>
+                    <wheelDiameter>0.1</wheelDiameter>
+                    <updateRate>50</updateRate>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def plugin_setting_malformed(project: Project) -> Iterator[Finding]:
     """Malformed plugin setting.

@@ -17,34 +17,38 @@ from urdfctl.rules.simulation.common import Unread, unread_settings
     authority="gazebo_ros_pkgs: in ROS 2 the settings of plugins are written_like_this, in ROS 1 writtenLikeThis; sdformat "
     "Element::HasElement compares names exactly, and a plugin asks only for the names that it knows",
     options=["--distro=galactic"],
-    bad={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
-                «<robotNamespace>»/arm</robotNamespace>
-                <parameters>/opt/arm/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
-              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-            <gazebo>
-              <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
-                <ros><namespace>/arm</namespace></ros>
-                <parameters>/opt/arm/controllers.yaml</parameters>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
+                    «<robotNamespace>»/arm</robotNamespace>
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+                <gazebo>
+                  <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
+                    <ros><namespace>/arm</namespace></ros>
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def plugin_setting_misspelt(project: Project) -> Iterator[Finding]:
     """Misspelt plugin setting, or a setting of the other ROS version.

@@ -15,25 +15,67 @@ from urdfctl.rules.simulation.common import Unread, unread_settings
     because="the setting may not matter",
     severity=Severity.INFO,
     authority="sdformat Element::HasElement: a plugin asks only for the elements that it knows",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <robotNamespace>/arm</robotNamespace>
-                «<jointName>»elbow</jointName>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <robotNamespace>/arm</robotNamespace>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotNamespace>/arm</robotNamespace>
+                    «<jointName>»elbow</jointName>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "options": "--distro=humble",
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="pose" filename="libgazebo_ros_p3d.so">
+                    <body_name>fore</body_name>
+                    «<zzz>»1</zzz>
+                    «<bodyName>»fore</bodyName>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotNamespace>/arm</robotNamespace>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "options": "--distro=noetic",
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="pose" filename="libgazebo_ros_p3d.so">
+                    <alwaysOn>true</alwaysOn>
+                    <always_on>true</always_on>
+                    <visualize>true</visualize>
+                    <robot_param>robot_description</robot_param>
+                    <robot_param_node>robot_state_publisher</robot_param_node>
+                    <bodyName>fore</bodyName>
+                    <topicName>pose</topicName>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gz::sim::systems::JointStatePublisher" filename="gz-sim-joint-state-publisher-system">
+                    <ignition-pose>0</ignition-pose>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def plugin_setting_unknown(project: Project) -> Iterator[Finding]:
     """Unknown plugin setting.

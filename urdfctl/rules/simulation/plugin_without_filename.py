@@ -14,24 +14,28 @@ from urdfctl.rules.common import label
     severity=Severity.ERROR,
     runtime="refuses",
     authority="sdformat src/Element.cc: 'Required attribute[filename] in element[plugin] is not specified in SDF.'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              «<plugin name="gazebo_ros_control">»
-                <robotNamespace>/arm</robotNamespace>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <robotNamespace>/arm</robotNamespace>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  «<plugin name="gazebo_ros_control">»
+                    <robotNamespace>/arm</robotNamespace>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotNamespace>/arm</robotNamespace>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def plugin_without_filename(project: Project) -> Iterator[Finding]:
     """Gazebo plugin without a file name.

@@ -14,20 +14,24 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
     runtime="refuses",
     authority="sdformat src/Element.cc, up to version 1.9 of the format: 'Required attribute[name] in element[plugin] is not "
     "specified in SDF.'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              «<plugin filename="libgazebo_ros_control.so"/>»
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin filename="libgazebo_ros_control.so" name="gazebo_ros_control"/>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  «<plugin filename="libgazebo_ros_control.so"/>»
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin filename="libgazebo_ros_control.so" name="gazebo_ros_control"/>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def plugin_without_name(project: Project) -> Iterator[Finding]:
     """Gazebo Classic plugin without a name.

@@ -18,24 +18,28 @@ from urdfctl.rules.common import is_known, replaced
     distros=ROS1,
     authority="gazebo_ros_control src/gazebo_ros_control_plugin.cpp: 'Failed to create robot simulation interface loader: "
     "According to the loaded plugin descriptions the class ... does not exist'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <robotSimType>«gazebo_ros_control::DefaultRobotHWSim»</robotSimType>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <robotSimType>gazebo_ros_control/DefaultRobotHWSim</robotSimType>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotSimType>«gazebo_ros_control::DefaultRobotHWSim»</robotSimType>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotSimType>gazebo_ros_control/DefaultRobotHWSim</robotSimType>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def robot_sim_type_unknown(project: Project) -> Iterator[Finding]:
     """Misspelt `<robotSimType>` of the ros_control plugin.

@@ -15,22 +15,26 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
     runtime="warns",
     authority="gazebo physics/Model.cc: 'is attempting to load a plugin, but detected an incorrect plugin type. Plugin "
     "filename[libgazebo_ros_camera.so]'",
-    bad={
-        "robot.urdf": """
-            <gazebo reference="fore">
-              «<plugin name="camera" filename="libgazebo_ros_camera.so"/>»
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo reference="fore">
-              <sensor type="camera" name="camera">
-                <plugin name="camera" filename="libgazebo_ros_camera.so"/>
-              </sensor>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  «<plugin name="camera" filename="libgazebo_ros_camera.so"/>»
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore">
+                  <sensor type="camera" name="camera">
+                    <plugin name="camera" filename="libgazebo_ros_camera.so"/>
+                  </sensor>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def sensor_plugin_outside_sensor(project: Project) -> Iterator[Finding]:
     """Sensor plugin outside `<sensor>`.

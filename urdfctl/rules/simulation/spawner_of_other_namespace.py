@@ -21,38 +21,42 @@ from urdfctl.source.span import Place
     distros=ROS1,
     authority="controller_manager scripts/spawner: 'Controller Spawner couldn't find the expected controller_manager ROS "
     "interface.'",
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <robotNamespace>/arm</robotNamespace>
-              </plugin>
-            </gazebo>
-        """,
-        "package.xml": "<package><name>arm</name><exec_depend>controller_manager</exec_depend></package>",
-        "arm.launch": """
-            <launch>
-              <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
-              <node name="spawner" pkg="controller_manager" type="spawner" args="«joint_state_controller»"/>
-            </launch>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
-                <robotNamespace>/arm</robotNamespace>
-              </plugin>
-            </gazebo>
-        """,
-        "package.xml": "<package><name>arm</name><exec_depend>controller_manager</exec_depend></package>",
-        "arm.launch": """
-            <launch>
-              <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
-              <node name="spawner" pkg="controller_manager" type="spawner" ns="/arm" args="joint_state_controller"/>
-            </launch>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotNamespace>/arm</robotNamespace>
+                  </plugin>
+                </gazebo>
+            """,
+            "package.xml": "<package><name>arm</name><exec_depend>controller_manager</exec_depend></package>",
+            "arm.launch": """
+                <launch>
+                  <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
+                  <node name="spawner" pkg="controller_manager" type="spawner" args="«joint_state_controller»"/>
+                </launch>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                    <robotNamespace>/arm</robotNamespace>
+                  </plugin>
+                </gazebo>
+            """,
+            "package.xml": "<package><name>arm</name><exec_depend>controller_manager</exec_depend></package>",
+            "arm.launch": """
+                <launch>
+                  <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
+                  <node name="spawner" pkg="controller_manager" type="spawner" ns="/arm" args="joint_state_controller"/>
+                </launch>
+            """,
+        },
+    ],
 )
 def spawner_of_other_namespace(project: Project) -> Iterator[Finding]:
     """Spawner looks for the controller manager in another namespace.

@@ -19,32 +19,36 @@ from urdfctl.rules.simulation.common import number
     authority="gazebo_plugins (ROS 2) src/gazebo_ros_diff_drive.cpp: 'Inconsistent number of joints specified. Plugin will not "
     "work.'",
     options=["--distro=galactic"],
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              «<plugin name="drive" filename="libgazebo_ros_diff_drive.so">»
-                <num_wheel_pairs>2</num_wheel_pairs>
-                <left_joint>shoulder</left_joint>
-                <right_joint>elbow</right_joint>
-                <wheel_separation>0.3</wheel_separation>
-                <wheel_diameter>0.1</wheel_diameter>
-              </plugin>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo>
-              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
-                <num_wheel_pairs>1</num_wheel_pairs>
-                <left_joint>shoulder</left_joint>
-                <right_joint>elbow</right_joint>
-                <wheel_separation>0.3</wheel_separation>
-                <wheel_diameter>0.1</wheel_diameter>
-              </plugin>
-            </gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  «<plugin name="drive" filename="libgazebo_ros_diff_drive.so">»
+                    <num_wheel_pairs>2</num_wheel_pairs>
+                    <left_joint>shoulder</left_joint>
+                    <right_joint>elbow</right_joint>
+                    <wheel_separation>0.3</wheel_separation>
+                    <wheel_diameter>0.1</wheel_diameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                    <num_wheel_pairs>1</num_wheel_pairs>
+                    <left_joint>shoulder</left_joint>
+                    <right_joint>elbow</right_joint>
+                    <wheel_separation>0.3</wheel_separation>
+                    <wheel_diameter>0.1</wheel_diameter>
+                  </plugin>
+                </gazebo>
+            """,
+        },
+    ],
 )
 def wheel_pairs_miscounted(project: Project) -> Iterator[Finding]:
     """Number of wheel joints does not match the number of wheel pairs.

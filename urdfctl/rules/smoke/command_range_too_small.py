@@ -2,35 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER
 
 
-@rule(
+@fault(
     "UC954",
-    stage=Stage.MOVE,
     severity=Severity.WARNING,
     runtime="misbehaves",
-    message="<ros2_control> allows the {interface} command of joint '{joint}' only from {low:g} to {high:g}; the joint's own "
-    "range is {least:.3g} to {most:.3g}",
     authority="hardware_interface: <param name='min'> and <param name='max'> of a command interface limit its commands",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": GRIPPER.replace(
-            '<command_interface name="position"/>',
-            '<command_interface name="position"><param name="min">0</param><param name="max">0.0001</param>'
-            "</command_interface>",
-        ).replace('<joint name="finger" type="prismatic">', '«<joint name="finger" type="prismatic">»'),
-        "controllers.yaml": GRIPPER_CONTROLLER,
-    },
-    good={"robot.urdf": GRIPPER, "controllers.yaml": GRIPPER_CONTROLLER},
+    bad=[
+        {
+            "robot.urdf": GRIPPER.replace(
+                '<command_interface name="position"/>',
+                '<command_interface name="position"><param name="min">0</param><param name="max">0.0001</param>'
+                "</command_interface>",
+            ).replace('<joint name="finger" type="prismatic">', '«<joint name="finger" type="prismatic">»'),
+            "controllers.yaml": GRIPPER_CONTROLLER,
+        },
+    ],
+    good=[{"robot.urdf": GRIPPER, "controllers.yaml": GRIPPER_CONTROLLER}],
 )
-def command_range_too_small(project: Project) -> Iterator[Finding]:
+def command_range_too_small(interface: str, joint: str, low: float, high: float, least: float, most: float) -> str:
     """Range of a command interface leaves hardly any motion.
 
     The limits `min` and `max` of the command interface overlap with less than a hundredth of the joint's range. Often
     they are in another unit, or were meant for another joint.
     """
-    return found_by_smoke_test(project)
+    return (
+        f"<ros2_control> allows the {interface} command of joint '{joint}' only from {low:g} to {high:g}; the "
+        f"joint's own range is {least:.3g} to {most:.3g}"
+    )

@@ -1,10 +1,6 @@
-"""What the rules of the smoke test share: their check, which finds nothing, and the parts of their examples."""
+"""The parts of the examples of the faults that the smoke test finds."""
 
 from __future__ import annotations
-
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project
 
 HARDWARE = """
     <ros2_control name="arm" type="system">
@@ -280,8 +276,3 @@ TRICYCLE_CONTROLLER = """
         traction_wheels_radius: 0.1
         base_frame_id: base_link
 """
-
-
-def found_by_smoke_test(_: Project) -> Iterator[Finding]:
-    """Return no findings: `urdfctl smoke` makes them, from what the robot does."""
-    return iter(())

@@ -2,34 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_test
+from urdfctl.fault import Severity, Stage, fault
+from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE
 
 
-@rule(
+@fault(
     "UC903",
     stage=Stage.LOAD,
     severity=Severity.ERROR,
     runtime="refuses",
-    message="controller '{controller}' cannot be loaded: {why}",
     authority="controller_manager.cpp: \"Loader for controller 'arm' (type 'x') not found.\"; ROS 1: \"Could not "
     "load controller 'arm' because controller type 'x' does not exist.\"",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": HARDWARE,
-        "controllers.yaml": (CONTROLLERS % ("arm", "joints: [shoulder, elbow]")).replace(
-            "forward_command_controller/ForwardCommandController",
-            "«forward_command_controller/FowardCommandController»",
-        ),
-    },
-    good={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, elbow]")},
+    bad=[
+        {
+            "robot.urdf": HARDWARE,
+            "controllers.yaml": (CONTROLLERS % ("arm", "joints: [shoulder, elbow]")).replace(
+                "forward_command_controller/ForwardCommandController",
+                "«forward_command_controller/FowardCommandController»",
+            ),
+        },
+    ],
+    good=[{"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, elbow]")}],
 )
-def controller_not_loaded(project: Project) -> Iterator[Finding]:
+def controller_not_loaded(controller: str, why: str) -> str:
     """Controller cannot be loaded.
 
     Its type does not exist in the ROS distro, or it rejects its parameters when it declares them. In ROS 1 a controller
     also claims its joints when it is loaded. The note quotes the controller manager.
     """
-    return found_by_smoke_test(project)
+    return f"controller '{controller}' cannot be loaded: {why}"

@@ -2,33 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import GAINS, LIFT
 
 
-@rule(
+@fault(
     "UC915",
-    stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
-    message="joint '{joint}' needs {needed:.3g} {unit} to hold the robot at spawn, but its effort limit is "
-    "{limit:g} {unit}",
     authority="gazebo_ros_control and gz_ros2_control clamp efforts to the joint's limit",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": LIFT.replace('effort="500"', 'effort="20"').replace(
-            '<joint name="lift" type="prismatic">', '«<joint name="lift" type="prismatic">»'
-        ),
-        "controllers.yaml": GAINS % "mover",
-    },
-    good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
+    bad=[
+        {
+            "robot.urdf": LIFT.replace('effort="500"', 'effort="20"').replace(
+                '<joint name="lift" type="prismatic">', '«<joint name="lift" type="prismatic">»'
+            ),
+            "controllers.yaml": GAINS % "mover",
+        },
+    ],
+    good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],
 )
-def effort_too_weak_for_gravity(project: Project) -> Iterator[Finding]:
+def effort_too_weak_for_gravity(joint: str, needed: float, unit: str, limit: float) -> str:
     """Effort limit too low to hold the robot.
 
     The joint sinks at spawn, whatever its controller commands. The load is computed from the masses and their
     positions. Joints with an effort limit of 0 are not checked, because many descriptions use 0 for an unknown limit.
     """
-    return found_by_smoke_test(project)
+    return (
+        f"joint '{joint}' needs {needed:.3g} {unit} to hold the robot at spawn, but its effort limit is "
+        f"{limit:g} {unit}"
+    )

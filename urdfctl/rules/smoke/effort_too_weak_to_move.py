@@ -2,33 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER
 
 
-@rule(
+@fault(
     "UC952",
-    stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
-    message="joint '{joint}' needs at least {needed:.2g} {unit} for the test motion, but its effort limit is {limit:g} {unit}",
     authority="a mass m reaches the distance s in t seconds with at least the force 2 m s / t²; "
     "gz_ros2_control clamps efforts to the joint's limit",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": GRIPPER.replace('effort="20"', 'effort="0.00001"').replace(
-            '<joint name="finger" type="prismatic">', '«<joint name="finger" type="prismatic">»'
-        ),
-        "controllers.yaml": GRIPPER_CONTROLLER,
-    },
-    good={"robot.urdf": GRIPPER, "controllers.yaml": GRIPPER_CONTROLLER},
+    bad=[
+        {
+            "robot.urdf": GRIPPER.replace('effort="20"', 'effort="0.00001"').replace(
+                '<joint name="finger" type="prismatic">', '«<joint name="finger" type="prismatic">»'
+            ),
+            "controllers.yaml": GRIPPER_CONTROLLER,
+        },
+    ],
+    good=[{"robot.urdf": GRIPPER, "controllers.yaml": GRIPPER_CONTROLLER}],
 )
-def effort_too_weak_to_move(project: Project) -> Iterator[Finding]:
+def effort_too_weak_to_move(joint: str, needed: float, unit: str, limit: float) -> str:
     """Effort limit too low to accelerate the joint.
 
     Even at full effort the joint does not cover the distance of the test motion in time. An effort limit of 0 counts
     only for a joint that is commanded by effort: many descriptions use 0 for an unknown limit.
     """
-    return found_by_smoke_test(project)
+    return (
+        f"joint '{joint}' needs at least {needed:.2g} {unit} for the test motion, but its effort limit is "
+        f"{limit:g} {unit}"
+    )

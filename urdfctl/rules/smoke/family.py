@@ -1,12 +1,11 @@
 """UC9: what the smoke test finds when it runs the robot and its controllers.
 
-A smoke rule holds its code, severity, stage, message and explanation. The code in `urdfctl.smoke` that measures the
-fault calls `trouble_of` with the rule and the fields of its message.
+The code in `urdfctl.smoke` that measures a fault calls `trouble_of` with the fault and the facts of its message.
 """
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.smoke.base_too_slow import base_too_slow
 from urdfctl.rules.smoke.base_without_mass import base_without_mass
 from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
@@ -64,7 +63,7 @@ from urdfctl.rules.smoke.wheels_mirrored import wheels_mirrored
 from urdfctl.rules.smoke.wheels_slip import wheels_slip
 from urdfctl.rules.smoke.wheels_too_weak import wheels_too_weak
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     robot_not_spawned,
     hardware_not_started,
     controller_not_loaded,

@@ -2,32 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import GAINS, LIFT
 
 
-@rule(
+@fault(
     "UC914",
-    stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
-    message="joint '{joint}' has a velocity limit of 0, so controller '{controller}' cannot move it. "
-    "Set the real limit",
     authority="gazebo_ros_control and gz_ros2_control clamp velocities to the joint's limit",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": LIFT.replace('velocity="1"', 'velocity="0"').replace(
-            '<joint name="lift" type="prismatic">', '«<joint name="lift" type="prismatic">»'
-        ),
-        "controllers.yaml": GAINS % "mover",
-    },
-    good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
+    bad=[
+        {
+            "robot.urdf": LIFT.replace('velocity="1"', 'velocity="0"').replace(
+                '<joint name="lift" type="prismatic">', '«<joint name="lift" type="prismatic">»'
+            ),
+            "controllers.yaml": GAINS % "mover",
+        },
+    ],
+    good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],
 )
-def joint_held_still(project: Project) -> Iterator[Finding]:
+def joint_held_still(joint: str, controller: str) -> str:
     """Controlled joint with a velocity limit of 0.
 
     Simulators and drivers obey the limit: the controller is active, but the joint does not move.
     """
-    return found_by_smoke_test(project)
+    return f"joint '{joint}' has a velocity limit of 0, so controller '{controller}' cannot move it. Set the real limit"

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, LIGHT, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import GAINS, LIFT, LIGHT
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
 from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
@@ -14,12 +12,10 @@ from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_toget
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 
 
-@rule(
+@fault(
     "UC918",
-    stage=Stage.MOVE,
     severity=Severity.WARNING,
     runtime="misbehaves",
-    message="the gains of controller '{controller}' are too high for its lightest joint at {rate:g} Hz",
     authority="measured: uniform gains on light wrists, which real motors hold for their rotors' inertia",
     explains=(
         simulation_explodes,
@@ -30,16 +26,18 @@ from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
         joint_too_fast,
     ),
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": LIGHT,
-        "controllers.yaml": (GAINS % "«mover»").replace("d: 400.0", "d: 30.0"),
-    },
-    good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
+    bad=[
+        {
+            "robot.urdf": LIGHT,
+            "controllers.yaml": (GAINS % "«mover»").replace("d: 400.0", "d: 30.0"),
+        },
+    ],
+    good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],
 )
-def loop_too_stiff_without_rotor(project: Project) -> Iterator[Finding]:
+def loop_too_stiff_without_rotor(controller: str, rate: float) -> str:
     """Gains too high for the lightest joint as described.
 
     The rotor of a real motor adds inertia through its gears, which steadies the joint. Robot descriptions and
     simulators do not model rotors, so the joint shakes in simulation.
     """
-    return found_by_smoke_test(project)
+    return f"the gains of controller '{controller}' are too high for its lightest joint at {rate:g} Hz"

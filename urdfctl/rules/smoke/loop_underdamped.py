@@ -2,31 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import GAINS, LIFT
 
 
-@rule(
+@fault(
     "UC917",
-    stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
-    message="the gains of controller '{controller}' leave its joints swinging: the damping ratio is {ratio:.2g}, "
-    "but should be at least {least:g}",
     authority="the damping ratio of the sampled closed loop is below 0.05; agreed with simulation on 20 of 20 "
     "sets of gains",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": LIFT,
-        "controllers.yaml": (GAINS % "«mover»").replace("d: 400.0", "d: 5.0"),
-    },
-    good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
+    bad=[
+        {
+            "robot.urdf": LIFT,
+            "controllers.yaml": (GAINS % "«mover»").replace("d: 400.0", "d: 5.0"),
+        },
+    ],
+    good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],
 )
-def loop_underdamped(project: Project) -> Iterator[Finding]:
+def loop_underdamped(controller: str, ratio: float, least: float) -> str:
     """Underdamped controller gains.
 
     The joints settle only after many swings. A d gain, or damping in the joints, stops them sooner.
     """
-    return found_by_smoke_test(project)
+    return (
+        f"the gains of controller '{controller}' leave its joints swinging: the damping ratio is {ratio:.2g}, "
+        f"but should be at least {least:g}"
+    )

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import GAINS, LIFT
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
 from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
@@ -13,12 +11,10 @@ from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 
 
-@rule(
+@fault(
     "UC916",
-    stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
-    message="the gains of controller '{controller}' are unstable at {rate:g} Hz: its joints swing more and more",
     authority="the sampled closed loop has an eigenvalue outside the unit circle; agreed with simulation on 20 "
     "of 20 sets of gains",
     explains=(
@@ -29,16 +25,18 @@ from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
         joint_too_fast,
     ),
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": LIFT,
-        "controllers.yaml": (GAINS % "«mover»").replace("d: 400.0", "d: 9000.0"),
-    },
-    good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
+    bad=[
+        {
+            "robot.urdf": LIFT,
+            "controllers.yaml": (GAINS % "«mover»").replace("d: 400.0", "d: 9000.0"),
+        },
+    ],
+    good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],
 )
-def loop_unstable(project: Project) -> Iterator[Finding]:
+def loop_unstable(controller: str, rate: float) -> str:
     """Unstable controller gains.
 
     The gains are too high for the mass that they move and for the update rate, or have the wrong sign. The stability of
     the closed loop is computed for the robot at spawn, with all joints of the controller together.
     """
-    return found_by_smoke_test(project)
+    return f"the gains of controller '{controller}' are unstable at {rate:g} Hz: its joints swing more and more"

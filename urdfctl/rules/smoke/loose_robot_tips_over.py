@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER
 
 _FOOT = '<collision><origin xyz="%s 0 0"/><geometry><box size="0.1 0.1 0.02"/></geometry></collision>'
 _LOOSE = GRIPPER.replace(
@@ -14,28 +12,30 @@ _LOOSE = GRIPPER.replace(
 _SIMULATED = _LOOSE.replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem")
 
 
-@rule(
+@fault(
     "UC977",
-    stage=Stage.MOVE,
     severity=Severity.WARNING,
     runtime="misbehaves",
-    message="the robot tips over on flat ground {when}: nothing fixes it to the world. "
-    "If its base is bolted down, add a link 'world' and a fixed joint to it",
     authority="gazebo: a model whose URDF has no link 'world' is free; it tips where its centre of mass is not over its base",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": _SIMULATED.replace('<robot name="gripper">', '«<robot name="gripper">»').replace(
-            '<link name="palm">', f'<link name="palm">{_FOOT % 0.2}'
-        ),
-        "controllers.yaml": GRIPPER_CONTROLLER,
-    },
-    good={"robot.urdf": GRIPPER, "controllers.yaml": GRIPPER_CONTROLLER},
+    bad=[
+        {
+            "robot.urdf": _SIMULATED.replace('<robot name="gripper">', '«<robot name="gripper">»').replace(
+                '<link name="palm">', f'<link name="palm">{_FOOT % 0.2}'
+            ),
+            "controllers.yaml": GRIPPER_CONTROLLER,
+        },
+    ],
+    good=[{"robot.urdf": GRIPPER, "controllers.yaml": GRIPPER_CONTROLLER}],
 )
-def loose_robot_tips_over(project: Project) -> Iterator[Finding]:
+def loose_robot_tips_over(when: str) -> str:
     """Robot that nothing fixes to the world tips over.
 
     Gazebo puts a robot without a link `world` on the ground. In some pose its centre of mass is not over the part of its
     base that touches the ground, so it falls. Many arms are meant to be bolted to a table: fix the base to a link
     `world` then.
     """
-    return found_by_smoke_test(project)
+    return (
+        f"the robot tips over on flat ground {when}: nothing fixes it to the world. If its base is bolted "
+        "down, add a link 'world' and a fixed joint to it"
+    )

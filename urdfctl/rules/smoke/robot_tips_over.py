@@ -2,35 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import ROVER, WHEELS
 
 
-@rule(
+@fault(
     "UC931",
-    stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
-    message="the robot tips over{when}: roll {roll:.2g} rad, pitch {pitch:.2g} rad",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": ROVER.replace('<robot name="rover">', '«<robot name="rover">»')
-        .replace('xyz="0.15 0 -0.05"', 'xyz="0.15 0 0.2"')
-        .replace('xyz="-0.15 0 -0.05"', 'xyz="-0.15 0 0.2"')
-        .replace('xyz="0 0.15 0"', 'xyz="0.3 0.15 0"')
-        .replace('xyz="0 -0.15 0"', 'xyz="0.3 -0.15 0"')
-        .replace('xyz="0 0 0.05"', 'xyz="0 0 0.3"'),
-        "controllers.yaml": WHEELS % "base",
-    },
-    good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
+    bad=[
+        {
+            "robot.urdf": ROVER.replace('<robot name="rover">', '«<robot name="rover">»')
+            .replace('xyz="0.15 0 -0.05"', 'xyz="0.15 0 0.2"')
+            .replace('xyz="-0.15 0 -0.05"', 'xyz="-0.15 0 0.2"')
+            .replace('xyz="0 0.15 0"', 'xyz="0.3 0.15 0"')
+            .replace('xyz="0 -0.15 0"', 'xyz="0.3 -0.15 0"')
+            .replace('xyz="0 0 0.05"', 'xyz="0 0 0.3"'),
+            "controllers.yaml": WHEELS % "base",
+        },
+    ],
+    good=[{"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"}],
 )
-def robot_tips_over(project: Project) -> Iterator[Finding]:
+def robot_tips_over(when: str, roll: float, pitch: float) -> str:
     """Mobile base tips over.
 
     It falls over as soon as it stands on the ground. Only its wheels and other parts that touch the ground support it:
     two wheels without a caster do not.
     """
-    return found_by_smoke_test(project)
+    return f"the robot tips over{when}: roll {roll:.2g} rad, pitch {pitch:.2g} rad"

@@ -2,32 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import TRICYCLE, TRICYCLE_CONTROLLER, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import TRICYCLE, TRICYCLE_CONTROLLER
 
 
-@rule(
+@fault(
     "UC961",
-    stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
-    message="steering joint '{joint}' turns {how} when controller '{controller}' steers left",
     authority="steering_controllers_library: a positive steering angle turns the wheel to the left",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": TRICYCLE.replace('<axis xyz="0 0 1"/><!-- steer -->', '<axis xyz="0 0 -1"/>').replace(
-            '<joint name="steer" type="revolute">', '«<joint name="steer" type="revolute">»'
-        ),
-        "controllers.yaml": TRICYCLE_CONTROLLER,
-    },
-    good={"robot.urdf": TRICYCLE, "controllers.yaml": TRICYCLE_CONTROLLER},
+    bad=[
+        {
+            "robot.urdf": TRICYCLE.replace('<axis xyz="0 0 1"/><!-- steer -->', '<axis xyz="0 0 -1"/>').replace(
+                '<joint name="steer" type="revolute">', '«<joint name="steer" type="revolute">»'
+            ),
+            "controllers.yaml": TRICYCLE_CONTROLLER,
+        },
+    ],
+    good=[{"robot.urdf": TRICYCLE, "controllers.yaml": TRICYCLE_CONTROLLER}],
 )
-def steering_turns_backwards(project: Project) -> Iterator[Finding]:
+def steering_turns_backwards(joint: str, how: str, controller: str) -> str:
     """Steering joint turns the wrong way.
 
     Its axis points down, or is not upright: the robot turns right when commanded to turn left. Wheels that steer behind
     the driven ones are not checked, because controllers differ in their sign.
     """
-    return found_by_smoke_test(project)
+    return f"steering joint '{joint}' turns {how} when controller '{controller}' steers left"

@@ -2,32 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import ROVER, WHEELS
 
 
-@rule(
+@fault(
     "UC940",
-    stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
-    message="wheel '{joint}' of controller '{controller}' does not touch the ground",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": ROVER.replace('xyz="0 0.15 0"', 'xyz="0 0.15 0.03"')
-        .replace('<joint name="left_wheel" type="continuous">', '«<joint name="left_wheel" type="continuous">»')
-        .replace('xyz="0.15 0 -0.05"', 'xyz="0.15 0.1 -0.05"')
-        .replace('xyz="-0.15 0 -0.05"', 'xyz="-0.15 0.1 -0.05"'),
-        "controllers.yaml": WHEELS % "base",
-    },
-    good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
+    bad=[
+        {
+            "robot.urdf": ROVER.replace('xyz="0 0.15 0"', 'xyz="0 0.15 0.03"')
+            .replace('<joint name="left_wheel" type="continuous">', '«<joint name="left_wheel" type="continuous">»')
+            .replace('xyz="0.15 0 -0.05"', 'xyz="0.15 0.1 -0.05"')
+            .replace('xyz="-0.15 0 -0.05"', 'xyz="-0.15 0.1 -0.05"'),
+            "controllers.yaml": WHEELS % "base",
+        },
+    ],
+    good=[{"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"}],
 )
-def wheel_off_the_ground(project: Project) -> Iterator[Finding]:
+def wheel_off_the_ground(joint: str, controller: str) -> str:
     """Driven wheel does not touch the ground.
 
     It is mounted too high, it has no collision geometry, or other parts of the robot carry the weight.
     """
-    return found_by_smoke_test(project)
+    return f"wheel '{joint}' of controller '{controller}' does not touch the ground"

@@ -2,40 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test, geared
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import ROVER, WHEELS, geared
 
 
-@rule(
+@fault(
     "UC974",
-    stage=Stage.MOVE,
     severity=Severity.WARNING,
     runtime="misbehaves",
-    message="the wheels of controller '{controller}' have different reductions: {least} at '{joint}', {most} at '{other}'",
     authority="transmission_interface/simple_transmission.hpp; no transmission is read by gz_ros2_control's gz_system.cpp, "
     "gazebo_ros2_control's gazebo_system.cpp, mock_components' generic_system.cpp and gazebo_ros_control's "
     "default_robot_hw_sim.cpp",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": geared(geared(ROVER, "left_wheel", "30"), "right_wheel", "60")
-        .replace("mock_components/GenericSystem", "my_driver/Base")
-        .replace('<joint name="right_wheel" type="continuous">', '«<joint name="right_wheel" type="continuous">»'),
-        "controllers.yaml": WHEELS % "base",
-    },
-    good={
-        "robot.urdf": geared(geared(ROVER, "left_wheel", "30"), "right_wheel", "-30").replace(
-            "mock_components/GenericSystem", "my_driver/Base"
-        ),
-        "controllers.yaml": WHEELS % "base",
-    },
+    bad=[
+        {
+            "robot.urdf": geared(geared(ROVER, "left_wheel", "30"), "right_wheel", "60")
+            .replace("mock_components/GenericSystem", "my_driver/Base")
+            .replace('<joint name="right_wheel" type="continuous">', '«<joint name="right_wheel" type="continuous">»'),
+            "controllers.yaml": WHEELS % "base",
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": geared(geared(ROVER, "left_wheel", "30"), "right_wheel", "-30").replace(
+                "mock_components/GenericSystem", "my_driver/Base"
+            ),
+            "controllers.yaml": WHEELS % "base",
+        },
+    ],
 )
-def wheel_reductions_differ(project: Project) -> Iterator[Finding]:
+def wheel_reductions_differ(controller: str, least: str, joint: str, most: str, other: str) -> str:
     """Driven wheels with different reductions.
 
     Hardware that uses the transmissions divides the speed of a motor by the reduction. If the gears are equal in fact,
     one wheel turns faster than the other, and the base drives in circles. The sign may differ: motors are mounted
     mirrored.
     """
-    return found_by_smoke_test(project)
+    return (
+        f"the wheels of controller '{controller}' have different reductions: {least} at '{joint}', {most} at '{other}'"
+    )

@@ -19,50 +19,54 @@ from urdfctl.source.span import Place
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_interface_loader.cpp looks up an "
     "actuator by its name: 'Actuator '<name>' does not expose the required hardware interface'",
-    bad={
-        "robot.urdf": """
-            <transmission name="shoulder_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="shoulder">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="motor1">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="«motor1»">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="shoulder_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="shoulder">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="shoulder_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="shoulder_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="shoulder">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="motor1">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="«motor1»">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="shoulder_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="shoulder">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="shoulder_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def actuator_name_twice(project: Project) -> Iterator[Finding]:
     """Duplicate actuator name.

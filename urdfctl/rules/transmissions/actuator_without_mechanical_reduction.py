@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.model.robot import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole, renamed
 from urdfctl.rules.transmissions.common import (
@@ -25,30 +25,34 @@ from urdfctl.rules.transmissions.common import (
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_loader.cpp: 'does not specify the required "
     "<mechanicalReduction> element.'",
-    bad={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              «<actuator name="elbow_motor"/>»
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  «<actuator name="elbow_motor"/>»
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def actuator_without_mechanical_reduction(project: Project) -> Iterator[Finding]:
     """Actuator without `<mechanicalReduction>`.

@@ -7,10 +7,8 @@ from collections.abc import Iterable, Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.control.gazebo_ros1 import has_own_simulation
 from urdfctl.diagnostic import Edit, Severity
-from urdfctl.model.parts import Tag, Text
 from urdfctl.model.project import Project
-from urdfctl.model.robot import Joint
-from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.model.robot import Joint, Tag, Text, Transmission, TransmissionEnd
 from urdfctl.names import enumerated, folded
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PREFIX

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.transmissions.actuator_interface_differs import actuator_interface_differs
 from urdfctl.rules.transmissions.actuator_name_twice import actuator_name_twice
 from urdfctl.rules.transmissions.actuator_without_mechanical_reduction import actuator_without_mechanical_reduction
@@ -32,7 +32,7 @@ from urdfctl.rules.transmissions.transmission_without_joint import transmission_
 from urdfctl.rules.transmissions.transmission_without_name import transmission_without_name
 from urdfctl.rules.transmissions.transmission_without_type import transmission_without_type
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     transmission_joint_without_interface,
     hardware_interface_without_prefix,
     hardware_interface_unknown,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.control.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
-from urdfctl.model.parts import Text
+from urdfctl.model.robot import Text
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known
@@ -22,32 +22,132 @@ from urdfctl.rules.transmissions.facts import HARDWARE_INTERFACES, PACKAGE, PREF
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'No matching hardware interface "
     "found for'; ros_control transmission_interface/src/transmission_interface_loader.cpp: 'Failed to "
     "process the '",
-    bad={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>«hardware_interface/effortJointInterface»</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>«hardware_interface/effortJointInterface»</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+        {
+            "options": "--distro=noetic",
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>«hardware_interface/jointStateInterface»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface/posVelJointInterface»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface/posVelAccJointInterface»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface/positionVelocityTorqueGainsJointInterface»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface/jointModeInterface»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface/biDirectionalPositionJointInterface»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface/biDirectionalVelocityJointInterface»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface/biDirectionalEffortJointInterface»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface/jointTrajectoryInterface»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface/cartesianTrajectoryInterface»</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+        {
+            "options": "--distro=noetic",
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>«effort»</hardwareInterface>
+                    <hardwareInterface>«hardware_interface::PositionJointInterface»</hardwareInterface>
+                    <hardwareInterface>«velocity»</hardwareInterface>
+                    <hardwareInterface>«position»</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+        {
+            "options": "--distro=noetic --simulator=gazebo-classic",
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>«hardware_interface/PosVelJointInterface»</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+        {
+            "options": "--distro=noetic --simulator=gazebo-classic",
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>«my_robot/ForceInterface»</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+        {
+            "options": "--distro=noetic --simulator=none",
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>«hardware_interface/ForceInterface»</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+        {
+            "options": "--distro=noetic",
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/PosVelJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def hardware_interface_unknown(project: Project) -> Iterator[Finding]:
     """Unknown hardware interface.

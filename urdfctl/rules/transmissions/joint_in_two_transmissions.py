@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.model.robot import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.transmissions.common import known_joints
 from urdfctl.rules.transmissions.facts import PREFIX
@@ -19,50 +19,54 @@ from urdfctl.rules.transmissions.facts import PREFIX
     distros=ROS1,
     authority="ros_control hardware_interface/include/hardware_interface/internal/resource_manager.h: 'Replacing "
     "previously registered handle'",
-    bad={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-            <transmission name="elbow_trans_2">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="«elbow»">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor_2">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="shoulder_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="shoulder">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="shoulder_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+                <transmission name="elbow_trans_2">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="«elbow»">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor_2">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="shoulder_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="shoulder">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="shoulder_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def joint_in_two_transmissions(project: Project) -> Iterator[Finding]:
     """Joint in two transmissions.

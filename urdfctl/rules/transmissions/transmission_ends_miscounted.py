@@ -19,48 +19,52 @@ from urdfctl.rules.transmissions.facts import TYPES
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_loader.cpp: 'Invalid description for "
     "transmission' ... 'Expected <n> actuators, got <m>.'",
-    bad={
-        "robot.urdf": """
-            «<transmission name="wrist_trans">»
-              <type>transmission_interface/DifferentialTransmission</type>
-              <joint name="shoulder">
-                <role>joint1</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <joint name="elbow">
-                <role>joint2</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="left_motor">
-                <role>actuator1</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="wrist_trans">
-              <type>transmission_interface/DifferentialTransmission</type>
-              <joint name="shoulder">
-                <role>joint1</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <joint name="elbow">
-                <role>joint2</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="left_motor">
-                <role>actuator1</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-              <actuator name="right_motor">
-                <role>actuator2</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<transmission name="wrist_trans">»
+                  <type>transmission_interface/DifferentialTransmission</type>
+                  <joint name="shoulder">
+                    <role>joint1</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <joint name="elbow">
+                    <role>joint2</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="left_motor">
+                    <role>actuator1</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="wrist_trans">
+                  <type>transmission_interface/DifferentialTransmission</type>
+                  <joint name="shoulder">
+                    <role>joint1</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <joint name="elbow">
+                    <role>joint2</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="left_motor">
+                    <role>actuator1</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                  <actuator name="right_motor">
+                    <role>actuator2</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_ends_miscounted(project: Project) -> Iterator[Finding]:
     """Wrong number of joints or actuators in a transmission.

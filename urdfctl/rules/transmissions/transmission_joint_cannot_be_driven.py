@@ -19,36 +19,40 @@ from urdfctl.rules.transmissions.common import joints_by_name, known_joints
     distros=ROS1,
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'This robot has a joint named "
     '"<joint>" which is not in the gazebo model.\'',
-    bad={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="tool_mount" type="fixed"><parent link="fore"/><child link="tool"/></joint>
-            <transmission name="tool_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="«tool_mount»">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="tool_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="tool_mount" type="fixed"><parent link="fore"/><child link="tool"/></joint>
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="tool_mount" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+                <transmission name="tool_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="«tool_mount»">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="tool_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="tool_mount" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_joint_cannot_be_driven(project: Project) -> Iterator[Finding]:
     """Transmission drives a fixed, floating or planar joint.

@@ -6,8 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.gazebo_ros1 import control_plugins, in_gazebo
-from urdfctl.model.robot import Joint, Robot
-from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.model.robot import Joint, Robot, Transmission, TransmissionEnd
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.transmissions.common import joints_by_name, known_joints
@@ -24,32 +23,36 @@ from urdfctl.source.span import Call
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'This robot has a joint named "
     '"<joint>" which is not in the gazebo model.\'',
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="«elbw»">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="«elbw»">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
     """Unknown joint in a transmission.
@@ -96,7 +99,7 @@ def _wrong_calls(
 
 
 def _links(robot: Robot, name: str) -> Iterator[Note]:
-    link = next((link for link in robot.links if link.name == name), None)
+    link = robot.link(name)
     if link is None:
         return
     yield Note(f"'{name}' is a link; a transmission drives a joint", link.at)

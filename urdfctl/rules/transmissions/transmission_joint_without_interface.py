@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.model.parts import Text
-from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.model.robot import Text, Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole, renamed
 from urdfctl.rules.transmissions.common import inserted, misspelt, read_transmissions, with_prefix
@@ -20,31 +19,35 @@ from urdfctl.rules.transmissions.facts import PREFIX
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_parser.cpp: 'No valid hardware interface element "
     "found in joint'",
-    bad={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              «<joint name="elbow"/>»
-              <actuator name="elbow_motor">
-                <hardwareInterface>EffortJointInterface</hardwareInterface>
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  «<joint name="elbow"/>»
+                  <actuator name="elbow_motor">
+                    <hardwareInterface>EffortJointInterface</hardwareInterface>
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_joint_without_interface(project: Project) -> Iterator[Finding]:
     """Transmission joint without a hardware interface.

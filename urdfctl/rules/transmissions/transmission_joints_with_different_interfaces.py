@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.model.transmission import TransmissionEnd
+from urdfctl.model.robot import TransmissionEnd
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.common import listed, on_hardware, read_transmissions
@@ -19,52 +19,56 @@ from urdfctl.rules.transmissions.common import listed, on_hardware, read_transmi
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_interface_loader.cpp: 'It has joints with "
     "different hardware interfaces. This is currently unsupported.'",
-    bad={
-        "robot.urdf": """
-            <transmission name="wrist_trans">
-              <type>transmission_interface/DifferentialTransmission</type>
-              <joint name="shoulder">
-                <role>joint1</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              «<joint name="elbow">»
-                <role>joint2</role>
-                <hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="left_motor">
-                <role>actuator1</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-              <actuator name="right_motor">
-                <role>actuator2</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="wrist_trans">
-              <type>transmission_interface/DifferentialTransmission</type>
-              <joint name="shoulder">
-                <role>joint1</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <joint name="elbow">
-                <role>joint2</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="left_motor">
-                <role>actuator1</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-              <actuator name="right_motor">
-                <role>actuator2</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="wrist_trans">
+                  <type>transmission_interface/DifferentialTransmission</type>
+                  <joint name="shoulder">
+                    <role>joint1</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  «<joint name="elbow">»
+                    <role>joint2</role>
+                    <hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="left_motor">
+                    <role>actuator1</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                  <actuator name="right_motor">
+                    <role>actuator2</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="wrist_trans">
+                  <type>transmission_interface/DifferentialTransmission</type>
+                  <joint name="shoulder">
+                    <role>joint1</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <joint name="elbow">
+                    <role>joint2</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="left_motor">
+                    <role>actuator1</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                  <actuator name="right_motor">
+                    <role>actuator2</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_joints_with_different_interfaces(project: Project) -> Iterator[Finding]:
     """Joints of a transmission with different hardware interfaces.

@@ -20,50 +20,54 @@ from urdfctl.source.span import Place
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_parser.cpp keeps both; its messages and "
     "those of its loaders identify a transmission by its name, as in 'Failed to load transmission'",
-    bad={
-        "robot.urdf": """
-            <transmission name="tran1">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="shoulder">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="shoulder_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-            <transmission name="«tran1»">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="shoulder_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="shoulder">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="shoulder_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="tran1">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="shoulder">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="shoulder_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+                <transmission name="«tran1»">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="shoulder_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="shoulder">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="shoulder_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_name_twice(project: Project) -> Iterator[Finding]:
     """Duplicate transmission name.

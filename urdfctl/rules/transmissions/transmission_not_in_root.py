@@ -15,34 +15,38 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_parser.cpp reads "
     'root->FirstChildElement("transmission") and its siblings only',
-    bad={
-        "robot.urdf": """
-            <gazebo>
-              «<transmission name="elbow_trans">»
-                <type>transmission_interface/SimpleTransmission</type>
-                <joint name="elbow">
-                  <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-                </joint>
-                <actuator name="elbow_motor">
-                  <mechanicalReduction>1</mechanicalReduction>
-                </actuator>
-              </transmission>
-            </gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo>
+                  «<transmission name="elbow_trans">»
+                    <type>transmission_interface/SimpleTransmission</type>
+                    <joint name="elbow">
+                      <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                    </joint>
+                    <actuator name="elbow_motor">
+                      <mechanicalReduction>1</mechanicalReduction>
+                    </actuator>
+                  </transmission>
+                </gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_not_in_root(project: Project) -> Iterator[Finding]:
     """Transmission is not directly under `<robot>`.

@@ -18,42 +18,46 @@ from urdfctl.rules.transmissions.common import read_transmissions
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'has more than one joint. Currently "
     "the default robot hardware simulation  interface only supports one.'",
     options=("--simulator=gazebo-classic",),
-    bad={
-        "robot.urdf": """
-            «<transmission name="wrist_trans">»
-              <type>transmission_interface/DifferentialTransmission</type>
-              <joint name="shoulder">
-                <role>joint1</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <joint name="elbow">
-                <role>joint2</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="left_motor">
-                <role>actuator1</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-              <actuator name="right_motor">
-                <role>actuator2</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<transmission name="wrist_trans">»
+                  <type>transmission_interface/DifferentialTransmission</type>
+                  <joint name="shoulder">
+                    <role>joint1</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <joint name="elbow">
+                    <role>joint2</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="left_motor">
+                    <role>actuator1</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                  <actuator name="right_motor">
+                    <role>actuator2</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_of_two_joints_in_gazebo(project: Project) -> Iterator[Finding]:
     """Transmission with several joints in Gazebo.

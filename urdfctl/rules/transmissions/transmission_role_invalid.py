@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.model.robot import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known, is_whole
 from urdfctl.rules.transmissions.common import on_hardware, read_transmissions
@@ -21,52 +21,80 @@ from urdfctl.rules.transmissions.facts import ROLES, TYPES
     authority="ros_control transmission_interface/src/differential_transmission_loader.cpp, "
     "four_bar_linkage_transmission_loader.cpp: 'does not specify the required <role> element.', 'does not "
     "specify a valid <role> element.', 'must have different roles.'",
-    bad={
-        "robot.urdf": """
-            <transmission name="wrist_trans">
-              <type>transmission_interface/DifferentialTransmission</type>
-              <joint name="shoulder">
-                <role>joint1</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <joint name="elbow">
-                <role>«joint1»</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="left_motor">
-                <role>actuator1</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-              <actuator name="right_motor">
-                <role>actuator2</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="wrist_trans">
-              <type>transmission_interface/DifferentialTransmission</type>
-              <joint name="shoulder">
-                <role>joint1</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <joint name="elbow">
-                <role>joint2</role>
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="left_motor">
-                <role>actuator1</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-              <actuator name="right_motor">
-                <role>actuator2</role>
-                <mechanicalReduction>50</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <transmission name="wrist_trans">
+                  <type>transmission_interface/DifferentialTransmission</type>
+                  <joint name="shoulder">
+                    <role>joint1</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <joint name="elbow">
+                    <role>«joint1»</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="left_motor">
+                    <role>actuator1</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                  <actuator name="right_motor">
+                    <role>actuator2</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+        {
+            "options": "--distro=noetic",
+            "robot.urdf": """
+                <transmission name="arm_trans">
+                  <type>transmission_interface/FourBarLinkageTransmission</type>
+                  <joint name="shoulder"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface><role>joint1</role></joint>
+                  <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface><role>«joint3»</role></joint>
+                  <actuator name="shoulder_motor"><role>actuator1</role><mechanicalReduction>1</mechanicalReduction></actuator>
+                  <actuator name="elbow_motor"><role>«motor2»</role><mechanicalReduction>1</mechanicalReduction></actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="wrist_trans">
+                  <type>transmission_interface/DifferentialTransmission</type>
+                  <joint name="shoulder">
+                    <role>joint1</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <joint name="elbow">
+                    <role>joint2</role>
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="left_motor">
+                    <role>actuator1</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                  <actuator name="right_motor">
+                    <role>actuator2</role>
+                    <mechanicalReduction>50</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+        {
+            "options": "--distro=noetic",
+            "robot.urdf": """
+                <transmission name="arm_trans">
+                  <type>transmission_interface/FourBarLinkageTransmission</type>
+                  <joint name="shoulder"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface><role>joint1</role></joint>
+                  <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface><role>joint2</role></joint>
+                  <actuator name="shoulder_motor"><role>actuator1</role><mechanicalReduction>1</mechanicalReduction></actuator>
+                  <actuator name="elbow_motor"><role>actuator2</role><mechanicalReduction>1</mechanicalReduction></actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_role_invalid(project: Project) -> Iterator[Finding]:
     """Missing, invalid or duplicate role in a transmission.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.model.transmission import Transmission
+from urdfctl.model.robot import Transmission
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole
 from urdfctl.rules.transmissions.common import misspelt, read_transmissions, takes_empty_names
@@ -19,29 +19,33 @@ from urdfctl.rules.transmissions.common import misspelt, read_transmissions, tak
     authority="ros_control transmission_interface/src/transmission_parser.cpp: 'Failed to load actuators for "
     "transmission', 'No name attribute specified for actuator.', 'Empty name attribute specified for "
     "actuator.'",
-    bad={
-        "robot.urdf": """
-            «<transmission name="elbow_trans">»
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<transmission name="elbow_trans">»
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_without_actuator(project: Project) -> Iterator[Finding]:
     """Transmission without an actuator, or with an unnamed one.

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.gazebo_ros1 import control_plugins
-from urdfctl.model.transmission import Transmission
+from urdfctl.model.robot import Transmission
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole
 from urdfctl.rules.transmissions.common import misspelt
@@ -19,31 +19,35 @@ from urdfctl.rules.transmissions.common import misspelt
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_parser.cpp: 'No type element found in "
     "transmission', 'Skipping empty type element in transmission'",
-    bad={
-        "robot.urdf": """
-            «<transmission name="elbow_trans" type="transmission_interface/SimpleTransmission">»
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <transmission name="elbow_trans">
-              <type>transmission_interface/SimpleTransmission</type>
-              <joint name="elbow">
-                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-              </joint>
-              <actuator name="elbow_motor">
-                <mechanicalReduction>1</mechanicalReduction>
-              </actuator>
-            </transmission>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<transmission name="elbow_trans" type="transmission_interface/SimpleTransmission">»
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <transmission name="elbow_trans">
+                  <type>transmission_interface/SimpleTransmission</type>
+                  <joint name="elbow">
+                    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                  </joint>
+                  <actuator name="elbow_motor">
+                    <mechanicalReduction>1</mechanicalReduction>
+                  </actuator>
+                </transmission>
+            """,
+        },
+    ],
 )
 def transmission_without_type(project: Project) -> Iterator[Finding]:
     """Transmission without a `<type>`.

@@ -16,28 +16,32 @@ from urdfctl.rules.written import where_written
     severity=Severity.WARNING,
     runtime="misbehaves",
     authority="sdformat src/JointAxis.cc: 'The norm of the xyz vector cannot be zero'; urdfdom accepts it",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous">
-              <parent link="fore"/><child link="tool"/>
-              <axis xyz="«0 0 0»"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous">
-              <parent link="fore"/><child link="tool"/>
-              <axis xyz="0 0 1"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous">
+                  <parent link="fore"/><child link="tool"/>
+                  <axis xyz="«0 0 0»"/>
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous">
+                  <parent link="fore"/><child link="tool"/>
+                  <axis xyz="0 0 1"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def axis_zero(project: Project) -> Iterator[Finding]:
     """Joint axis is 0 0 0.

@@ -19,16 +19,20 @@ BYTE = 255
     severity=Severity.WARNING,
     runtime="warns",
     authority="urdfdom_headers urdf_model/color.h Color::init(); urdfdom: 'Material [...] has malformed color rgba values'",
-    bad={
-        "robot.urdf": """
-            <material name="grey"><color rgba="«128 128 128 255»"/></material>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <material name="grey"><color rgba="«128 128 128 255»"/></material>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+            """,
+        },
+    ],
 )
 def colour_malformed(project: Project) -> Iterator[Finding]:
     """Colour is not four numbers from 0 to 1.

@@ -6,8 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.simulator_plugins import sure_simulator
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Robot
+from urdfctl.model.robot import Robot, Tag
 from urdfctl.names import enumerated
 from urdfctl.rule import Finding, Note, Project, Severity
 from urdfctl.rules.common import in_words, is_known

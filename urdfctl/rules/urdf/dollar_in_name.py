@@ -16,22 +16,26 @@ _LITERAL = re.compile(r"\$([A-Za-z]\w*)")
     severity=Severity.WARNING,
     runtime="misbehaves",
     authority="xacro/__init__.py LEXER: '$' without a brace is text; urdfdom accepts any name",
-    bad={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="wheel" params="side"><link name="«$side_wheel»"/></xacro:macro>
-              <xacro:wheel side="left"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
-              <xacro:wheel side="left"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="wheel" params="side"><link name="«$side_wheel»"/></xacro:macro>
+                  <xacro:wheel side="left"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>
+                  <xacro:wheel side="left"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def dollar_in_name(project: Project) -> Iterator[Finding]:
     """Link or joint name with a `$` that xacro did not expand.

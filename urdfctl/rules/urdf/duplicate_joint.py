@@ -15,18 +15,22 @@ from urdfctl.rules.urdf.common import duplicates
     runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"joint '...' is not unique.\"",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="«elbow»" type="fixed"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="«elbow»" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def duplicate_joint(project: Project) -> Iterator[Finding]:
     """Duplicate joint name.

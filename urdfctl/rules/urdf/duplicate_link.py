@@ -15,17 +15,21 @@ from urdfctl.rules.urdf.common import duplicates
     runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"link '...' is not unique.\"",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="«fore»"/>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="«fore»"/>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def duplicate_link(project: Project) -> Iterator[Finding]:
     """Duplicate link name.

@@ -15,18 +15,22 @@ from urdfctl.rules.urdf.common import duplicates
     runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"material '...' is not unique.\"",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
-            <material name="«grey»"><color rgba="0.5 0.5 0.5 1"/></material>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
-            <material name="dark_grey"><color rgba="0.3 0.3 0.3 1"/></material>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+                <material name="«grey»"><color rgba="0.5 0.5 0.5 1"/></material>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+                <material name="dark_grey"><color rgba="0.3 0.3 0.3 1"/></material>
+            """,
+        },
+    ],
 )
 def duplicate_material(project: Project) -> Iterator[Finding]:
     """Duplicate material name.

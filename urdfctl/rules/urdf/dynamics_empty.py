@@ -14,28 +14,32 @@ from urdfctl.rules.common import label, robot_in
     runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJointDynamics(): "
     "'joint dynamics element specified with no damping and no friction'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous">
-              <parent link="fore"/><child link="tool"/>
-              «<dynamics/>»
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous">
-              <parent link="fore"/><child link="tool"/>
-              <dynamics damping="0.1"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous">
+                  <parent link="fore"/><child link="tool"/>
+                  «<dynamics/>»
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous">
+                  <parent link="fore"/><child link="tool"/>
+                  <dynamics damping="0.1"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def dynamics_empty(project: Project) -> Iterator[Finding]:
     """<dynamics> without damping and friction.

@@ -29,8 +29,8 @@ _WRIST = """
     runtime="misbehaves",
     authority="joint_limits_interface EffortJointSaturationHandle clamps each command to the URDF's effort; Gazebo Classic "
     "physics/Joint.cc CheckAndTruncateForce() truncates it to an effort limit that is not negative",
-    bad={"robot.urdf": _WRIST % "«0»"},
-    good={"robot.urdf": _WRIST % "10"},
+    bad=[{"robot.urdf": _WRIST % "«0»"}],
+    good=[{"robot.urdf": _WRIST % "10"}],
 )
 def effort_limit_zero(project: Project) -> Iterator[Finding]:
     """Joint that is commanded by effort has an effort limit of 0.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rule import Rule
+from urdfctl.fault import Fault
 from urdfctl.rules.urdf.attribute_misspelt import attribute_misspelt
 from urdfctl.rules.urdf.axis_zero import axis_zero
 from urdfctl.rules.urdf.colour_malformed import colour_malformed
@@ -65,7 +65,7 @@ from urdfctl.rules.urdf.unknown_link import unknown_link
 from urdfctl.rules.urdf.unknown_mimic_joint import unknown_mimic_joint
 from urdfctl.rules.urdf.velocity_limit_zero import velocity_limit_zero
 
-RULES: tuple[Rule, ...] = (
+FAULTS: tuple[Fault, ...] = (
     root_element_not_robot,
     robot_without_name,
     robot_version_unsupported,

@@ -15,16 +15,20 @@ from urdfctl.rules.written import at_written
     runtime="ignores",
     authority="sdformat src/parser_urdf.cc InsertSDFExtensionLink(), InsertSDFExtensionJoint(): looked up by link and joint",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <gazebo reference="«fore_link»"><mu1>0.9</mu1></gazebo>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <gazebo reference="fore"><mu1>0.9</mu1></gazebo>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <gazebo reference="«fore_link»"><mu1>0.9</mu1></gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <gazebo reference="fore"><mu1>0.9</mu1></gazebo>
+            """,
+        },
+    ],
 )
 def gazebo_reference_unknown(project: Project) -> Iterator[Finding]:
     """<gazebo> refers to an unknown link or joint.

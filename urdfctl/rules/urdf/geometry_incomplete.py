@@ -17,28 +17,46 @@ REQUIRED = {"box": ("size",), "cylinder": ("length", "radius"), "sphere": ("radi
     runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp: 'Cylinder shape must have both length and radius attributes', "
     "'Box shape has no size attribute', 'Mesh must contain a filename attribute'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry>«<cylinder radius="0.1"/>»</geometry>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><cylinder radius="0.1" length="0.2"/></geometry>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry>«<cylinder radius="0.1"/>»</geometry>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual><geometry>«<box/>»</geometry></visual>
+                  <visual><geometry>«<cylinder/>»</geometry></visual>
+                  <visual><geometry>«<cylinder length="1"/>»</geometry></visual>
+                  <collision><geometry>«<sphere/>»</geometry></collision>
+                  <collision><geometry>«<mesh/>»</geometry></collision>
+                  <collision><geometry><mesh filename="«»"/></geometry></collision>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><cylinder radius="0.1" length="0.2"/></geometry>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def geometry_incomplete(project: Project) -> Iterator[Finding]:
     """Shape without dimensions, or mesh without a file.

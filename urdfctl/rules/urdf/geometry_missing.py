@@ -14,29 +14,33 @@ from urdfctl.rules.common import label, robot_in
     runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp parseGeometry(): 'Geometry tag contains no child element.'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              «<collision>»
-                <origin xyz="0 0 0.1"/>
-              </collision>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <collision>
-                <origin xyz="0 0 0.1"/>
-                <geometry><box size="0.1 0.1 0.2"/></geometry>
-              </collision>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  «<collision>»
+                    <origin xyz="0 0 0.1"/>
+                  </collision>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <collision>
+                    <origin xyz="0 0 0.1"/>
+                    <geometry><box size="0.1 0.1 0.2"/></geometry>
+                  </collision>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def geometry_missing(project: Project) -> Iterator[Finding]:
     """<visual> or <collision> without a shape.

@@ -16,28 +16,54 @@ SHAPES = ("box", "cylinder", "sphere", "mesh")
     severity=Severity.WARNING,
     runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp parseGeometry(): \"Unknown geometry type '...'\"",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry>«<capsule radius="0.1" length="0.2"/>»</geometry>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><cylinder radius="0.1" length="0.2"/></geometry>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry>«<capsule radius="0.1" length="0.2"/>»</geometry>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual><geometry>«<sphear radius="1"/>»</geometry></visual>
+                  <visual><geometry>«<boxx size="1 1 1"/>»</geometry></visual>
+                  <visual><geometry>«<cylindre length="1" radius="1"/>»</geometry></visual>
+                  <collision><geometry>«<mehs filename="a.stl"/>»</geometry></collision>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><cylinder radius="0.1" length="0.2"/></geometry>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual><geometry><sphere radius="1"/></geometry></visual>
+                  <visual><geometry><box size="1 1 1"/></geometry></visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def geometry_unknown(project: Project) -> Iterator[Finding]:
     """Unknown shape.

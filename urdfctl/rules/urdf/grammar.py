@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Robot
+from urdfctl.model.robot import Robot, Tag
 from urdfctl.rules.common import label
 from urdfctl.startup.per_object import once_for_the_last
 from urdfctl.startup.records import NamedTuple

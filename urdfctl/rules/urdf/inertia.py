@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from urdfctl.model.parts import Number
-from urdfctl.model.robot import Inertial
+from urdfctl.model.robot import Inertial, Number
 from urdfctl.rules.urdf.numbers import MOMENTS
 
 Moments = tuple[float, float, float, float, float, float]

@@ -21,28 +21,32 @@ TOLERANCE_ELSEWHERE = 1e-2
     because="only Gazebo does, and the robot may not run there",
     severity=Severity.WARNING,
     authority="gz-math MassMatrix3::IsValid(), sdformat src/Link.cc: 'A link named ... has invalid inertia.'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial>
-                <mass value="1"/>
-                «<inertia ixx="1" ixy="0" ixz="0" iyy="2.5" iyz="0" izz="0.5"/>»
-              </inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial>
-                <mass value="1"/>
-                <inertia ixx="1" ixy="0" ixz="0" iyy="1.5" iyz="0" izz="0.5"/>
-              </inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial>
+                    <mass value="1"/>
+                    «<inertia ixx="1" ixy="0" ixz="0" iyy="2.5" iyz="0" izz="0.5"/>»
+                  </inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial>
+                    <mass value="1"/>
+                    <inertia ixx="1" ixy="0" ixz="0" iyy="1.5" iyz="0" izz="0.5"/>
+                  </inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def inertia_impossible(project: Project) -> Iterator[Finding]:
     """Physically impossible inertia.

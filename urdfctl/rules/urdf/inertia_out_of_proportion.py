@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from urdfctl.model.parts import Number
-from urdfctl.model.robot import Link
+from urdfctl.model.robot import Link, Number
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.urdf.bodies import LEAST_MASS, inertial_of, mass_of
@@ -25,28 +24,32 @@ LARGER, SMALLER = 10.0, 0.001
     because="physics engines accept it, and the sizes are rough",
     severity=Severity.INFO,
     authority="the moment of a body of mass m whose mass lies r from its centre is m r²; Gazebo's tutorial on inertia",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial>
-                <mass value="0.5"/>
-                «<inertia ixx="100" ixy="0" ixz="0" iyy="100" iyz="0" izz="100"/>»
-              </inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial>
-                <mass value="0.5"/>
-                <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-              </inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial>
+                    <mass value="0.5"/>
+                    «<inertia ixx="100" ixy="0" ixz="0" iyy="100" iyz="0" izz="100"/>»
+                  </inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial>
+                    <mass value="0.5"/>
+                    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+                  </inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def inertia_out_of_proportion(project: Project) -> Iterator[Finding]:
     """Inertia does not fit the link's mass and size.

@@ -20,26 +20,30 @@ from urdfctl.rules.urdf.tree import parent_of
     authority="sdformat accepts moments of 0; dartsim dynamics/Inertia.cpp verifyMoment(): 'Invalid entry for (0,0): 0. "
     "Value should be positive and greater than zero.'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/>«<inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>»</inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-            <link name="tip">
-              <inertial><mass value="0.1"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial>
-            </link>
-            <joint name="tip_joint" type="fixed"><parent link="tool"/><child link="tip"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/>«<inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>»</inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+                <link name="tip">
+                  <inertial><mass value="0.1"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial>
+                </link>
+                <joint name="tip_joint" type="fixed"><parent link="tool"/><child link="tip"/></joint>
+            """,
+        },
+    ],
 )
 def inertia_zero(project: Project) -> Iterator[Finding]:
     """Moving link with mass, but with a moment of inertia of 0.

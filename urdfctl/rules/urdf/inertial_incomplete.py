@@ -17,22 +17,26 @@ from urdfctl.rules.urdf.numbers import MOMENTS
     because="only Gazebo does, and the robot may not run there",
     authority="urdfdom urdf_parser/src/link.cpp parseInertial(): 'Inertial element must have a mass element', "
     "'Inertial: inertia element missing ixx attribute'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/>«<inertia ixx="0.01" iyy="0.01" izz="0.01"/>»</inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/>«<inertia ixx="0.01" iyy="0.01" izz="0.01"/>»</inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def inertial_incomplete(project: Project) -> Iterator[Finding]:
     """Incomplete <inertial>.

@@ -15,28 +15,110 @@ from urdfctl.rules.urdf.numbers import Numbers, corrected, fault_of, is_subnorma
     runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp: 'lower value (...) is not a valid float'; "
     "urdfdom_headers urdf_model/pose.h: 'Parser found <n> elements but 3 expected while parsing vector [...]'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              <limit lower="«-90deg»" upper="1" effort="10" velocity="2"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              <limit lower="-1.57" upper="1" effort="10" velocity="2"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="«-90deg»" upper="1" effort="10" velocity="2"/>
+                </joint>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+
+                </link>
+                <joint name="wrist" type="revolute">
+                  <origin xyz="«0 0»" rpy="«0,0,0»"/>
+                  <parent link="fore"/><child link="tool"/>
+                  <axis xyz="«0 0 z»"/>
+                  <limit lower="« -1»" upper="«1 »" effort="«10 Nm»" velocity="«2,5»"/>
+                  <safety_controller k_velocity="«fast»" k_position="«»" soft_lower_limit="«1e999»" soft_upper_limit="«nan»"/>
+                  <calibration rising="«one»" falling="«two»"/>
+                  <mimic joint="elbow" multiplier="«x»" offset="«0x1»"/>
+                  <dynamics damping="«${d}»" friction="«low»"/>
+                </joint>
+            """,
+        },
+        {
+            "options": "--distro=kinetic",
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="« -1»" upper="1" effort="10" velocity="2"/>
+                </joint>
+            """,
+        },
+        {
+            "options": "--distro=jazzy --simulator=gz",
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1" upper="1" effort="«1e-320»" velocity="2"/>
+                </joint>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/><axis xyz="«0	0 1»"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1.57" upper="1" effort="10" velocity="2"/>
+                </joint>
+            """,
+        },
+        {
+            "options": "--distro=kinetic",
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1" upper="inf" effort="10" velocity="2"/>
+                </joint>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+
+                </link>
+                <joint name="wrist" type="fixed">
+                  <parent link="fore"/><child link="tool"/>
+                  <axis xyz="none"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def joint_number_malformed(project: Project) -> Iterator[Finding]:
     """Malformed number or vector in a joint.

@@ -14,26 +14,30 @@ from urdfctl.rules.common import label, robot_in
     runtime="misbehaves",
     authority="kdl_parser kdl_parser.cpp: \"Converting unknown joint type of joint '...' into a fixed joint\"; "
     "sdformat 12 src/parser_urdf.cc CreateJoint() creates no joint",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="«planar»">
-              <parent link="fore"/><child link="tool"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous">
-              <parent link="fore"/><child link="tool"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="«planar»">
+                  <parent link="fore"/><child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous">
+                  <parent link="fore"/><child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def joint_type_not_moved(project: Project) -> Iterator[Finding]:
     """Floating or planar joint.

@@ -23,28 +23,60 @@ OTHER_WORDS = {
     severity=Severity.ERROR,
     runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'Joint [...] has no known type [...]'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="«Revolute»">
-              <parent link="fore"/><child link="tool"/>
-              <limit lower="-1" upper="1" effort="10" velocity="2"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              <limit lower="-1" upper="1" effort="10" velocity="2"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="«Revolute»">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1" upper="1" effort="10" velocity="2"/>
+                </joint>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="a"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="a_joint" type="«rotational»"><parent link="fore"/><child link="a"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="b"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="b_joint" type="«rotary»"><parent link="fore"/><child link="b"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="c"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="c_joint" type="«hinge»"><parent link="fore"/><child link="c"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="d"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="d_joint" type="«linear»"><parent link="fore"/><child link="d"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="e"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="e_joint" type="«Slider»"><parent link="fore"/><child link="e"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="f"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="f_joint" type="«continous»"><parent link="fore"/><child link="f"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="g"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="g_joint" type="«ball»"><parent link="fore"/><child link="g"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="h"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="h_joint" type="«prismtic»"><parent link="fore"/><child link="h"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="i"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="i_joint" type="«floatng»"><parent link="fore"/><child link="i"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="j"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="j_joint" type="«plannar»"><parent link="fore"/><child link="j"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="k"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="k_joint" type="«fixd»"><parent link="fore"/><child link="k"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+                <link name="l"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+                <joint name="l_joint" type="«»"><parent link="fore"/><child link="l"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1" upper="1" effort="10" velocity="2"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def joint_type_unknown(project: Project) -> Iterator[Finding]:
     """Unknown joint type.

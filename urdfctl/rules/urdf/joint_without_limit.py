@@ -14,26 +14,30 @@ from urdfctl.rules.common import label, robot_in
     runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'Joint [...] is of type REVOLUTE but it does not specify limits'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            «<joint name="wrist" type="revolute">»
-              <parent link="fore"/><child link="tool"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous">
-              <parent link="fore"/><child link="tool"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                «<joint name="wrist" type="revolute">»
+                  <parent link="fore"/><child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous">
+                  <parent link="fore"/><child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def joint_without_limit(project: Project) -> Iterator[Finding]:
     """Revolute or prismatic joint without <limit>.

@@ -14,22 +14,26 @@ from urdfctl.rules.common import robot_in
     runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'unnamed joint found'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="tool"/>
-            «<joint type="fixed">»
-              <parent link="fore"/><child link="tool"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="flange" type="fixed">
-              <parent link="fore"/><child link="tool"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                «<joint type="fixed">»
+                  <parent link="fore"/><child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="flange" type="fixed">
+                  <parent link="fore"/><child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def joint_without_name(project: Project) -> Iterator[Finding]:
     """Joint without a name.

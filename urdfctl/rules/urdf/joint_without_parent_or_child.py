@@ -14,22 +14,26 @@ from urdfctl.rules.common import label, robot_in
     runtime="refuses",
     authority="urdfdom_headers urdf_model/model.h initTree(): 'Joint [...] is missing a parent and/or child link specification.'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            «<joint name="flange" type="fixed">»
-              <parent link="fore"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="flange" type="fixed">
-              <parent link="fore"/>
-              <child link="tool"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<joint name="flange" type="fixed">»
+                  <parent link="fore"/>
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="flange" type="fixed">
+                  <parent link="fore"/>
+                  <child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def joint_without_parent_or_child(project: Project) -> Iterator[Finding]:
     """Joint without a parent or child link.

@@ -14,28 +14,32 @@ from urdfctl.rules.urdf.common import lacking
     severity=Severity.ERROR,
     runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits(): 'joint limit: no effort', 'joint limit: no velocity'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              «<limit lower="-1" upper="1" effort="10"/>»
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              <limit lower="-1" upper="1" effort="10" velocity="2"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  «<limit lower="-1" upper="1" effort="10"/>»
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1" upper="1" effort="10" velocity="2"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def limit_incomplete(project: Project) -> Iterator[Finding]:
     """Joint limit without effort or velocity.

@@ -14,36 +14,40 @@ from urdfctl.rules.urdf.common import commanded_joints
     runtime="misbehaves",
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits(): lower and upper default to 0",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              «<limit effort="10" velocity="2"/>»
-            </joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              <limit lower="-1" upper="1" effort="10" velocity="2"/>
-            </joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  «<limit effort="10" velocity="2"/>»
+                </joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1" upper="1" effort="10" velocity="2"/>
+                </joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def limits_leave_no_range(project: Project) -> Iterator[Finding]:
     """Commanded joint has no range of motion.

@@ -14,28 +14,32 @@ from urdfctl.rules.common import label, robot_in
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits() does not compare them; sdformat src/parser_urdf.cc: "
     "'revolute joint [...] with limits: lowStop[..] > highStop[..], switching the two.'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              «<limit lower="1" upper="-1" effort="10" velocity="2"/>»
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              <limit lower="-1" upper="1" effort="10" velocity="2"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  «<limit lower="1" upper="-1" effort="10" velocity="2"/>»
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1" upper="1" effort="10" velocity="2"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def limits_reversed(project: Project) -> Iterator[Finding]:
     """Lower joint limit above upper limit.

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.parts import Reference
-from urdfctl.model.robot import Joint, Link
+from urdfctl.model.robot import Joint, Link, Reference
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known, label, replaced, robot_in
 from urdfctl.source.opaque import UNKNOWN
@@ -17,38 +16,42 @@ from urdfctl.source.opaque import UNKNOWN
     because="urdfdom rejects the robot with any other prefix",
     severity=Severity.WARNING,
     authority="urdfdom_headers urdf_model/model.h initTree(): 'parent link [...] of joint [...] not found.'",
-    bad={
-        "arm.xacro": """
-            <robot xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="arm" params="prefix">
-                <link name="${prefix}upper"/>
-                <link name="${prefix}fore"/>
-                <joint name="${prefix}elbow" type="fixed">
-                  <parent link="«upper»"/>
-                  <child link="${prefix}fore"/>
-                </joint>
-              </xacro:macro>
-            </robot>
-        """,
-    },
-    good={
-        "arm.xacro": """
-            <robot xmlns:xacro="http://www.ros.org/wiki/xacro">
-              <xacro:macro name="arm" params="prefix">
-                <link name="${prefix}upper"/>
-                <link name="${prefix}fore"/>
-                <joint name="base_to_${prefix}upper" type="fixed">
-                  <parent link="upper"/>
-                  <child link="${prefix}upper"/>
-                </joint>
-                <joint name="${prefix}elbow" type="fixed">
-                  <parent link="${prefix}upper"/>
-                  <child link="${prefix}fore"/>
-                </joint>
-              </xacro:macro>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "arm.xacro": """
+                <robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="arm" params="prefix">
+                    <link name="${prefix}upper"/>
+                    <link name="${prefix}fore"/>
+                    <joint name="${prefix}elbow" type="fixed">
+                      <parent link="«upper»"/>
+                      <child link="${prefix}fore"/>
+                    </joint>
+                  </xacro:macro>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "arm.xacro": """
+                <robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:macro name="arm" params="prefix">
+                    <link name="${prefix}upper"/>
+                    <link name="${prefix}fore"/>
+                    <joint name="base_to_${prefix}upper" type="fixed">
+                      <parent link="upper"/>
+                      <child link="${prefix}upper"/>
+                    </joint>
+                    <joint name="${prefix}elbow" type="fixed">
+                      <parent link="${prefix}upper"/>
+                      <child link="${prefix}fore"/>
+                    </joint>
+                  </xacro:macro>
+                </robot>
+            """,
+        },
+    ],
 )
 def link_named_without_prefix(project: Project) -> Iterator[Finding]:
     """Joint of a macro names a link without the macro's prefix.

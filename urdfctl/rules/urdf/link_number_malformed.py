@@ -15,28 +15,60 @@ from urdfctl.rules.urdf.numbers import Numbers, corrected, fault_of, is_subnorma
     runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp: 'Inertial: mass [...] is not a float', "
     "'Could not parse visual element for Link [...]'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial>
-                <mass value="«1,5»"/>
-                <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-              </inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial>
-                <mass value="1.5"/>
-                <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-              </inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial>
+                    <mass value="«1,5»"/>
+                    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+                  </inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial>
+                    <origin xyz="«0 0»" rpy="«0 0 z»"/>
+                    <mass value="«1 kg»"/>
+                    <inertia ixx="«a»" ixy="«b»" ixz="«c»" iyy="«d»" iyz="«e»" izz="«f»"/>
+                  </inertial>
+                  <visual>
+                    <origin xyz="«0,0,0»"/>
+                    <geometry><box size="«1 1»"/></geometry>
+                  </visual>
+                  <visual><geometry><cylinder length="«1m»" radius="«0,1»"/></geometry></visual>
+                  <collision><geometry><sphere radius="«small»"/></geometry></collision>
+                  <collision><geometry><mesh filename="file:///tool.stl" scale="«1 1»"/></geometry></collision>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+        {
+            "options": "--distro=jazzy --simulator=gz",
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="«1e-320»" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial>
+                    <mass value="1.5"/>
+                    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+                  </inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def link_number_malformed(project: Project) -> Iterator[Finding]:
     """Malformed number or vector in a link.

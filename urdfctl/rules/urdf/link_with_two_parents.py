@@ -15,21 +15,25 @@ from urdfctl.rules.common import is_known, label, robot_in
     runtime="ignores",
     authority="urdfdom_headers urdf_model/model.h initTree(): child_link->setParent(parent_link) overwrites an earlier parent",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <joint name="strut" type="fixed">
-              <parent link="base"/><child link="«fore»"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="strut_link"/>
-            <joint name="strut" type="fixed">
-              <parent link="base"/><child link="strut_link"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <joint name="strut" type="fixed">
+                  <parent link="base"/><child link="«fore»"/>
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="strut_link"/>
+                <joint name="strut" type="fixed">
+                  <parent link="base"/><child link="strut_link"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def link_with_two_parents(project: Project) -> Iterator[Finding]:
     """Link is the child of two joints.

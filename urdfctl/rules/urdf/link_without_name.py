@@ -14,17 +14,21 @@ from urdfctl.rules.common import robot_in
     runtime="refuses",
     authority="urdfdom urdf_parser/src/link.cpp: 'No name given for the link.', then model.h: 'Two root links found: [] and [a]'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            «<link/>»
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<link/>»
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def link_without_name(project: Project) -> Iterator[Finding]:
     """Link without a name.

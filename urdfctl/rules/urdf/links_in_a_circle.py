@@ -15,25 +15,29 @@ from urdfctl.rules.urdf.tree import Tree, parent_of
     runtime="refuses",
     authority="urdfdom_headers urdf_model/model.h initRoot(): 'No root link found. The robot xml is not a valid tree.'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <robot name="ring">
-              <link name="a"/>
-              <link name="b"/>
-              <joint name="there" type="fixed"><parent link="a"/><child link="«b»"/></joint>
-              <joint name="back" type="fixed"><parent link="b"/><child link="a"/></joint>
-            </robot>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <robot name="row">
-              <link name="a"/>
-              <link name="b"/>
-              <joint name="there" type="fixed"><parent link="a"/><child link="b"/></joint>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <robot name="ring">
+                  <link name="a"/>
+                  <link name="b"/>
+                  <joint name="there" type="fixed"><parent link="a"/><child link="«b»"/></joint>
+                  <joint name="back" type="fixed"><parent link="b"/><child link="a"/></joint>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <robot name="row">
+                  <link name="a"/>
+                  <link name="b"/>
+                  <joint name="there" type="fixed"><parent link="a"/><child link="b"/></joint>
+                </robot>
+            """,
+        },
+    ],
 )
 def links_in_a_circle(project: Project) -> Iterator[Finding]:
     """Links form a loop.

@@ -20,25 +20,29 @@ from urdfctl.rules.written import where_written
     authority="sdformat src/parser_urdf.cc CreateSDF(): 'a mass value of less than or equal to zero'; "
     "src/Link.cc: 'A link named ... has invalid inertia.'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial>
-                <mass value="«0»"/>
-                <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-              </inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial>
+                    <mass value="«0»"/>
+                    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+                  </inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def mass_not_positive(project: Project) -> Iterator[Finding]:
     """Negative mass, or moving link without mass.

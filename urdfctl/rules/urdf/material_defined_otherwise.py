@@ -16,32 +16,36 @@ from urdfctl.rules.urdf.materials import Material, materials_of
     severity=Severity.INFO,
     authority="urdfdom urdf_parser/src/model.cpp assignMaterial(): a known material of the same name replaces the visual's own",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <material name="paint"><color rgba="0 0 1 1"/></material>
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><box size="0.1 0.1 0.1"/></geometry>
-                <material name="«paint»"><color rgba="1 0 0 1"/></material>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <material name="paint"><color rgba="0 0 1 1"/></material>
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><box size="0.1 0.1 0.1"/></geometry>
-                <material name="red_paint"><color rgba="1 0 0 1"/></material>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <material name="paint"><color rgba="0 0 1 1"/></material>
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><box size="0.1 0.1 0.1"/></geometry>
+                    <material name="«paint»"><color rgba="1 0 0 1"/></material>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <material name="paint"><color rgba="0 0 1 1"/></material>
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><box size="0.1 0.1 0.1"/></geometry>
+                    <material name="red_paint"><color rgba="1 0 0 1"/></material>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def material_defined_otherwise(project: Project) -> Iterator[Finding]:
     """Material is already defined differently.

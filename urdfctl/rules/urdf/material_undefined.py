@@ -15,32 +15,36 @@ from urdfctl.rules.urdf.materials import materials_of
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/model.cpp assignMaterial(): \"link '...' material '...' undefined.\"",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><box size="0.1 0.1 0.1"/></geometry>
-                <material name="«gray»"/>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><box size="0.1 0.1 0.1"/></geometry>
-                <material name="grey"/>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><box size="0.1 0.1 0.1"/></geometry>
+                    <material name="«gray»"/>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><box size="0.1 0.1 0.1"/></geometry>
+                    <material name="grey"/>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def material_undefined(project: Project) -> Iterator[Finding]:
     """Undefined material.

@@ -16,16 +16,20 @@ from urdfctl.rules.urdf.materials import materials_of
     authority="urdfdom urdf_parser/src/model.cpp parseMaterial(): 'Material [...] color has no rgba', "
     "'Material [...] not defined in file'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            «<material name="grey">»<color value="0.5 0.5 0.5 1"/></material>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<material name="grey">»<color value="0.5 0.5 0.5 1"/></material>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+            """,
+        },
+    ],
 )
 def material_without_colour(project: Project) -> Iterator[Finding]:
     """Material without a colour or texture.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.parts import Tag
+from urdfctl.model.robot import Tag
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
 from urdfctl.source.span import SourceSpan
@@ -16,30 +16,34 @@ from urdfctl.source.span import SourceSpan
     runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp: 'Visual material must contain a name attribute', "
     "'Material must contain a name attribute'",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><box size="0.1 0.1 0.1"/></geometry>
-                «<material>»<color rgba="0.5 0.5 0.5 1"/></material>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><box size="0.1 0.1 0.1"/></geometry>
-                <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><box size="0.1 0.1 0.1"/></geometry>
+                    «<material>»<color rgba="0.5 0.5 0.5 1"/></material>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><box size="0.1 0.1 0.1"/></geometry>
+                    <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def material_without_name(project: Project) -> Iterator[Finding]:
     """Material without a name.

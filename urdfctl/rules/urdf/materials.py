@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Link, Robot
+from urdfctl.model.robot import Link, Robot, Tag
 from urdfctl.startup.records import NamedTuple
 
 

@@ -15,42 +15,46 @@ from urdfctl.rules.urdf.mesh_addresses import in_packages
     severity=Severity.WARNING,
     runtime="warns",
     authority="resource_retriever: 'Package [...] does not exist'; urdfdom does not open meshes",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><mesh filename="«package://arm_desciption/meshes/tool.stl»"/></geometry>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-        "package.xml": """
-            <package format="3"><name>arm_description</name></package>
-        """,
-        "meshes/tool.stl": """
-            solid tool
-            endsolid tool
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><mesh filename="package://arm_description/meshes/tool.stl"/></geometry>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-        "package.xml": """
-            <package format="3"><name>arm_description</name></package>
-        """,
-        "meshes/tool.stl": """
-            solid tool
-            endsolid tool
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><mesh filename="«package://arm_desciption/meshes/tool.stl»"/></geometry>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+            "package.xml": """
+                <package format="3"><name>arm_description</name></package>
+            """,
+            "meshes/tool.stl": """
+                solid tool
+                endsolid tool
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><mesh filename="package://arm_description/meshes/tool.stl"/></geometry>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+            "package.xml": """
+                <package format="3"><name>arm_description</name></package>
+            """,
+            "meshes/tool.stl": """
+                solid tool
+                endsolid tool
+            """,
+        },
+    ],
 )
 def mesh_package_not_found(project: Project) -> Iterator[Finding]:
     """Mesh package was not found.

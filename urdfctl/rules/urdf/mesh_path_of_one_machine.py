@@ -18,35 +18,39 @@ _OF_ONE_MACHINE = lazy_pattern(r"(file:)?/|[A-Za-z]:[\\/]|~")
     because="RViz refuses it, and other machines do not have the file",
     severity=Severity.WARNING,
     authority="wiki.ros.org urdf/XML/link: a mesh is named by package://<packagename>/<path>",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><mesh filename="«file:///home/me/ws/src/arm_description/meshes/tool.stl»"/></geometry>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.xacro": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-              <visual>
-                <geometry><mesh filename="file://$(find arm_description)/meshes/tool.stl"/></geometry>
-              </visual>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-        "package.xml": """
-            <package format="3"><name>arm_description</name></package>
-        """,
-        "meshes/tool.stl": """
-            solid tool
-            endsolid tool
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><mesh filename="«file:///home/me/ws/src/arm_description/meshes/tool.stl»"/></geometry>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.xacro": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><mesh filename="file://$(find arm_description)/meshes/tool.stl"/></geometry>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+            "package.xml": """
+                <package format="3"><name>arm_description</name></package>
+            """,
+            "meshes/tool.stl": """
+                solid tool
+                endsolid tool
+            """,
+        },
+    ],
 )
 def mesh_path_of_one_machine(project: Project) -> Iterator[Finding]:
     """Absolute mesh path.

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.parts import Number
-from urdfctl.model.robot import Limit, Mimic
+from urdfctl.model.robot import Limit, Mimic, Number
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
 
@@ -29,8 +28,8 @@ _SLACK = 0.02
     runtime="misbehaves",
     authority="wiki.ros.org urdf/XML/joint: value = multiplier * other_joint_value + offset, and limits hold for each joint; "
     "urdfdom joint.cpp does not compare them",
-    bad={"robot.urdf": _FINGER % '«<mimic joint="elbow" multiplier="2"/>»'},
-    good={"robot.urdf": _FINGER % '<mimic joint="elbow" multiplier="-1"/>'},
+    bad=[{"robot.urdf": _FINGER % '«<mimic joint="elbow" multiplier="2"/>»'}],
+    good=[{"robot.urdf": _FINGER % '<mimic joint="elbow" multiplier="-1"/>'}],
 )
 def mimic_range_beyond_limits(project: Project) -> Iterator[Finding]:
     """Mimic joint would exceed its limits.

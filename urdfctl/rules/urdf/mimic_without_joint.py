@@ -14,28 +14,32 @@ from urdfctl.rules.common import label, robot_in
     runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic(): 'joint mimic: no mimic joint specified'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="finger"/>
-            <joint name="finger_joint" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="-1" upper="1" effort="1" velocity="1"/>
-              «<mimic multiplier="-1"/>»
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="finger">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="finger_joint" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="-1" upper="1" effort="1" velocity="1"/>
-              <mimic joint="elbow" multiplier="-1"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="finger"/>
+                <joint name="finger_joint" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="-1" upper="1" effort="1" velocity="1"/>
+                  «<mimic multiplier="-1"/>»
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="finger">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="finger_joint" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="-1" upper="1" effort="1" velocity="1"/>
+                  <mimic joint="elbow" multiplier="-1"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def mimic_without_joint(project: Project) -> Iterator[Finding]:
     """<mimic> without a joint.

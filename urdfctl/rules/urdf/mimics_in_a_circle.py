@@ -15,28 +15,32 @@ from urdfctl.rules.common import in_words, robot_in
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() accepts any name, even the joint's own",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="finger"/>
-            <joint name="finger_joint" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="-1" upper="1" effort="1" velocity="1"/>
-              <mimic joint="«finger_joint»"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="finger">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="finger_joint" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="-1" upper="1" effort="1" velocity="1"/>
-              <mimic joint="elbow"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="finger"/>
+                <joint name="finger_joint" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="-1" upper="1" effort="1" velocity="1"/>
+                  <mimic joint="«finger_joint»"/>
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="finger">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="finger_joint" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="-1" upper="1" effort="1" velocity="1"/>
+                  <mimic joint="elbow"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def mimics_in_a_circle(project: Project) -> Iterator[Finding]:
     """Joint mimics itself, directly or through others.

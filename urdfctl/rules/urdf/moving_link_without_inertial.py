@@ -18,22 +18,39 @@ from urdfctl.rules.urdf.bodies import inertial_of, vanishing
     because="only Gazebo does, and the robot may not run there",
     authority="sdformat src/parser_urdf.cc CreateSDF(): 'link[...] has no <inertial> block defined', 'parent joint[...] ignored'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="«tool»"/>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-            <link name="tip"/>
-            <joint name="tip_joint" type="fixed"><parent link="tool"/><child link="tip"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="«tool»"/>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <link name="«left»"/>
+                <link name="«right»"/>
+                <link name="«top»"/>
+                <joint name="left_mount" type="fixed"><parent link="fore"/><child link="left"/></joint>
+                <joint name="right_mount" type="fixed"><parent link="fore"/><child link="right"/></joint>
+                <joint name="top_mount" type="fixed"><parent link="fore"/><child link="top"/></joint>
+                <gazebo reference="left_mount"><preserveFixedJoint>true</preserveFixedJoint></gazebo>
+                <gazebo reference="right_mount"><disableFixedJointLumping>Yes</disableFixedJointLumping></gazebo>
+                <gazebo reference="top_mount"><preserveFixedJoint>1</preserveFixedJoint></gazebo>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+                <link name="tip"/>
+                <joint name="tip_joint" type="fixed"><parent link="tool"/><child link="tip"/></joint>
+            """,
+        },
+    ],
 )
 def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
     """Moving link without <inertial>.

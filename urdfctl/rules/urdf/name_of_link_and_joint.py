@@ -19,20 +19,24 @@ from urdfctl.rules.urdf.tree import WORLD, parent_of
     distros=ROS2,
     authority="sdformat 12 src/Model.cc: 'Joint with non-unique name [...] detected in model with name [...].'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="«tool»" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="tool_joint" type="continuous"><parent link="fore"/><child link="tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="«tool»" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="tool_joint" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+    ],
 )
 def name_of_link_and_joint(project: Project) -> Iterator[Finding]:
     """Joint has the same name as a link.

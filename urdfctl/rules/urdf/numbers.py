@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ALL, until
-from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Joint, Link, Robot
+from urdfctl.model.robot import Joint, Link, Robot, Tag
 from urdfctl.rules.common import is_known, is_xacro
 from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
@@ -112,6 +111,8 @@ def _fault_of_number(text: str) -> str:
         return "a xacro expression is not expanded in a plain URDF"
     if not text.strip():
         return "expected a number"
+    if _DECIMAL.fullmatch(text):
+        return "the number is too large"
     if _DECIMAL.fullmatch(text.strip()):
         return "remove the space or line break around the number"
     if _DECIMAL.fullmatch(text.replace(",", ".", 1)):
@@ -125,7 +126,7 @@ def corrected(field: Field) -> tuple[str, bool] | None:
     """Return the corrected text, and True if it is certain; None if the text cannot be corrected."""
     pieces = field.text.split()
     if len(pieces) == field.size and all(_DECIMAL.fullmatch(piece) for piece in pieces):
-        return " ".join(pieces), True
+        return (" ".join(pieces), True) if " ".join(pieces) != field.text else None
     pieces = field.text.replace(",", " " if field.size > 1 else ".").split()
     if len(pieces) == field.size and all(_DECIMAL.fullmatch(piece) for piece in pieces):
         return " ".join(pieces), False

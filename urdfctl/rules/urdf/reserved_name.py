@@ -16,18 +16,22 @@ from urdfctl.rules.common import is_known, robot_in
     severity=Severity.WARNING,
     distros=ROS2,
     authority="sdformat 12 src/Link.cc: 'The supplied link name [__x__] is reserved.'",
-    bad={
-        "robot.urdf": """
-            <link name="«__tool__»"/>
-            <joint name="flange" type="fixed"><parent link="fore"/><child link="__tool__"/></joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="__tool"/>
-            <joint name="flange" type="fixed"><parent link="fore"/><child link="__tool"/></joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="«__tool__»"/>
+                <joint name="flange" type="fixed"><parent link="fore"/><child link="__tool__"/></joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="__tool"/>
+                <joint name="flange" type="fixed"><parent link="fore"/><child link="__tool"/></joint>
+            """,
+        },
+    ],
 )
 def reserved_name(project: Project) -> Iterator[Finding]:
     """Reserved link or joint name.

@@ -18,20 +18,24 @@ READING = since("galactic")
     distros=READING,
     authority="urdfdom 3.0 urdf_parser/src/model.cpp: \"Invalid 'version' specified; only version 1.0 is currently supported\"",
     options=["--distro=jazzy"],
-    bad={
-        "robot.urdf": """
-            <robot name="arm" version="«2.0»">
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <robot name="arm" version="1.0">
-              <link name="base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <robot name="arm" version="«2.0»">
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <robot name="arm" version="1.0">
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def robot_version_unsupported(project: Project) -> Iterator[Finding]:
     """Unsupported URDF version.

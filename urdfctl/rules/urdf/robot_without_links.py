@@ -14,20 +14,24 @@ from urdfctl.rules.common import whole_robot_in
     runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): 'No link elements found in urdf file'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            «<robot name="arm">»
-              <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
-            </robot>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <robot name="arm">
-              <link name="base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<robot name="arm">»
+                  <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <robot name="arm">
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def robot_without_links(project: Project) -> Iterator[Finding]:
     """Robot without links.

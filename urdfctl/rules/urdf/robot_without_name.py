@@ -14,20 +14,24 @@ from urdfctl.rules.common import whole_robot_in
     runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): 'No name given for the robot.'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            «<robot>»
-              <link name="base"/>
-            </robot>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <robot name="arm">
-              <link name="base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<robot>»
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <robot name="arm">
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def robot_without_name(project: Project) -> Iterator[Finding]:
     """Robot without a name.

@@ -17,21 +17,25 @@ _READS_SDF = "sdformat_urdf"
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"Could not find the 'robot' element in the xml file\"; "
     "sdformat_urdf: a plugin of urdf_parser_plugin, which urdf/src/model.cpp initString() asks in ROS 2",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            «<Robot name="arm">»
-              <link name="base"/>
-            </Robot>
-            <!-- <robot -->
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <robot name="arm">
-              <link name="base"/>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                «<Robot name="arm">»
+                  <link name="base"/>
+                </Robot>
+                <!-- <robot -->
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <robot name="arm">
+                  <link name="base"/>
+                </robot>
+            """,
+        },
+    ],
 )
 def root_element_not_robot(project: Project) -> Iterator[Finding]:
     """Root element is not <robot>.

@@ -16,32 +16,36 @@ from urdfctl.rules.urdf.tree import Tree
     authority="kdl_parser kdl_parser.cpp: 'The root link ... has an inertia specified in the URDF, "
     "but KDL does not support a root link with an inertia.'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <robot name="cart">
-              <link name="base">
-                «<inertial>»
-                  <mass value="5"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
-                </inertial>
-              </link>
-              <link name="mast"/>
-              <joint name="mast_joint" type="fixed"><parent link="base"/><child link="mast"/></joint>
-            </robot>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <robot name="cart">
-              <link name="base_footprint"/>
-              <link name="base">
-                <inertial>
-                  <mass value="5"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
-                </inertial>
-              </link>
-              <joint name="base_joint" type="fixed"><parent link="base_footprint"/><child link="base"/></joint>
-            </robot>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <robot name="cart">
+                  <link name="base">
+                    «<inertial>»
+                      <mass value="5"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
+                    </inertial>
+                  </link>
+                  <link name="mast"/>
+                  <joint name="mast_joint" type="fixed"><parent link="base"/><child link="mast"/></joint>
+                </robot>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <robot name="cart">
+                  <link name="base_footprint"/>
+                  <link name="base">
+                    <inertial>
+                      <mass value="5"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
+                    </inertial>
+                  </link>
+                  <joint name="base_joint" type="fixed"><parent link="base_footprint"/><child link="base"/></joint>
+                </robot>
+            """,
+        },
+    ],
 )
 def root_link_with_inertial(project: Project) -> Iterator[Finding]:
     """Root link with <inertial>.

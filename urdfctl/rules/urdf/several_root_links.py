@@ -15,19 +15,23 @@ from urdfctl.rules.urdf.tree import Tree
     runtime="refuses",
     authority="urdfdom_headers urdf_model/model.h initRoot(): 'Two root links found: [a] and [b]'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="«tool»"/>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="flange" type="fixed">
-              <parent link="fore"/><child link="tool"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="«tool»"/>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="flange" type="fixed">
+                  <parent link="fore"/><child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def several_root_links(project: Project) -> Iterator[Finding]:
     """More than one root link.

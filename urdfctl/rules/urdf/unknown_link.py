@@ -16,24 +16,28 @@ from urdfctl.rules.written import where_written
     runtime="refuses",
     authority="urdfdom_headers urdf_model/model.h initTree(): 'parent link [...] of joint [...] not found.'",
     whole_robot=True,
-    bad={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="flange" type="fixed">
-              <parent link="«Fore»"/>
-              <child link="tool"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool"/>
-            <joint name="flange" type="fixed">
-              <parent link="fore"/>
-              <child link="tool"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="flange" type="fixed">
+                  <parent link="«Fore»"/>
+                  <child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool"/>
+                <joint name="flange" type="fixed">
+                  <parent link="fore"/>
+                  <child link="tool"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def unknown_link(project: Project) -> Iterator[Finding]:
     """Unknown parent or child link.

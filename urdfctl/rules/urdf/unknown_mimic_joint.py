@@ -15,28 +15,32 @@ from urdfctl.rules.written import at_written
     severity=Severity.WARNING,
     runtime="ignores",
     authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() accepts any name; joint_state_publisher and ros2_control look it up",
-    bad={
-        "robot.urdf": """
-            <link name="finger"/>
-            <joint name="finger_joint" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="-1" upper="1" effort="1" velocity="1"/>
-              <mimic joint="«elbo»"/>
-            </joint>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="finger">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="finger_joint" type="prismatic">
-              <parent link="fore"/><child link="finger"/>
-              <limit lower="-1" upper="1" effort="1" velocity="1"/>
-              <mimic joint="elbow"/>
-            </joint>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="finger"/>
+                <joint name="finger_joint" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="-1" upper="1" effort="1" velocity="1"/>
+                  <mimic joint="«elbo»"/>
+                </joint>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="finger">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="finger_joint" type="prismatic">
+                  <parent link="fore"/><child link="finger"/>
+                  <limit lower="-1" upper="1" effort="1" velocity="1"/>
+                  <mimic joint="elbow"/>
+                </joint>
+            """,
+        },
+    ],
 )
 def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
     """Joint mimics an unknown joint.

@@ -16,36 +16,40 @@ from urdfctl.rules.urdf.common import commanded_joints
     severity=Severity.WARNING,
     authority="joint_limits_interface limits every command to the URDF's velocity; "
     "ros2_control_demos#787: carlikebot's steering did not move in Gazebo",
-    bad={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              <limit lower="-1" upper="1" effort="10" velocity="«0»"/>
-            </joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
-    good={
-        "robot.urdf": """
-            <link name="tool">
-              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-            </link>
-            <joint name="wrist" type="revolute">
-              <parent link="fore"/><child link="tool"/>
-              <limit lower="-1" upper="1" effort="10" velocity="2"/>
-            </joint>
-            <ros2_control name="arm" type="system">
-              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
-            </ros2_control>
-        """,
-    },
+    bad=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1" upper="1" effort="10" velocity="«0»"/>
+                </joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
+    good=[
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                </link>
+                <joint name="wrist" type="revolute">
+                  <parent link="fore"/><child link="tool"/>
+                  <limit lower="-1" upper="1" effort="10" velocity="2"/>
+                </joint>
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+    ],
 )
 def velocity_limit_zero(project: Project) -> Iterator[Finding]:
     """Commanded joint has a velocity limit of 0.

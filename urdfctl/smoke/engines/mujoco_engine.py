@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 import os
 
-from urdfctl.smoke.engines import STEP, Motor, Refused, Setup, Standing
-from urdfctl.smoke.prepare import quoted
-from urdfctl.smoke.shapes import corners_of
+from urdfctl.smoke.engines.engine import STEP, BasePose, EngineSetup, Motor, RobotRejected
+from urdfctl.smoke.engines.urdf import quoted
+from urdfctl.smoke.robot import corners_of
 from urdfctl.startup.hints import Any
 
 STIFF = 60.0
@@ -26,7 +26,7 @@ _COMPILER = (
 )
 
 
-class Mujoco:
+class MujocoEngine:
     """A robot in MuJoCo."""
 
     def __init__(self, library: Any, model: Any, data: Any, root: str) -> None:
@@ -45,7 +45,7 @@ class Mujoco:
         self._efforts: dict[str, float] = {}
         self._motors: dict[str, Motor] = {}
 
-    def prepare(self, setup: Setup) -> None:
+    def prepare(self, setup: EngineSetup) -> None:
         """Set the start positions, and place the robot on the ground."""
         self._motors = {name: Motor(*resistance) for name, resistance in setup.resist.items() if name in self._places}
         for name, position in setup.start.items():
@@ -138,13 +138,13 @@ class Mujoco:
         grip = min(grip, left / away) if away else grip
         return grip * wanted + weight, grip
 
-    def standing(self) -> Standing:
+    def base_pose(self) -> BasePose:
         """Return the place and rotation of the base."""
         x, y, z = (float(part) for part in self._data.xpos[self._root])
         turn = self._data.xmat[self._root].reshape(3, 3)
         roll = math.atan2(turn[2, 1], turn[2, 2])
         pitch = math.asin(max(-1.0, min(1.0, -turn[2, 0])))
-        return Standing(x=x, y=y, z=z, roll=roll, pitch=pitch, yaw=math.atan2(turn[1, 0], turn[0, 0]))
+        return BasePose(x=x, y=y, z=z, roll=roll, pitch=pitch, yaw=math.atan2(turn[1, 0], turn[0, 0]))
 
     def touching(self) -> set[str]:
         """Return the links that touch the ground."""
@@ -160,8 +160,8 @@ class Mujoco:
         """Do nothing: MuJoCo keeps nothing open."""
 
 
-def open_engine(setup: Setup) -> Mujoco:
-    """Return a robot in MuJoCo. Raise Refused with the element that MuJoCo names if it rejects the robot."""
+def open_engine(setup: EngineSetup) -> MujocoEngine:
+    """Return a robot in MuJoCo. Raise RobotRejected with the element that MuJoCo names if it rejects the robot."""
     import mujoco
 
     # by default it writes MUJOCO_LOG.TXT to the working directory
@@ -190,8 +190,8 @@ def open_engine(setup: Setup) -> Mujoco:
             spec.body(name).gravcomp = 1.0
         model = spec.compile()
     except (ValueError, AttributeError) as error:
-        raise Refused(str(error).strip()) from None
-    engine = Mujoco(mujoco, model, mujoco.MjData(model), setup.root)
+        raise RobotRejected(str(error).strip()) from None
+    engine = MujocoEngine(mujoco, model, mujoco.MjData(model), setup.root)
     engine.prepare(setup)
     return engine
 
@@ -202,7 +202,7 @@ def _read(mesh: Any) -> None:
         return
     corners = corners_of(mesh.file)
     if len(corners) < _LEAST_CORNERS:
-        raise Refused(f"'{os.path.basename(mesh.file)}' has no corners that urdfctl can read")
+        raise RobotRejected(f"'{os.path.basename(mesh.file)}' has no corners that urdfctl can read")
     mesh.uservert = [part for corner in corners for part in corner]
     mesh.file = ""
 

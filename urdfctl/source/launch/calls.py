@@ -24,6 +24,7 @@ from urdfctl.source.launch.terms import (
     outside,
     perhaps,
 )
+from urdfctl.source.lengths import until_too_long
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
@@ -64,11 +65,11 @@ class Calls:
         if short in _SHARE and first is not None:
             return self._share(first, at)
         if name == "os.path.join":
-            return text_at(os.path.join("", *map(shown, arguments)), at)
+            return text_at(os.path.join("", *until_too_long(map(shown, arguments))), at)
         if short == "dirname" and isinstance(first, Constant) and isinstance(first.value, str):
             return Constant(os.path.dirname(first.value), at)
         if short in _PATHS and isinstance(first, Constant):
-            return text_at(os.path.join(*map(shown, arguments)), at)
+            return text_at(os.path.join(*until_too_long(map(shown, arguments))), at)
         if short in _LISTS and len(arguments) <= 1:
             items = listed(first) if first is not None else []
             return Missing(at) if items is None else Items(items, at)

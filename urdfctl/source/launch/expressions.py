@@ -5,10 +5,21 @@ from __future__ import annotations
 import ast
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import islice
 
 from urdfctl.source.launch.calls import Calls
 from urdfctl.source.launch.frames import Frame, bound
-from urdfctl.source.launch.operations import binary, compared, item_of, listed, shown, slice_of, text_at, truth
+from urdfctl.source.launch.operations import (
+    binary,
+    compared,
+    item_of,
+    joined_at,
+    listed,
+    shown,
+    slice_of,
+    text_at,
+    truth,
+)
 from urdfctl.source.launch.terms import (
     MOST_ITEMS,
     Called,
@@ -40,7 +51,7 @@ class Evaluation:
     source: the file.
     frame: the frame of the current function call; None outside of calls.
     context: the launch context of the current call of an OpaqueFunction; None outside of one.
-    find, environ, yaml: see `python.Surroundings`.
+    find, environ, yaml, too_long: see `python.Surroundings`.
     outer: the evaluation of the file that imports this one; None for a launch file.
     member: returns what a full name means in the modules of the workspace; None if it is not there.
     """
@@ -51,12 +62,14 @@ class Evaluation:
         find: Callable[[str, Place], str | None],
         environ: Mapping[str, str],
         yaml: Callable[[str], Term | None] = lambda _: None,
+        too_long: Callable[[Place], None] = lambda _: None,
     ) -> None:
         self.source = source
         self.frame: Frame | None = None
         self.context: Context | None = None
         self.outer: Evaluation | None = None
         self.member: Callable[[str], Term | None] = lambda _: None
+        self._too_long = too_long
         self._calls = Calls(find, environ, yaml, self._performed)
         self.steps = 0
         self.depth = 0
@@ -107,9 +120,12 @@ class Evaluation:
         evaluate = self._kinds.get(type(node))
         self.depth += 1
         try:
-            return evaluate(node, frame) if evaluate else Missing(self.at(node))
+            term = evaluate(node, frame) if evaluate else Missing(self.at(node))
         finally:
             self.depth -= 1
+        if isinstance(term, Missing) and term.too_long:
+            self._too_long(term.at)
+        return term
 
     def bind(self, target: ast.expr, value: Term, frame: Frame) -> None:
         """Assign a term to the target of an assignment or a loop."""
@@ -177,10 +193,10 @@ class Evaluation:
         return Constant(value, at) if value is None or isinstance(value, (bool, int, float)) else Missing(at)
 
     def _list(self, node: ast.List | ast.Tuple | ast.Set, frame: Frame) -> Term:
-        return Items(list(self._spread(node.elts, frame)), self.at(node))
+        return Items(list(islice(self._spread(node.elts, frame), MOST_ITEMS)), self.at(node))
 
     def _spread(self, nodes: Sequence[ast.expr], frame: Frame) -> Iterator[Term]:
-        for node in nodes[:MOST_ITEMS]:
+        for node in nodes:
             if isinstance(node, ast.Starred):
                 value = self.value(node.value, frame)
                 items = listed(value)
@@ -201,14 +217,15 @@ class Evaluation:
         return table
 
     def _joined(self, node: ast.JoinedStr, frame: Frame) -> Term:
-        texts = []
+        return joined_at("", self._parts(node, frame), self.at(node))
+
+    def _parts(self, node: ast.JoinedStr, frame: Frame) -> Iterator[str]:
         for part in node.values:
             if isinstance(part, ast.FormattedValue):
                 plain = part.format_spec is None and part.conversion in {-1, ord("s")}
-                texts.append(shown(self.value(part.value, frame)) if plain else UNKNOWN)
+                yield shown(self.value(part.value, frame)) if plain else UNKNOWN
             elif isinstance(part, ast.Constant):
-                texts.append(str(part.value))
-        return text_at("".join(texts), self.at(node))
+                yield str(part.value)
 
     def _lambda(self, node: ast.Lambda, frame: Frame) -> Term:
         return self.function("lambda", node, frame, lambda inner: self.value(node.body, inner))

@@ -220,7 +220,7 @@ _ACTIONS: dict[str, Callable[[Entity], Called]] = {
 def words_of(text: Constant) -> Term:
     """Return the words of an attribute that is a command line, each with its place. Quoted blanks do not end a word."""
     whole = text.text or ""
-    words: list[Term] = []
+    words: list[str] = []
     start = depth = 0
     quote = ""
     for index, char in enumerate(f"{whole} "):
@@ -229,10 +229,13 @@ def words_of(text: Constant) -> Term:
             quote = "" if quote else char
         if index == len(whole) or (char.isspace() and not depth and not quote):
             if index > start:
-                word = whole[start:index]
-                words.append(substituted(Constant(re.sub(_QUOTED, r"\2", word), text.at.word(word))))
+                words.append(whole[start:index])
             start = index + 1
-    return Items(words, text.at)
+    places = text.at.words(words)
+    terms = [
+        substituted(Constant(re.sub(_QUOTED, r"\2", word), place)) for word, place in zip(words, places, strict=True)
+    ]
+    return Items(terms, text.at)
 
 
 def substituted(text: Constant, depth: int = 0) -> Term:

@@ -5,10 +5,9 @@ from __future__ import annotations
 import ast
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.source.launch.terms import (
-    MOST_CHARACTERS,
     MOST_ITEMS,
     Called,
     Constant,
@@ -22,6 +21,7 @@ from urdfctl.source.launch.terms import (
     known_text,
     one_of,
 )
+from urdfctl.source.lengths import MOST_CHARACTERS, Room, until_too_long
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
@@ -34,7 +34,19 @@ _FIELD = r"\{\{|\}\}|\{([^{}]*)\}"
 
 def text_at(text: str, at: Place) -> Term:
     """Return a text as a term; unknown if it is longer than any text in a real launch file."""
-    return Constant(text, at) if len(text) <= MOST_CHARACTERS else Missing(at)
+    return Constant(text, at) if len(text) <= MOST_CHARACTERS else Missing(at, too_long=True)
+
+
+def joined_at(separator: str, parts: Iterable[str], at: Place) -> Term:
+    """Return texts with a separator between them as one term, as `text_at` does."""
+    return text_at(separator.join(until_too_long(parts)), at)
+
+
+def _replaced_at(pattern: str, value: Callable[[re.Match[str]], str], text: str, at: Place) -> Term:
+    """A text with values in the place of what a pattern matches, as `text_at` returns it."""
+    room = Room()
+    replaced = re.sub(pattern, lambda match: room.take(value(match)), text)
+    return Missing(at, too_long=True) if room.is_over else text_at(replaced, at)
 
 
 def listed(term: Term) -> list[Term] | None:
@@ -52,23 +64,29 @@ def shown(term: Term) -> str:
     if isinstance(term, Constant):
         return str(term.value)
     if isinstance(term, (Items, Table)):
-        text = _written(term)
+        text = "".join(until_too_long(_written(term)))
         return text if UNKNOWN not in text and len(text) <= MOST_CHARACTERS else UNKNOWN
     return UNKNOWN
 
 
-def _written(term: Term, depth: int = 0) -> str:
-    """`repr()` of a term; contains UNKNOWN if it is unknown."""
+def _written(term: Term, depth: int = 0) -> Iterator[str]:
+    """The parts of `repr()` of a term; one of them is UNKNOWN if it is unknown."""
     if isinstance(term, Constant):
-        return repr(term.value)
-    if depth > _DEEPEST:
-        return UNKNOWN
-    if isinstance(term, Items):
-        return f"[{', '.join(_written(value, depth + 1) for value in term.values)}]"
-    if isinstance(term, Table) and term.whole:
-        parts = (f"{key!r}: {_written(value, depth + 1)}" for key, value in term.entries.items())
-        return f"{{{', '.join(parts)}}}"
-    return UNKNOWN
+        yield repr(term.value)
+    elif depth <= _DEEPEST and isinstance(term, Items):
+        yield "["
+        for index, value in enumerate(term.values):
+            yield ", " if index else ""
+            yield from _written(value, depth + 1)
+        yield "]"
+    elif depth <= _DEEPEST and isinstance(term, Table) and term.whole:
+        yield "{"
+        for index, (key, value) in enumerate(term.entries.items()):
+            yield f"{', ' if index else ''}{key!r}: "
+            yield from _written(value, depth + 1)
+        yield "}"
+    else:
+        yield UNKNOWN
 
 
 def truth(term: Term) -> bool | None:
@@ -135,7 +153,7 @@ def _filled(pattern: str, values: Sequence[Term], at: Place) -> Term:
     def value(match: re.Match[str]) -> str:
         return "%" if match.group() == "%%" else shown(next(rest, Missing(at)))
 
-    return text_at(re.sub(_PATTERN, value, pattern), at)
+    return _replaced_at(_PATTERN, value, pattern, at)
 
 
 def compared(operator: ast.cmpop, left: Term, right: Term, at: Place) -> Term:
@@ -226,9 +244,14 @@ def _of_text(  # noqa: PLR0911 (one return per method)
     if name == "format":
         return _formatted(text, arguments, keywords, at)
     if name == "joinpath":
-        return text_at(os.path.join(text, *map(shown, arguments)), at)
+        return text_at(os.path.join(text, *until_too_long(map(shown, arguments))), at)
     if name == "join" and arguments and isinstance(arguments[0], Items):
-        return text_at(text.join(map(shown, arguments[0].values)), at)
+        length = len(text) * len(arguments[0].values)
+        return (
+            Missing(at, too_long=True)
+            if length > MOST_CHARACTERS
+            else joined_at(text, map(shown, arguments[0].values), at)
+        )
     if name in {"read_text", "open"}:
         called = Called("read", at)
         called.of = Called("open", at, [Constant(text, at)])
@@ -265,7 +288,7 @@ def _formatted(text: str, arguments: Sequence[Term], keywords: Mapping[str, Term
             return shown(arguments[int(field)]) if int(field) < len(arguments) else UNKNOWN
         return shown(keywords.get(field) or Missing(at))
 
-    return text_at(re.sub(_FIELD, value, text), at)
+    return _replaced_at(_FIELD, value, text, at)
 
 
 def _of_table(table: Table, name: str, arguments: Sequence[Term], at: Place) -> Term | None:

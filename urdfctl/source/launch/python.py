@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import warnings
 from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 
 from urdfctl.source.launch.expressions import Evaluation
 from urdfctl.source.launch.frames import Frame, extend, merged
@@ -21,6 +22,7 @@ from urdfctl.source.span import Place, SourceText
 from urdfctl.startup.records import NamedTuple
 
 MOST_BYTES = 1 << 20
+_NONE: Mapping[str, Term] = MappingProxyType({})
 _ENTRY = "generate_launch_description"
 
 
@@ -31,12 +33,14 @@ class Surroundings(NamedTuple):
     environ: the environment variables.
     module: returns the text of a Python module by its name and the file that imports it; None if it is not found.
     yaml: returns the content of a YAML file; None if it cannot be read.
+    too_long: is told a place at which a text becomes too long.
     """
 
     find: Callable[[str, Place], str | None]
     environ: Mapping[str, str]
     module: Callable[[str, str], SourceText | None] = lambda *_: None
     yaml: Callable[[str], Term | None] = lambda _: None
+    too_long: Callable[[Place], None] = lambda _: None
 
 
 class Script(NamedTuple):
@@ -79,13 +83,12 @@ def _parsed(source: SourceText) -> ast.Module:
         return ast.parse(source.data.decode("utf-8-sig"))
 
 
-def evaluated(expression: str) -> str:
-    """Return the text that `PythonExpression` gives for an expression; UNKNOWN if it cannot be evaluated."""
-    return evaluated_with(expression, Frame({}, None))
+def evaluated(expression: str, names: Mapping[str, Term] = _NONE, too_long: Callable[[], None] = lambda: None) -> str:
+    """Return the text of an expression, such as that of a PythonExpression; UNKNOWN if it cannot be evaluated.
 
-
-def evaluated_with(expression: str, names: Frame) -> str:
-    """Return the text of an expression that uses these names; UNKNOWN if it cannot be evaluated."""
+    names: those that it may use.
+    too_long: called if the text would be too long.
+    """
     source = SourceText("", expression.encode("utf-8", "replace"))
     try:
         with warnings.catch_warnings():
@@ -93,7 +96,8 @@ def evaluated_with(expression: str, names: Frame) -> str:
             tree = ast.parse(expression.strip(), mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return UNKNOWN
-    return shown(Evaluation(source, lambda *_: None, {}).value(tree.body, names))
+    evaluation = Evaluation(source, lambda *_: None, {}, too_long=lambda _: too_long())
+    return shown(evaluation.value(tree.body, Frame(dict(names), None)))
 
 
 class Run:
@@ -102,7 +106,9 @@ class Run:
     def __init__(self, source: SourceText, surroundings: Surroundings, importer: Run | None = None) -> None:
         self.surroundings = surroundings
         self.modules: Modules = importer.modules if importer else Modules(surroundings.module, self._followed)
-        self.evaluation = Evaluation(source, surroundings.find, surroundings.environ, surroundings.yaml)
+        self.evaluation = Evaluation(
+            source, surroundings.find, surroundings.environ, surroundings.yaml, surroundings.too_long
+        )
         self.evaluation.outer = importer.evaluation if importer else None
         self.evaluation.member = lambda path: self.modules.member(path, source.path)
         self.at = self.evaluation.at

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 
-from urdfctl.source.launch.frames import Frame
-from urdfctl.source.launch.python import evaluated_with
+from urdfctl.source.launch.python import evaluated as of_python
 from urdfctl.source.launch.terms import Constant, Context, Function, Plain, Term, known_text
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceText
@@ -20,6 +20,7 @@ def evaluated(
     environ: Mapping[str, str],
     find: Callable[[str], str | None],
     folder: str,
+    too_long: Callable[[], None] = lambda: None,
 ) -> str:
     """Return the text of an expression; UNKNOWN if it is unknown.
 
@@ -27,6 +28,7 @@ def evaluated(
     environ: the environment variables.
     find: returns the folder of a package; None if unknown.
     folder: the folder of the launch file.
+    too_long: called if the text would be too long.
     """
 
     def argument(name: str, _: str | None) -> Term:
@@ -35,13 +37,14 @@ def evaluated(
     def variable(name: str, default: str | None) -> Term:
         return _text(environ.get(name, UNKNOWN if default is None else default))
 
-    names: dict[str, Term] = {name: _converted(value) for name, value in arguments.items()}
+    used = set(re.findall(r"\w+", expression))
+    names: dict[str, Term] = {name: _converted(arguments[name]) for name in used if name in arguments}
     names["arg"] = _function("arg", argument)
     names["env"] = _function("env", lambda name, _: variable(name, None))
     names["optenv"] = _function("optenv", lambda name, default: variable(name, default or ""))
     names["find"] = _function("find", lambda name, _: _text(find(name) or UNKNOWN))
     names["dirname"] = _function("dirname", lambda *_: _text(folder), without=True)
-    return evaluated_with(expression, Frame(names, None))
+    return of_python(expression, names, too_long)
 
 
 def _function(name: str, result: Callable[[str, str | None], Term], *, without: bool = False) -> Function:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -10,7 +10,6 @@ from urdfctl.startup.records import NamedTuple
 
 Plain = str | int | float | bool | None
 
-MOST_CHARACTERS = 1 << 16
 MOST_ITEMS = 2000
 _MOST_OPTIONS = 8
 
@@ -28,9 +27,10 @@ class Constant(NamedTuple):
 
 
 class Missing(NamedTuple):
-    """An unknown value."""
+    """An unknown value. `too_long`: it is a text that is longer than any in a real launch file."""
 
     at: Place
+    too_long: bool = False
 
 
 class Items:
@@ -188,12 +188,3 @@ def known_text(term: Term | None) -> str | None:
 def outside(package: str) -> str:
     """Return the path that represents the unknown folder of a package that is not among the sources."""
     return f"{UNKNOWN}({package})"
-
-
-def flattened(term: Term | None, depth: int = 0) -> Iterator[Term]:
-    """Yield the items of nested lists."""
-    if isinstance(term, Items) and depth < 20:  # noqa: PLR2004 (a list can contain itself)
-        for value in term.values:
-            yield from flattened(value, depth + 1)
-    elif term is not None:
-        yield term

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.names import nearest
-from urdfctl.source.budget import OverBudget
+from urdfctl.source.budget import OUT_OF_MEMORY, OverBudget
 from urdfctl.source.files import FileProblem
 from urdfctl.source.packages import PackageNotFound, Packages
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
@@ -112,9 +112,14 @@ def _known(cause: BaseException, at: Place) -> Problem | None:
         message = f"environment variable '{cause}' is not set, or is not passed to xacro"
         return Problem(ProblemKind.UNDEFINED_VARIABLE, at, message, str(cause), f"pass it with --env {cause}")
     if isinstance(cause, OverBudget | RecursionError | MemoryError):
-        said = str(cause) if isinstance(cause, OverBudget) else "macros or expressions are nested too deeply"
-        return Problem(ProblemKind.BUDGET, at, f"the description cannot be expanded: {said}")
+        return Problem(ProblemKind.BUDGET, at, f"the description cannot be expanded: {_reason(cause)}")
     return None
+
+
+def _reason(cause: OverBudget | RecursionError | MemoryError) -> str:
+    if isinstance(cause, OverBudget):
+        return str(cause)
+    return OUT_OF_MEMORY if isinstance(cause, MemoryError) else "macros or expressions are nested too deeply"
 
 
 def _by_exception(cause: BaseException, at: Place, expression: str) -> Problem | None:

@@ -14,6 +14,7 @@ from types import ModuleType
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, OverBudget
 from urdfctl.source.dom import Cloning, Document, Element, Node, Text
 from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.gate import is_folder
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.packages import Packages
 from urdfctl.source.problem import Problem, ProblemKind
@@ -33,6 +34,7 @@ from urdfctl.source.xacro.leftovers import (
     unused_arguments,
 )
 from urdfctl.source.xacro.macro_names import macro_of_other_file
+from urdfctl.source.xacro.meter import Meter
 from urdfctl.source.xacro.origin import suggested, traced
 from urdfctl.source.xacro.prefixes import add_prefixes, is_call, missing_prefixes
 from urdfctl.source.xacro.replacements import replace
@@ -162,10 +164,11 @@ class Expander:
         for level in ("warning", "error", "message"):
             replace(module, level, self._listener(level))
         self._install_findings()
-        install_speed(module, trust=self.trust)
-        install_yaml(module, self.files, self.loaded)
-        Substitutions(module, self.find_package, self.environ).install(trust=self.trust)
-        install_safety(module, self.files, trust=self.trust)
+        meter = Meter(trust=self.trust)
+        install_speed(module, meter, trust=self.trust)
+        install_yaml(module, self.files, meter, self.loaded)
+        Substitutions(module, meter, self.find_package, self.environ).install(trust=self.trust)
+        install_safety(module, self.files, meter, trust=self.trust)
 
     def _install_findings(self) -> None:
         def print_location() -> None:  # exposed to expressions under its name
@@ -192,7 +195,7 @@ class Expander:
             return self._tree(filename, include)
         except FileProblem as error:
             module.filestack.pop()
-            absent = error.kind is ProblemKind.FILE_NOT_FOUND or os.path.isdir(error.path)
+            absent = error.kind is ProblemKind.FILE_NOT_FOUND or is_folder(error.path)
             if absent:  # an optional include may be absent: xacro looks for an IOError inside
                 raise module.XacroException(exc=AbsentFile(error)) from error
             raise

@@ -1,49 +1,27 @@
-"""Check expressions in `${...}` and `$(eval ...)`: an allow-list over their syntax tree.
-
-xacro itself checks only the top-level names; a lambda, a comprehension, `$(eval ...)` or `str.format` bypasses that.
-Here, attributes that begin with an underscore, or lead from a value to the interpreter, are not allowed. Operators that
-can make a small expression endless become calls of `guards`.
+"""Compile expressions in `${...}` and `$(eval ...)`: what is not on the allow-list is refused, and what could make a
+small expression endless becomes calls of guards.
 """
 
 from __future__ import annotations
 
 import _ast as ast  # faster to import than ast
 import re
-from collections.abc import Iterator
+import warnings
 from functools import lru_cache
 from keyword import iskeyword
 from types import CodeType
 
-from urdfctl.source.xacro.guards import MOST_PLACES, ForbiddenExpression, check_places
+from urdfctl.source.xacro.allowed import check
+from urdfctl.source.xacro.guards import ForbiddenExpression
+from urdfctl.source.xacro.rewriting import GUARDS, SOMEWHERE, Replaced, arguments, replaced_in
 from urdfctl.startup.hints import Any
 from urdfctl.startup.patterns import lazy_pattern
 
-__all__ = ["OPERATORS", "ForbiddenExpression", "compile_checked", "plain_path"]
+__all__ = ["GUARDS", "ForbiddenExpression", "compile_checked", "plain_path"]
 
-_ALLOWED: tuple[type[ast.AST], ...] = (
-    ast.Expression, ast.BoolOp, ast.BinOp, ast.UnaryOp, ast.IfExp, ast.Compare, ast.Call, ast.keyword, ast.Starred,
-    ast.Constant, ast.Dict, ast.Set, ast.List, ast.Tuple, ast.Subscript, ast.Slice, ast.Name, ast.Attribute,
-    ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.comprehension, ast.Lambda, ast.arguments, ast.arg,
-    ast.JoinedStr, ast.FormattedValue, ast.expr_context, ast.boolop, ast.operator, ast.unaryop, ast.cmpop,
-)  # fmt: skip
-_FORBIDDEN_ATTRIBUTES = frozenset(
-    (
-        "gi_frame gi_code gi_yieldfrom cr_frame cr_code cr_await cr_origin ag_frame ag_code ag_await f_back "
-        "f_globals f_locals f_builtins f_code f_trace f_generator tb_frame tb_next tb_lasti func_globals func_code "
-        "co_code co_consts co_names mro format_map with_traceback"
-    ).split()
-)
-_GROWING = frozenset("append extend insert".split())
-_PADDING = frozenset("ljust rjust center zfill expandtabs".split())
-_ONLY_CALLED = frozenset("append ljust rjust zfill expandtabs format".split())
-_REPEATING = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.Lambda)
-_GUARDED: dict[type[ast.operator], str] = {ast.Mult: "*", ast.Pow: "**", ast.LShift: "<<", ast.Mod: "%"}
-"""Operators, and the names of their guards. The names are not valid in expressions."""
-
-OPERATORS = (".", *_GUARDED.values())
-_SOMEWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0, "end_lineno": 1, "end_col_offset": 0}
 _LONGEST = 10_000
 _DEEPEST = 500
+_TOO_DEEP = f"the expression is nested more than {_DEEPEST} levels deep"
 _WITH_PARTS = (ast.expr, ast.comprehension, ast.arguments, ast.arg, ast.keyword)
 _QUOTED = r"'[^'\\\n]*'|\"[^\"\\\n]*\""
 _STEP = lazy_pattern(rf"[A-Za-z]\w*|{_QUOTED}")
@@ -54,19 +32,32 @@ _PATH = lazy_pattern(rf"[A-Za-z]\w*(?:\[(?:{_QUOTED})\])*", re.ASCII)
 def compile_checked(expression: str, *, function: bool = False) -> CodeType:
     """Return the code of an expression.
 
-    function: return a function instead, whose arguments are the guards of OPERATORS, in their order.
+    function: return a function instead, whose arguments are the guards of GUARDS, in their order.
     Raises ForbiddenExpression if it is not on the allow-list, SyntaxError if it is not an expression.
     """
     if len(expression) > _LONGEST:
         raise ForbiddenExpression(f"the expression is longer than {_LONGEST} characters")
-    tree = _guarded(compile(expression, "<expression>", "eval", ast.PyCF_ONLY_AST, dont_inherit=True), _DEEPEST)
+    tree = _guarded(_parsed(expression), _DEEPEST, replaced_in(expression))
     if not function:
-        return compile(tree, "<expression>", "eval")
-    given = [ast.arg(arg=name, annotation=None, type_comment=None, **_SOMEWHERE) for name in OPERATORS]
-    arguments = ast.arguments(posonlyargs=given, args=[], kwonlyargs=[], kw_defaults=[], defaults=[])
-    whole = ast.Expression(body=ast.Lambda(args=arguments, body=tree.body, **_SOMEWHERE))
-    outer = compile(whole, "<expression>", "eval")
+        return _compiled(tree)
+    outer = _compiled(ast.Expression(body=ast.Lambda(args=arguments(), body=tree.body, **SOMEWHERE)))
     return next(constant for constant in outer.co_consts if isinstance(constant, CodeType))
+
+
+def _compiled(tree: Any) -> CodeType:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # about the style of an expression such as 1["a"], which is not the user's
+        code: CodeType = compile(tree, "<expression>", "eval")
+    return code
+
+
+def _parsed(expression: str) -> ast.AST:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return compile(expression, "<expression>", "eval", ast.PyCF_ONLY_AST, dont_inherit=True)
+    except (RecursionError, MemoryError):  # Python's parser raises either for deep nesting
+        raise ForbiddenExpression(_TOO_DEEP) from None
 
 
 @lru_cache(8192)
@@ -81,135 +72,20 @@ def plain_path(expression: str) -> tuple[str, ...] | None:
     return None if iskeyword(name) else (name, *(key[1:-1] for key in keys))
 
 
-def _guarded(node: Any, depth: int, *, called: bool = False) -> Any:
-    """Return a checked tree with calls of guards instead of operators. ForbiddenExpression if it is not allowed, or too
-    deep.
+def _guarded(node: Any, depth: int, replaced: Replaced, *, called: bool = False) -> Any:
+    """Return a checked tree with calls of guards instead of what is to be replaced. ForbiddenExpression if it is not
+    allowed, or too deep.
     """
     if depth == 0:
-        raise ForbiddenExpression(f"the expression is nested more than {_DEEPEST} levels deep")
-    _check(node)
-    if isinstance(node, ast.Attribute) and node.attr in _ONLY_CALLED and not called:
-        raise ForbiddenExpression(f"'{node.attr}' without a call is not allowed in an expression")
+        raise ForbiddenExpression(_TOO_DEEP)
+    check(node, called=called)
     for field in node._fields:
         value = getattr(node, field)
         if isinstance(value, _WITH_PARTS):
-            setattr(node, field, _guarded(value, depth - 1, called=field == "func"))
+            setattr(node, field, _guarded(value, depth - 1, replaced, called=field == "func"))
         elif isinstance(value, list):
-            value[:] = [_guarded(part, depth - 1) if isinstance(part, _WITH_PARTS) else part for part in value]
-    if isinstance(node, ast.BinOp):
-        return _operation(node)
-    if isinstance(node, ast.Attribute):
-        return _call(".", node.value, ast.Constant(value=node.attr, kind=None, **_SOMEWHERE))
-    return node
-
-
-def _operation(node: ast.BinOp) -> ast.expr:
-    guard = _GUARDED.get(type(node.op))
-    if guard is None or _is_fraction(node.left) or (guard == "*" and _is_fraction(node.right)):
-        return node
-    return _call(guard, node.left, node.right)
-
-
-def _call(guard: str, *arguments: ast.expr) -> ast.expr:
-    name = ast.Name(id=guard, ctx=ast.Load(), **_SOMEWHERE)
-    return ast.Call(func=name, args=list(arguments), keywords=[], **_SOMEWHERE)
-
-
-def _is_fraction(node: ast.expr) -> bool:
-    """Return whether a node is certainly a float, which neither grows nor repeats anything."""
-    if isinstance(node, ast.Constant):
-        return isinstance(node.value, float)
-    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div)
-
-
-def _check(node: ast.AST) -> None:
-    if not isinstance(node, _ALLOWED):
-        raise ForbiddenExpression(f"{type(node).__name__} is not allowed in an expression")
-    if isinstance(node, ast.Attribute):
-        _check_attribute(node)
-    elif isinstance(node, ast.Name):
-        _check_name(node.id)
-    elif isinstance(node, ast.arg):
-        _check_name(node.arg)
-    elif isinstance(node, ast.Constant) and isinstance(node.value, str) and _is_dunder(node.value):
-        raise ForbiddenExpression(f"the string '{node.value}' is not allowed in an expression")
-    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-        _check_method(node, node.func)
-    elif isinstance(node, ast.FormattedValue) and node.format_spec is not None:
-        _check_format_spec(node.format_spec)
-    elif isinstance(node, _REPEATING):
-        _check_repeated(node)
-
-
-def _check_name(name: str) -> None:
-    if name.startswith("__"):
-        raise ForbiddenExpression(f"the name '{name}' is not allowed in an expression")
-
-
-def _is_dunder(text: str) -> bool:
-    return text.startswith("__") and text.endswith("__") and bool(text.strip("_"))
-
-
-def _check_attribute(node: ast.Attribute) -> None:
-    name = node.attr
-    if name.startswith("_") or name in _FORBIDDEN_ATTRIBUTES:
-        raise ForbiddenExpression(f"the attribute '{name}' is not allowed in an expression")
-    if name == "format":
-        _check_template(node.value)
-
-
-def _check_template(template: ast.expr) -> None:
-    """Reject a `format` whose text is not a literal: the text can name attributes and items."""
-    import string
-
-    if not isinstance(template, ast.Constant) or not isinstance(template.value, str):
-        raise ForbiddenExpression("'format' on a computed string is not allowed in an expression")
-    try:
-        fields = list(string.Formatter().parse(template.value))
-    except ValueError:
-        return  # the call itself reports the error
-    for _, name, spec, _ in fields:
-        if name and ("." in name or "[" in name):
-            raise ForbiddenExpression(f"the format field '{name}' is not allowed in an expression")
-        check_places(spec or "")
-        if "{" in (spec or ""):
-            raise ForbiddenExpression("a computed format width is not allowed in an expression")
-
-
-def _check_format_spec(spec: ast.expr) -> None:
-    for part in _walk(spec):
-        if isinstance(part, ast.FormattedValue):
-            raise ForbiddenExpression("a computed format width is not allowed in an expression")
-        if isinstance(part, ast.Constant):
-            check_places(str(part.value))
-
-
-def _check_method(call: ast.Call, method: ast.Attribute) -> None:
-    if method.attr not in _PADDING:
-        return
-    widths = [argument.value for argument in call.args if isinstance(argument, ast.Constant)]
-    if len(widths) < len(call.args) or call.keywords or any(isinstance(w, int) and w > MOST_PLACES for w in widths):
-        raise ForbiddenExpression(f"'{method.attr}' with a computed or large width is not allowed in an expression")
-
-
-def _check_repeated(repeated: ast.AST) -> None:
-    """Reject methods that let a list grow in a comprehension or lambda: the loop could be endless."""
-    for node in _attributes(repeated):
-        if node.attr in _GROWING:
-            raise ForbiddenExpression(f"'{node.attr}' in a comprehension or lambda is not allowed in an expression")
-
-
-def _attributes(tree: ast.AST) -> Iterator[ast.Attribute]:
-    for node in _walk(tree):
-        if isinstance(node, ast.Attribute):
-            yield node
-
-
-def _walk(tree: ast.AST) -> Iterator[ast.AST]:
-    """Yield a node and all nodes below it, like ast.walk."""
-    pending = [tree]
-    for node in pending:
-        for name in node._fields:
-            value = getattr(node, name, None)
-            pending += [part for part in (value if isinstance(value, list) else [value]) if isinstance(part, ast.AST)]
-        yield node
+            value[:] = [
+                _guarded(part, depth - 1, replaced) if isinstance(part, _WITH_PARTS) else part for part in value
+            ]
+    replace = replaced.get(type(node))
+    return replace(node) if replace else node

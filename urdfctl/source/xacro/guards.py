@@ -5,7 +5,7 @@ from __future__ import annotations
 import builtins
 import math
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from types import ModuleType
 
 from urdfctl.source.opaque import Opaque
@@ -16,8 +16,13 @@ LONGEST_VALUE = 1 << 20
 _LONGEST_RANGE = 1_000_000
 _MOST_BITS = 1 << 16
 _MOST_FACTORS = 10_000
+_CALLING = ("filter", "map", "max", "min", "sorted")
+"""Functions that call functions that they are given."""
 _DATA = (int, float, complex, str, bytes, list, tuple, dict, set, frozenset, range, slice, type(None), Opaque)
 """xacro's namespaces and its wrappers of YAML are dicts and lists too."""
+_PADDING = frozenset("ljust rjust center zfill expandtabs".split())
+LENGTHENING = frozenset((*_PADDING, "join", "format", "replace", "translate"))
+"""Methods that can make a long text of a short one."""
 _WIDE = r"\d{5,}"
 _WIDE_FORMAT = r"%[^%a-zA-Z]*(\d{5,}|\*)"
 
@@ -56,13 +61,36 @@ def shifted(left: Any, right: Any) -> Any:
     return left << right
 
 
-def remainder(left: Any, right: Any) -> Any:
-    """Return `left % right`. ForbiddenExpression if it formats a text to an unreasonable width."""
-    if isinstance(left, str | bytes) and re.search(
-        _WIDE_FORMAT, left if isinstance(left, str) else left.decode("latin-1")
-    ):
+def check_filled(pattern: str | bytes, letters: int) -> None:
+    """Raise ForbiddenExpression if `pattern % values` is unreasonably wide, or long: a value may be filled in often.
+
+    letters: how many the texts of all values have.
+    """
+    text = pattern if isinstance(pattern, str) else pattern.decode("latin-1")
+    if re.search(_WIDE_FORMAT, text):
         raise ForbiddenExpression("'%' with a computed or large width is not allowed in an expression")
-    return left % right
+    _check_length(len(text) + letters * text.count("%"))
+
+
+def check_method(of: Any, name: str, given: Sequence[Any], letters: Callable[[Any], int]) -> None:
+    """Raise ForbiddenExpression if a method in LENGTHENING would make an unreasonably long text.
+
+    of: the text or bytes whose method it is.
+    given: the arguments.
+    letters: returns how many letters the text of an argument may have.
+    """
+    length = len(of)
+    if name == "join":
+        length = length * len(given[0]) + sum(map(letters, given[0]))
+    elif name == "format":
+        length += sum(map(letters, given)) * of.count("{")
+    elif name == "replace" and len(given) > 1:
+        length += (length // max(letters(given[0]), 1) + 1) * letters(given[1])
+    elif name == "translate" and isinstance(given[0], dict):
+        length *= max(map(letters, given[0].values()), default=1)
+    elif any(isinstance(width, int) and width > MOST_PLACES for width in given):
+        length = LONGEST_VALUE + 1
+    _check_length(length)
 
 
 def attribute(value: Any, name: str) -> Any:
@@ -72,21 +100,10 @@ def attribute(value: Any, name: str) -> Any:
     raise ForbiddenExpression(f"the attribute '{name}' of a {type(value).__name__} is not allowed in an expression")
 
 
-GUARDS: tuple[Callable[[Any, Any], Any], ...] = (attribute, times, power, shifted, remainder)
-"""In the order of `expressions.OPERATORS`."""
-
-
 def check_places(spec: str) -> None:
     """Raise ForbiddenExpression if a format asks for tens of thousands of digits."""
     if re.search(_WIDE, spec):
         raise ForbiddenExpression("a format width of 10000 or more is not allowed in an expression")
-
-
-def checked(value: Any) -> Any:
-    """Return the value of an expression. ForbiddenExpression if it is too large: the next one could double it."""
-    if isinstance(value, str | bytes | list | tuple | dict) and len(value) > LONGEST_VALUE:
-        raise ForbiddenExpression("the value of the expression is too large")
-    return value
 
 
 def _check_bits(bits: int) -> None:
@@ -108,7 +125,7 @@ def _range(*arguments: Any) -> range:
 
 def _type(value: Any) -> type:
     """Return the type of data. The type of a function or a type would give access to the interpreter."""
-    if value is not None and not isinstance(value, _DATA):
+    if value is not None and (not isinstance(value, _DATA) or isinstance(value, bytes)):
         raise ForbiddenExpression("'type' of a value that is not data is not allowed in an expression")
     return type(value)
 
@@ -123,9 +140,30 @@ def _vars(*_: Any) -> None:
     raise ForbiddenExpression("'vars' is not allowed in an expression")
 
 
-def harmless_builtins() -> dict[str, Any]:
-    """Return Python's builtins, of which xacro exposes some."""
-    return {**vars(builtins), "range": _range, "round": _round, "type": _type, "vars": _vars}
+def _sum(values: Iterable[Any], /, start: Any = 0) -> Any:
+    if isinstance(start, int | float | complex):
+        return sum(values, start)
+    for value in values:
+        start = start + value
+        _check_length(len(start) if isinstance(start, list | tuple) else 0)
+    return start
+
+
+def harmless_builtins(calling: Callable[[Any], Any]) -> dict[str, Any]:
+    """Return Python's builtins, of which xacro exposes some.
+
+    calling: makes a function that another one calls one whose calls are counted.
+    """
+
+    def counting(function: Callable[..., Any]) -> Callable[..., Any]:
+        def counted(*arguments: Any, **keywords: Any) -> Any:
+            return function(*map(calling, arguments), **{name: calling(value) for name, value in keywords.items()})
+
+        return counted
+
+    calls = {name: counting(vars(builtins)[name]) for name in _CALLING}
+    guarded = {"range": _range, "round": _round, "sum": _sum, "type": _type, "vars": _vars}
+    return {**vars(builtins), **calls, **guarded}
 
 
 def _few(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -12,7 +12,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 from fnmatch import fnmatchcase
 
-from urdfctl.source.files import current_folder
+from urdfctl.source.shown import current_folder
 from urdfctl.source.span import Call, Place
 from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple

@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from urdfctl.names import did_you_mean, nearest
 from urdfctl.source.dom import COMMENT, Document, Element, Text
+from urdfctl.source.gate import is_folder, matching
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.prefixes import ANYTHING_GOES, lacks_prefix, without_prefix
@@ -105,10 +106,10 @@ def placeholders(
 
     path: the missing file. behind: the arguments that its name depends on.
     """
-    from glob import escape, iglob
+    from glob import escape
 
     folder = os.path.dirname(path)
-    while not os.path.isdir(folder) and folder != os.path.dirname(folder):
+    while not is_folder(folder) and folder != os.path.dirname(folder):
         folder = os.path.dirname(folder)
     rest = escape(os.path.relpath(path, folder))
     defaults = {name: escape(tag.attrs.get("default", "")) for name, tag in declared.items() if name in behind}
@@ -116,7 +117,7 @@ def placeholders(
     for text in sorted(found.values(), key=len, reverse=True):
         rest = rest.replace(text, "*")
     is_pattern = found and re.search(r"[\w.]", rest.replace("*", "").replace(os.sep, ""))
-    if is_pattern and next(iglob(os.path.join(escape(folder), rest)), None) is not None:
+    if is_pattern and matching(os.path.join(escape(folder), rest)):
         yield from found
 
 

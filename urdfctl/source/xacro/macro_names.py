@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from urdfctl.source.dom import Element
 from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.gate import is_file
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.startup.patterns import lazy_pattern
 
@@ -20,7 +21,7 @@ def macro_of_other_file(name: str, node: Element, files: Files) -> Iterator[Prob
     folder, own = os.path.split(node.source.path)
     for other in _named_after(name, own):
         path = os.path.join(folder, other)
-        if os.path.isfile(path) and _defines(path, name, files):
+        if is_file(path) and _defines(path, name, files):
             message = f"macro '{name}' has the same name as a macro in '{other}'; the later definition is called"
             hint = "rename the macro to match its own file"
             yield Problem(ProblemKind.MACRO_OF_OTHER_FILE, node.at["name"], message, name, hint)

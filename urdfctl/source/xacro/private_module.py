@@ -91,6 +91,6 @@ def _run(module: ModuleType, part: str) -> None:
 
 
 def release(module: ModuleType) -> None:
-    """Forget a private xacro."""
-    for name in [n for n in sys.modules if n == module.__name__ or n.startswith(module.__name__ + ".")]:
+    """Forget a private xacro. Another thread, of an editor's server, may import modules meanwhile."""
+    for name in [n for n in list(sys.modules) if n == module.__name__ or n.startswith(module.__name__ + ".")]:
         del sys.modules[name]

@@ -7,19 +7,20 @@ import re
 from collections.abc import Callable
 from functools import lru_cache
 
-from urdfctl.source.xacro import guards
+from urdfctl.source.budget import OverBudget
 from urdfctl.source.xacro.macro_params import split_quickly
+from urdfctl.source.xacro.meter import Meter
 from urdfctl.source.xacro.replacements import replace
 from urdfctl.startup.hints import Any
 
 
-def install_speed(module: Any, *, trust: bool) -> None:
+def install_speed(module: Any, meter: Meter, *, trust: bool) -> None:
     """Replace the slow helpers; with `trust`, only those that evaluate nothing."""
     replace(module, "deepcopy", list)
     replace(module, "is_valid_name", _is_valid_name)
     if trust:
         return
-    replace(module, "eval_text", _text_evaluator(module))
+    replace(module, "eval_text", _text_evaluator(module, meter))
     replace(module, "parse_macro_arg", split_quickly(module.parse_macro_arg))
 
 
@@ -28,7 +29,7 @@ def _is_valid_name(name: str) -> bool:
     return name.isidentifier() and not keyword.iskeyword(name)
 
 
-def _text_evaluator(module: Any) -> Callable[[Any, Any], Any]:
+def _text_evaluator(module: Any, meter: Meter) -> Callable[[Any, Any], Any]:
     lex = _lexer(module)
 
     def eval_text(text: Any, symbols: Any) -> Any:
@@ -36,7 +37,7 @@ def _text_evaluator(module: Any) -> Callable[[Any, Any], Any]:
             return ""
         if "$" not in text:
             return text
-        return _evaluated(module, lex(text), symbols)
+        return _evaluated(module, meter, lex(text), symbols)
 
     return eval_text
 
@@ -63,7 +64,7 @@ def _lexer(module: Any) -> Callable[[str], list[tuple[int, str]]]:
     return lex
 
 
-def _evaluated(module: Any, pieces: list[tuple[int, str]], symbols: Any) -> Any:
+def _evaluated(module: Any, meter: Meter, pieces: list[tuple[int, str]], symbols: Any) -> Any:
     """Return the value of a text like xacro's eval_text: typed if the text is a single expression."""
     lexer = module.LEXER
     results: list[Any] = []
@@ -76,11 +77,13 @@ def _evaluated(module: Any, pieces: list[tuple[int, str]], symbols: Any) -> Any:
             results.append(text[1:])
         else:
             results.append(text)
-    return results[0] if len(results) == 1 else guards.checked("".join(map(str, results)))
+    return results[0] if len(results) == 1 else meter.joined(results)
 
 
 def _expression(module: Any, text: str, symbols: Any) -> Any:
     try:
         return module.safe_eval(module.eval_text(text, symbols), symbols)
+    except (OverBudget, MemoryError):
+        raise
     except Exception as error:
         raise module.XacroException(exc=error, suffix=f"\nwhen evaluating expression '{text}'") from error

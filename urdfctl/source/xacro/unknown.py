@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 
+from urdfctl.source.budget import OverBudget
 from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN, AnyArgument, NotKnown, Opaque
 from urdfctl.source.problem import Problem
@@ -84,7 +85,7 @@ class UnknownExpander(Expander):
         veiled = _Veiled(symbols)
         try:
             return evaluate(expression, veiled, local)
-        except ForbiddenExpression:
+        except (ForbiddenExpression, OverBudget, MemoryError):
             raise
         except Exception as error:
             if veiled.unknown or self._is_passed_over(error):

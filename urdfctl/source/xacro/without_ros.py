@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 from urdfctl.source.xacro.guards import MissingVariable
+from urdfctl.source.xacro.meter import Meter
 from urdfctl.source.xacro.private_module import substitutions
 from urdfctl.source.xacro.replacements import replace
 from urdfctl.source.xacro.safety import evaluate_text
@@ -15,8 +16,11 @@ from urdfctl.startup.hints import Any
 class Substitutions:
     """The state for resolving `$(...)`, and the function that xacro calls for it."""
 
-    def __init__(self, module: Any, find_package: Callable[[str], str], environ: Mapping[str, str]) -> None:
+    def __init__(
+        self, module: Any, meter: Meter, find_package: Callable[[str], str], environ: Mapping[str, str]
+    ) -> None:
         self.module, self.find_package, self.environ = module, find_package, environ
+        self._meter = meter
         self._evaluate = module.eval_extension
         self._connected = False
 
@@ -41,7 +45,7 @@ class Substitutions:
             replace(part, f"_eval_{name}", function, within="substitution_args")
             part._eval_dict[name] = function
         if not trust:
-            replace(part, "_eval", partial(evaluate_text, part), within="substitution_args")
+            replace(part, "_eval", partial(evaluate_text, part, self._meter), within="substitution_args")
 
     def _env(self, name: str) -> str:
         try:

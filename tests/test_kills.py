@@ -1,0 +1,24 @@
+"""A run that is killed leaves all files as they were or as they should be, and the next one cleans up after it."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import pytest
+from folder import CHECKOUT, Folder, environment
+from killing import SCENARIOS
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
+
+
+@pytest.mark.parametrize("by", ["SIGKILL", "SIGTERM", "SIGINT"])
+@pytest.mark.parametrize("scenario", SCENARIOS)
+def test_a_run_that_ends_before_any_of_its_changes_leaves_old_or_new(folder: Folder, scenario: str, by: str) -> None:
+    words = [sys.executable, str(CHECKOUT / "tests/killing.py"), scenario, by]
+    ran = subprocess.run(words, env=environment({}), capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stdout
+    told = re.search(r"at change (\d+): all changes made", ran.stdout)
+    assert told is not None
+    assert int(told[1]) > 2, "each scenario changes several things"

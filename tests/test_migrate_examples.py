@@ -1,0 +1,73 @@
+"""Each step of a migration makes of its examples before what its examples after say, and nothing more."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sampling import sample
+
+from urdfctl.config.settings import Settings
+from urdfctl.fault import Example
+from urdfctl.lint.examples import write_files
+from urdfctl.migrate.engine import migrate
+from urdfctl.migrate.linting import Lint
+from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.step import Step
+from urdfctl.migrate.steps import STEPS
+from urdfctl.migrate.wishes import Wishes
+from urdfctl.rules.examples import completed
+
+EXAMPLES = {
+    f"{step.name}-{number}": (step, before, after)
+    for step in STEPS
+    for number, (before, after) in enumerate(step.examples, 1)
+}
+MANIFEST = '<package format="3"><name>arm</name></package>\n'
+OF_ROS1 = '<package format="2"><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>\n'
+
+
+def wishes_of(options: Iterable[str], step: Step) -> Wishes:
+    """Return the wishes that some options of the command line say, and only the part of a step."""
+    names = {"--to": "target", "--from": "source", "--keep-classic": "keep_classic"}
+    wishes: dict[str, Any] = {}
+    for option in options:
+        name, _, value = option.partition("=")
+        wishes[names.get(name, name.removeprefix("--"))] = value or True
+    return Wishes(**wishes, only=frozenset([step.part]))
+
+
+def migrated(step: Step, before: Example, folder: Path) -> dict[str, str]:
+    """Return the files that a step alone changes, as they are then; a deleted one is empty."""
+    manifest = OF_ROS1 if step.generation == 1 else MANIFEST
+    package = os.path.join(folder, "arm")
+    write_files(
+        {"package.xml": manifest, **{name: completed(name, text) for name, text in before.files.items()}}, package
+    )
+    with closing(Scratch([package])) as scratch:
+        settings = Settings(workspace=scratch.root)
+        result = migrate(scratch, wishes_of(before.options, step), settings, Lint(scratch), [step])
+    return {os.path.relpath(one.file, package): (one.after or b"").decode() for one in result.changes}
+
+
+@pytest.mark.parametrize("step", STEPS, ids=lambda step: step.name)
+def test_a_step_has_examples(step: Step) -> None:
+    assert step.examples
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_a_step_makes_of_an_example_what_it_says(name: str, tmp_path: Path) -> None:
+    step, before, after = EXAMPLES[name]
+    expected = {file: completed(file, text) if text.strip() else "" for file, text in after.items()}
+    assert migrated(step, before, tmp_path) == expected
+
+
+@pytest.mark.parametrize("name", sample(EXAMPLES, 5))
+def test_a_step_changes_nothing_in_what_it_made(name: str, tmp_path: Path) -> None:
+    step, before, after = EXAMPLES[name]
+    files = {file: text for file, text in {**before.files, **after}.items() if text.strip()}
+    assert migrated(step, before._replace(files=files), tmp_path) == {}

@@ -1,0 +1,82 @@
+"""Every entry of the catalogue says where it comes from: a repository with what was read of it, or an authority."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from urdfctl.catalog.compiled import DATA
+
+PROVENANCE = yaml.safe_load((DATA / "provenance.yaml").read_text(encoding="utf-8"))
+UNSOURCED = {one["entry"]: one["why"] for one in PROVENANCE["unsourced"]}
+GENERATIONS = ("ros1", "ros2")
+
+
+def content(path: Path) -> Any:
+    return yaml.safe_load(path.read_text(encoding="utf-8"))
+
+
+def entries(ros: str) -> Iterator[tuple[str, str]]:
+    """Yield each entry of a generation: its name, and what `sources` calls it."""
+    for path in sorted((DATA / ros).rglob("*.yaml")):
+        found = content(path)
+        if isinstance(found, dict):
+            yield path.stem, path.stem
+            found = found.get("filters", [])
+        for entry in found:
+            name = next(entry[key] for key in ("type", "id", "name") if key in entry)
+            yield name, _source_name(entry, name, path)
+
+
+def _source_name(entry: dict[str, Any], name: str, path: Path) -> str:
+    sourced = {one for names in PROVENANCE["sources"][path.relative_to(DATA).parts[0]].values() for one in names}
+    prefix = re.split("/|::", name)[0] if re.search("/|::", name) else path.stem
+    return next((one for one in (name, entry.get("package")) if one in sourced), entry.get("package", prefix))
+
+
+ENTRIES = [pytest.param(ros, *entry, id=f"{ros}-{entry[0]}") for ros in GENERATIONS for entry in entries(ros)]
+
+
+@pytest.mark.parametrize(("ros", "name", "called"), ENTRIES)
+def test_an_entry_has_a_source(ros: str, name: str, called: str) -> None:
+    repositories = [repo for repo, names in PROVENANCE["sources"][ros].items() if called in names]
+    assert len(repositories) == 1 or name in UNSOURCED, f"name the repository of '{called}' in provenance.yaml"
+
+
+@pytest.mark.parametrize("ros", GENERATIONS)
+def test_of_each_source_it_is_noted_what_was_read(ros: str) -> None:
+    read = {one["repo"] for one in (*PROVENANCE["ros1"], *PROVENANCE["ros2"]) if one.get("commit") or one.get("read")}
+    assert set(PROVENANCE["sources"][ros]) - read == set(), "note the commit or the versions"
+
+
+@pytest.mark.parametrize("ros", GENERATIONS)
+def test_each_source_is_one_of_an_entry(ros: str) -> None:
+    named = [name for names in PROVENANCE["sources"][ros].values() for name in names]
+    assert sorted(named) == sorted({called for name, called in entries(ros) if name not in UNSOURCED})
+
+
+def test_what_has_no_source_is_known_and_says_why() -> None:
+    assert set(UNSOURCED) == {"franka_ign_ros2_control/IgnitionSystem", "franka_ign", "renamed"}
+    assert all(UNSOURCED.values())
+
+
+@pytest.mark.parametrize("path", sorted((DATA / "moves").glob("*.yaml")), ids=lambda path: path.stem)
+def test_a_move_has_an_authority(path: Path) -> None:
+    found = content(path)
+    assert all(group["authority"] for group in (found if isinstance(found, list) else [found]))
+
+
+@pytest.mark.parametrize("path", sorted((DATA / "log_messages").glob("*.yaml")), ids=lambda path: path.stem)
+def test_a_message_has_an_authority(path: Path) -> None:
+    without = [
+        entry["id"]
+        for group in content(path)
+        for entry in group["entries"]
+        if not (entry.get("authority") or group.get("authority"))
+    ]
+    assert without == []

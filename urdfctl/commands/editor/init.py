@@ -1,0 +1,141 @@
+"""`urdfctl init`: find the robots of a project, and write its configuration, a pre-commit hook and a workflow."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Sequence
+
+from urdfctl import __version__
+from urdfctl.catalog.distros import ALL, SIMULATORS
+from urdfctl.commands.declaring import OTHER, OUTPUT, Command, argument, option
+from urdfctl.commands.generate.measuring import measure_work
+from urdfctl.commands.options import TargetOptions
+from urdfctl.commands.words import configured, settings_from
+from urdfctl.config.file import NAMES
+from urdfctl.errors import UserError
+from urdfctl.generate.facts import RobotFacts
+from urdfctl.generate.job import measure_robot
+from urdfctl.lint.planning import discovered
+from urdfctl.output.change import Change
+from urdfctl.output.journal import restore_unfinished
+from urdfctl.output.links import check_output
+from urdfctl.output.printing import print_message, print_messages
+from urdfctl.output.writing import encoded, would_overwrite, write_file
+from urdfctl.output.writing_all import write_all
+from urdfctl.report.common import relative_message
+from urdfctl.report.template_folder import own_folder
+
+_MOST = 50
+"""With more descriptions than this, only the first ones are read."""
+_MORE = (".pre-commit-config.yaml", ".github/workflows/urdfctl.yaml")
+_HOOK = f"""repos:
+  - repo: https://github.com/OWNER/urdfctl
+    rev: v{__version__}
+    hooks:
+      - id: urdfctl-lint
+"""
+
+
+class InitOptions(TargetOptions):
+    """Write an urdfctl.toml with the robots of a folder, its distro and its simulator.
+
+    \b
+    Example: urdfctl init --distro jazzy --simulator gz --pre-commit --workflow
+    """
+
+    folder: str = argument("Folder of the project. Default: this folder.", default=".")
+    pre_commit: bool | None = option(OTHER, "Add the pre-commit hook.")
+    workflow: bool | None = option(OTHER, "Add a workflow for GitHub.")
+    force: bool = option(OUTPUT, "Overwrite existing files.")
+
+
+def run_init(options: InitOptions) -> int:
+    """Write the files of a project, and return the exit status."""
+    folder = options.folder
+    if not os.path.isdir(folder):
+        raise UserError(f"folder '{folder}' does not exist")
+    target, hook, workflow = (os.path.normpath(os.path.join(folder, name)) for name in (NAMES[0], *_MORE))
+    check_output(target, hook if options.pre_commit else None, workflow if options.workflow else None)
+    if would_overwrite(target) and not options.force:
+        raise UserError(f"'{target}' exists; --force overwrites it")
+    print_messages(restore_unfinished())
+    config = configured([folder], options)
+    settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
+    found = discovered([folder], config._replace(robots=()))
+    paths = list(dict.fromkeys(path for path, _ in found.descriptions()))
+    measured = [(path, measure_robot(path, {}, settings, measure_work)) for path in paths[:_MOST]]
+    robots = {path: one.facts for path, one in measured if one.facts and one.facts.root}
+    if not robots:
+        raise UserError(f"no robot found in '{folder}'")
+    distro = options.distro or _asked("ROS distro", ALL, _common([facts.distro for facts in robots.values()]))
+    simulator = _common([facts.simulator for facts in robots.values()])
+    simulator = options.simulator or _asked("Simulator", SIMULATORS, simulator)
+    write_file(target, _toml(folder, robots, distro, simulator), force=options.force)
+    print_message(f"'{target}' written: {len(robots)} robot{'s' * (len(robots) > 1)}, {distro or 'distro not set'}")
+    if not distro:
+        print_message(f"ROS distro is unknown; set it in '{target}', or use --distro")
+    _offer(hook, _HOOK, "--pre-commit", wanted=options.pre_commit)
+    _offer(workflow, _workflow(), "--workflow", wanted=options.workflow)
+    print_message(f"next: urdfctl lint {folder}")
+    return 0
+
+
+def _common(names: Sequence[str | None]) -> str | None:
+    """The only name of several robots; None if they differ, or none is known."""
+    known = {name for name in names if name}
+    return known.pop() if len(known) == 1 else None
+
+
+def _asked(what: str, choices: Sequence[str], detected: str | None) -> str | None:
+    """What was detected, or what the user answers if there is one to ask."""
+    if detected or not sys.stdin.isatty():
+        return detected
+    sys.stderr.write(f"{what} ({', '.join(choices)}; empty: leave it open): ")
+    sys.stderr.flush()
+    answer = sys.stdin.readline().strip()
+    if answer and answer not in choices:
+        raise UserError(f"unknown {what.lower()} '{answer}'; choose from {', '.join(choices)}")
+    return answer or None
+
+
+def _toml(folder: str, robots: dict[str, RobotFacts], distro: str | None, simulator: str | None) -> str:
+    lines = [
+        f"distro = {_text(distro)}" if distro else '# distro = "jazzy"',
+        f"simulator = {_text(simulator)}" if simulator else '# simulator = "gz"',
+    ]
+    for path in robots:
+        lines += ["", "[[robot]]", f"path = {_text(os.path.relpath(path, folder).replace(os.sep, '/'))}"]
+    return "\n".join([*lines, ""])
+
+
+def _workflow() -> str:
+    with open(os.path.join(own_folder(), "project", "workflow.yml"), encoding="utf-8") as file:
+        return file.read().replace("VERSION", __version__)
+
+
+def _text(value: str) -> str:
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _offer(path: str, text: str, option: str, *, wanted: bool | None) -> None:
+    """Write a file if it is wanted; else say how to get it. An existing file is left alone."""
+    if wanted is False:
+        return
+    if would_overwrite(path):
+        print_message(f"'{path}' exists; add this to it if it is missing:\n{text}" if wanted else f"'{path}' exists")
+        return
+    if wanted is None and sys.stdin.isatty():
+        sys.stderr.write(f"Write '{path}'? [y/N] ")
+        sys.stderr.flush()
+        wanted = sys.stdin.readline().strip().lower() in ("y", "yes")
+    if not wanted:
+        print_message(f"'{path}' is not written; {option} adds it")
+        return
+    for problem in write_all([Change(os.path.abspath(path), None, encoded(text))]):
+        raise UserError(relative_message(problem))
+    print_message(f"'{path}' written")
+
+
+command = Command(InitOptions, run_init)

@@ -1,0 +1,18 @@
+"""`urdfctl convert`."""
+
+from __future__ import annotations
+
+from urdfctl.commands.declaring import Command
+from urdfctl.commands.generate.options import GenerateOptions
+from urdfctl.commands.generate.running import run_generate
+
+
+class ConvertRobot(GenerateOptions, command="convert"):
+    """Convert a robot to MuJoCo's own format: meshes, an actuator for each commanded joint, mimic joints and sensors.
+
+    \b
+    Example: urdfctl convert robot.xacro --to mjcf -o robot.xml
+    """
+
+
+command = Command(ConvertRobot, run_generate)

@@ -1,0 +1,18 @@
+"""`urdfctl gen-controllers`."""
+
+from __future__ import annotations
+
+from urdfctl.commands.declaring import Command
+from urdfctl.commands.generate.options import GenerateOptions
+from urdfctl.commands.generate.running import run_generate
+
+
+class GenerateControllers(GenerateOptions, command="gen-controllers"):
+    """Write the controllers' YAML file.
+
+    \b
+    Example: urdfctl gen-controllers robot.xacro --type trajectory --joints 'arm_.*' -o config/controllers.yaml
+    """
+
+
+command = Command(GenerateControllers, run_generate)

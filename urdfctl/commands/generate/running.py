@@ -1,0 +1,296 @@
+"""`urdfctl gen-...`: read the robot and the options, then generate the files."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import sys
+from collections.abc import Iterable, Sequence
+
+from urdfctl.catalog.catalog import catalog_with
+from urdfctl.commands.declaring import Option
+from urdfctl.commands.generate.measuring import measure_work
+from urdfctl.commands.generate.options import GenerateOptions
+from urdfctl.commands.words import configured, settings_from, split_arguments
+from urdfctl.config.file import Config
+from urdfctl.config.settings import Settings
+from urdfctl.discover.paths import check_description
+from urdfctl.errors import UserError
+from urdfctl.generate.again import words_of_generated_file
+from urdfctl.generate.cautions import cautions
+from urdfctl.generate.choice import chosen, stuck
+from urdfctl.generate.distro import known_distro, made_for_newest, simulator_of
+from urdfctl.generate.everything import Order, files
+from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
+from urdfctl.generate.job import measure_robot
+from urdfctl.generate.joint_list import joints_listed
+from urdfctl.generate.next_steps import steps_after
+from urdfctl.generate.options import File, Options, Roles
+from urdfctl.generate.package import around_package
+from urdfctl.generate.parameters import Controller
+from urdfctl.generate.scalars import xacro_text
+from urdfctl.generate.templates import Templates, template_names
+from urdfctl.generate.wanted import needs_joints, with_requests
+from urdfctl.generate.writing import Writing, deliver
+from urdfctl.lint.planning import discovered
+from urdfctl.lint.results import Report
+from urdfctl.output.journal import restore_unfinished
+from urdfctl.output.links import check_output
+from urdfctl.output.printing import print_message, print_messages, print_text
+from urdfctl.report.text import render
+from urdfctl.source.files import MAX_BYTES, named_bytes
+from urdfctl.source.gate import admit, admits
+from urdfctl.source.packages import package_name
+from urdfctl.source.workspace import workspace_of
+from urdfctl.startup.records import NamedTuple
+
+_LISTS = (".txt", ".csv", ".tsv", ".yaml", ".yml", ".json", ".list")
+_NOT_REPEATED = frozenset(
+    {
+        "words",
+        "output",
+        "force",
+        "diff",
+        "check",
+        "into",
+        "timeout",
+        "memory",
+        "distro",
+        "simulator",
+        "list_templates",
+        "trust",
+    }
+)
+_OWN_NAMES = ("robot.urdf.xacro", "control.xacro")
+_ANY_DISTRO = "rolling"
+"""For what does not depend on the distro."""
+_PARTS = ("gen-transmissions", "gen-ros2-control", "gen-gazebo")
+
+
+class Unreadable(Exception):
+    """The robot cannot be read. The message contains its problems."""
+
+
+def run_generate(options: GenerateOptions) -> int:
+    """Generate files; write, show or check them; and return the exit status."""
+    command = options.command
+    check_output(options.output, options.into)
+    if options.list_templates:
+        print_text("".join(f"{name}\n" for name in template_names(options.templates)))
+        return 0
+    if options.output and not (options.check or options.diff):
+        print_messages(restore_unfinished())
+    admit(workspace_of(os.path.abspath("robot"), options.workspace))  # the configuration of the current folder counts
+    config = configured([], options)
+    settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
+    if command == "convert":
+        settings = settings._replace(simulator="mujoco")
+    try:
+        robot, listed = _sources(options, settings, config)
+    except Unreadable as error:
+        sys.stderr.write(str(error))
+        return 1
+    words = list(options.words)
+    if robot and robot.file and not split_arguments(words)[0]:  # the generated files may hide it next time
+        words = [os.path.relpath(robot.file), *words]
+    joints = chosen(robot, listed, options.joints, options.exclude)
+    immovable = stuck(robot, joints) if robot and not (listed or options.joints) else ()
+    if immovable:
+        print_message(
+            f"left out because their limits allow no motion: {', '.join(immovable)}. Include them with --joint"
+        )
+    catalog, templates = catalog_with(settings.additions), Templates(options.templates)
+
+    def make(distro: str) -> Made:
+        simulator = settings.simulator or (robot.simulator if robot else None) or simulator_of(distro, command, catalog)
+        requested = _requested(options, words, robot, distro, simulator)
+        requested, proposal = with_requests(requested, command, options.controller, joints, robot)
+        if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
+            raise UserError(_no_joints(robot))
+        order = Order(joints, requested, catalog, robot or NO_ROBOT, templates)
+        return Made(requested, files(command, order), order.made_if_typed(), proposal)
+
+    distro = known_distro(settings, robot) or (_ANY_DISTRO if command == "convert" else None)
+    made = make(distro) if distro else made_for_newest(robot, make)
+    return _delivered(options, robot, made)
+
+
+def _delivered(options: GenerateOptions, robot: RobotFacts | None, made: Made) -> int:
+    """Write, show or check what was made, and return the exit status."""
+    command, output = options.command, options.output
+    if made.proposal and not options.check:
+        print_message(made.proposal)
+    if command == "gen-all" and robot and not robot.package and not made.options.robot_text:
+        print_message(f"'{robot.file}' is not in a package, so installed files cannot find it")
+    if command == "gen-all" and robot and not options.check:
+        for caution in cautions(made.controllers, robot, made.options):
+            print_message(caution)
+    writing = Writing(output, options.force, options.diff, options.check, options.into)
+    steps = tuple(steps_after(command, made.controllers, made.options, output or ""))
+    files = made.files
+    if command == "gen-all" and output:
+        files, to_add = around_package(files, output)
+        steps = (*to_add, *steps)
+    return deliver(files, writing, many=command == "gen-all", steps=steps)
+
+
+class Made(NamedTuple):
+    """Generated files with the options and controllers that they are made from, and the proposal of controllers."""
+
+    options: Options
+    files: list[File]
+    controllers: tuple[Controller, ...]
+    proposal: str
+
+
+def _no_joints(robot: RobotFacts | None) -> str:
+    if robot is None:
+        return "no joints: name a robot, a list of joints, or --joint NAME,NAME"
+    excluded = ", or is excluded" if robot.joints else ""
+    return f"the robot has no joint to control: each is fixed or mimics another{excluded}"
+
+
+def _sources(
+    options: GenerateOptions, settings: Settings, config: Config
+) -> tuple[RobotFacts | None, list[JointFacts]]:
+    """Return the robot, or None, and the listed joints."""
+    paths, arguments = split_arguments(options.words)
+    listed = [JointFacts(name) for name in _split(options.joint)]
+    lists = [path for path in paths if path == "-" or path.endswith(_LISTS)]
+    robots = [path for path in paths if path not in lists]
+    for path in paths:
+        if path != "-" and not admits(path):  # the words may be those of a generated file
+            raise UserError(f"'{path}' is outside the workspace")
+    for path in lists:
+        listed += joints_listed(_text(path), "standard input" if path == "-" else path)
+    if not robots and (listed or lists):
+        return None, listed
+    for path in robots:
+        check_description(path)
+    found = discovered(robots, config)
+    descriptions = [path for path, _ in found.descriptions() if robots or not _is_part(path)]
+    if len(descriptions) != 1:
+        shown = ", ".join(sorted(os.path.relpath(path) for path in descriptions))
+        raise UserError(
+            f"several robots found: {shown}" if descriptions else "no robot found; name one, or a list of joints"
+        )
+    path = robots[0] if robots and not os.path.isdir(robots[0]) else os.path.relpath(descriptions[0])
+    measured = measure_robot(path, arguments, settings, measure_work)
+    if measured.facts is None:
+        raise Unreadable("\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n")
+    return measured.facts, listed
+
+
+def _is_part(path: str) -> bool:
+    """Return whether a file was generated to be included by a robot."""
+    made_by = (words_of_generated_file(path) or ("",))[0]
+    return made_by in _PARTS or (made_by == "gen-all" and os.path.basename(path) == "control.xacro")
+
+
+def _text(path: str) -> str:
+    try:
+        if path == "-":
+            data = sys.stdin.buffer.read(MAX_BYTES + 1)
+            if len(data) > MAX_BYTES:
+                raise UserError(f"standard input cannot be read: it is larger than {MAX_BYTES >> 20} MiB")
+            return data.decode("utf-8-sig")
+        return named_bytes(path).decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise UserError(f"'{path}' cannot be read: it is not UTF-8") from None
+
+
+def _requested(
+    options: GenerateOptions, words: Sequence[str], robot: RobotFacts | None, distro: str, simulator: str
+) -> Options:
+    """What the options ask for, with what follows from the robot. words: those of a command that names the robot."""
+    defaults = Options(distro)
+    package, copied = _package(options, robot), _copied(options.command, robot)
+    states = None if not options.state else tuple(name for name in _split([options.state]) if name != "none")
+    return Options(
+        distro=distro,
+        simulator=simulator,
+        types=tuple(_split(options.types)),
+        interfaces=tuple(_split([options.interface or options.command_interface or ""])),
+        states=states,
+        hardware=options.hardware,
+        group=options.group,
+        namespace=(options.namespace or "").strip("/"),
+        name=options.name,
+        roles=Roles(
+            *(tuple(_split(side)) for side in (options.left, options.right, options.traction, options.steering))
+        ),
+        sensor=options.sensor,
+        frame=options.frame,
+        broadcaster=options.broadcaster,
+        rate=options.rate,
+        package=package,
+        controllers_file=options.controllers or defaults.controllers_file,
+        description=robot.package_path if robot else None,
+        robot_file=f"$(find {package})/{copied[0]}" if copied else _included(options.output, robot),
+        robot_text=copied,
+        model_path=options.output if options.command == "convert" else None,
+        to=options.to,
+        arguments=tuple(split_arguments(words)[1].items()),
+        macro=options.macro,
+        form=options.form or defaults.form,
+        chain=options.chain,
+        base=options.base,
+        command=_repeatable_command(options, words, distro, simulator),
+    )
+
+
+def _package(options: GenerateOptions, robot: RobotFacts | None) -> str | None:
+    """Return the package that the files will be in: the one that gen-all writes, or the robot's."""
+    if options.package:
+        return options.package
+    if options.command != "gen-all" or options.output is None:
+        return robot.package if robot else None
+    manifest = os.path.join(options.output, "package.xml")
+    folder = os.path.basename(os.path.abspath(options.output))
+    return package_name(manifest) or re.sub(r"[^a-z0-9_]+", "_", folder.lower()).strip("_") or "my_robot_control"
+
+
+def _included(output: str | None, robot: RobotFacts | None) -> str:
+    """Return how a file in the folder `urdf` of the output includes the robot."""
+    if robot is None or robot.file is None:
+        return "robot.urdf"
+    if robot.package:
+        return f"$(find {robot.package})/{xacro_text(robot.package_path)}"
+    return xacro_text(os.path.relpath(robot.file, os.path.join(output or "", "urdf")).replace(os.sep, "/"))
+
+
+def _copied(command: str, robot: RobotFacts | None) -> tuple[str, str] | None:
+    """Return the path and text of a robot's copy in the package: of one that is in no package and includes no files."""
+    if command != "gen-all" or robot is None or robot.file is None or robot.package:
+        return None
+    text = _text(robot.file)
+    if "xacro:include" in text:
+        return None
+    name = os.path.basename(robot.file)
+    return f"urdf/{'base_' if name in _OWN_NAMES else ''}{name}", text
+
+
+def _split(given: Iterable[str]) -> list[str]:
+    return [name.strip() for item in given for name in item.split(",") if name.strip()]
+
+
+def _repeatable_command(options: GenerateOptions, words: Sequence[str], distro: str, simulator: str) -> str:
+    """Return the command that generates the same files: with the detected distro and simulator."""
+    repeated = ["urdfctl", options.command, *words]
+    plain = Options(distro)
+    for name, option in options.declared.items():
+        value = getattr(options, name)
+        if name not in _NOT_REPEATED and value not in (option.default, "", getattr(plain, name, option.default)):
+            repeated += _flagged(option, value)
+    if options.command != "convert":
+        repeated += ["--distro", distro, *(["--simulator", simulator] if simulator != "none" else [])]
+    return shlex.join(repeated)
+
+
+def _flagged(option: Option, value: object) -> list[str]:
+    """The words that give an option a value."""
+    if isinstance(value, bool):
+        return [(option.flags if value else option.negatives)[-1]]
+    values = value if isinstance(value, tuple) else (value,)
+    return [word for one in values for word in (option.flags[-1], str(one))]

@@ -1,0 +1,203 @@
+"""`urdfctl migrate`."""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections.abc import Sequence
+from contextlib import closing
+
+from urdfctl.catalog.distros import ALL, MAINTAINED, ROS2, SIMULATORS
+from urdfctl.commands.declaring import CHECKED_FOR, CONTROLLERS, OTHER, OUTPUT, Command, Reads, argument, option
+from urdfctl.commands.options import ReadingOptions
+from urdfctl.commands.progress import with_progress
+from urdfctl.commands.words import configured, settings_from
+from urdfctl.errors import UserError
+from urdfctl.migrate.engine import Migration, migrate
+from urdfctl.migrate.linting import Lint
+from urdfctl.migrate.report import as_json, as_markdown
+from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.step import EntryKind
+from urdfctl.migrate.steps import STEPS
+from urdfctl.migrate.wishes import Part, Wishes
+from urdfctl.migrate.writing import write_changes, write_copy
+from urdfctl.names import did_you_mean
+from urdfctl.output.journal import restore_unfinished
+from urdfctl.output.links import check_output
+from urdfctl.output.patch import patch
+from urdfctl.output.printing import print_bytes, print_message, print_messages, print_text
+from urdfctl.output.writing import encoded
+from urdfctl.run.git import has_changes
+
+REPORT = "MIGRATION.md"
+_LAUNCH_FORMS = ("py", "xml")
+_OBJECTS = 50_000
+"""So many new objects start a garbage collection. Saves: a tenth of a run, which holds the models of all robots."""
+
+
+_TARGETS = [distro for distro in MAINTAINED if distro != "noetic"]
+
+
+class MigrateOptions(ReadingOptions):
+    """Migrate packages to another ROS distro: from one ROS 2 distro to a later one, from Gazebo Classic to gz, from
+    ROS 1 to ROS 2. Shows a diff and writes nothing, unless --in-place or -o is given.
+
+    \b
+    Example: urdfctl migrate src/my_robot --to jazzy --in-place
+    """
+
+    paths: tuple[str, ...] = argument(
+        "Packages, or folders with packages. Default: the package around the current folder.", metavar="[PATH]..."
+    )
+    to: str | None = option(
+        CHECKED_FOR, f"ROS distro to migrate to: {', '.join(_TARGETS)}.", choices=_TARGETS, metavar="DISTRO"
+    )
+    source: str | None = option(
+        CHECKED_FOR,
+        "ROS distro to migrate from. Default: detected from the files.",
+        "--from",
+        choices=ALL,
+        metavar="DISTRO",
+    )
+    simulator: str | None = option(
+        CHECKED_FOR,
+        "Simulator after the migration. Default: the present one, or gz if that does not exist.",
+        choices=SIMULATORS,
+    )
+    hardware: str | None = option(CONTROLLERS, "Plugin of the real hardware: PACKAGE/CLASS.", metavar="PLUGIN")
+    diff: bool = option(OUTPUT, "Show the changes as a diff, the default. Exit with status 1 if there are any.")
+    in_place: bool = option(OUTPUT, "Change the files.")
+    force: bool = option(OUTPUT, "Change files with uncommitted changes, and write to a folder that is not empty.")
+    output: str | None = option(
+        OUTPUT,
+        "Write the migrated packages to this folder.",
+        "-o",
+        "--output",
+        metavar="DIR",
+        reads=Reads.TARGET,
+    )
+    only: tuple[str, ...] = option(
+        CHECKED_FOR,
+        "Migrate only these parts: urdf, yaml, launch, manifest, moveit; NAME,NAME.",
+        choices=tuple(part.value for part in Part),
+        metavar="NAME,...",
+    )
+    launch: str = option(OTHER, "Form of new launch files: py or xml.", default="py", choices=_LAUNCH_FORMS)
+    keep_classic: bool = option(OTHER, "Keep Gazebo Classic beside gz, behind a xacro argument.")
+    report: str | None = option(
+        OUTPUT,
+        "Write the report to this file (.md or .json). Default: MIGRATION.md beside the packages.",
+        metavar="FILE",
+    )
+    list_changes: bool = option(
+        OTHER, "List the changes between two distros with their authority, then exit.", "--list"
+    )
+
+
+def run_migrate(options: MigrateOptions) -> int:
+    """Migrate packages, or show how, and return the exit status."""
+    wishes = _wishes(options)
+    if options.list_changes:
+        from urdfctl.migrate.table import table
+
+        print_text(table(STEPS, wishes))
+        return 0
+    gc.set_threshold(_OBJECTS)
+    paths = options.paths or [os.curdir]
+    if sum([options.diff, options.in_place, options.output is not None]) > 1:
+        raise UserError("--diff, --in-place and -o exclude each other")
+    print_messages(restore_unfinished())
+    with closing(Scratch(paths)) as scratch:
+        real = [scratch.real(folder) for folder in scratch.folders]
+        _check_destination(options, real)
+        settings = settings_from(configured(real, options), options)
+        settings = settings._replace(
+            distro=None,
+            simulator=None,
+            workspace=scratch.root,
+            package_paths=(*settings.package_paths, *scratch.others),
+        )
+        result = migrate(scratch, wishes, settings, Lint(scratch, with_progress), STEPS)
+        return _finish(result, scratch, options, wishes)
+
+
+def _wishes(options: MigrateOptions) -> Wishes:
+    if options.to is None:
+        raise UserError("--to requires the distro to migrate to, e.g. --to jazzy")
+    for name, distro, known in (("--to", options.to, ROS2), ("--from", options.source, ALL)):
+        if distro is not None and distro not in known:
+            raise UserError(
+                f"{name}: unknown distro '{distro}'{did_you_mean(distro, known)}; known are {', '.join(known)}"
+            )
+    if options.source in ROS2 and ROS2.index(options.source) > ROS2.index(options.to):
+        raise UserError(f"'{options.to}' is earlier than '{options.source}'; urdfctl migrates to later distros only")
+    if options.simulator is not None and options.simulator not in SIMULATORS:
+        near = did_you_mean(options.simulator, SIMULATORS)
+        raise UserError(f"unknown simulator '{options.simulator}'{near}; known are {', '.join(SIMULATORS)}")
+    if options.launch not in _LAUNCH_FORMS:
+        raise UserError(f"--launch must be py or xml, not '{options.launch}'")
+    return Wishes(
+        target=options.to,
+        source=options.source,
+        simulator=options.simulator,
+        hardware=options.hardware,
+        launch=options.launch,
+        keep_classic=options.keep_classic,
+        only=_parts(options.only),
+    )
+
+
+def _parts(texts: Sequence[str]) -> frozenset[Part]:
+    names = [name.strip() for text in texts for name in text.split(",") if name.strip()]
+    known = [part.value for part in Part]
+    for name in names:
+        if name not in known:
+            raise UserError(f"--only: unknown part '{name}'{did_you_mean(name, known)}; known are {', '.join(known)}")
+    return frozenset(map(Part, names))
+
+
+def _check_destination(options: MigrateOptions, folders: Sequence[str]) -> None:
+    """Raise UserError if files would be lost, or written outside of the workspace."""
+    check_output(options.output, options.report)
+    if options.force:
+        return
+    if options.output is not None and os.path.isdir(options.output) and os.listdir(options.output):
+        raise UserError(f"folder '{options.output}' is not empty; --force writes to it")
+    if options.in_place and (dirty := [folder for folder in folders if has_changes(folder)]):
+        raise UserError(f"'{dirty[0]}' has changes that are not committed; commit them, or use --force")
+
+
+def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes: Wishes) -> int:
+    """Write the result where the user wants it, and return the exit status."""
+    base = os.path.commonpath([scratch.real(folder) for folder in scratch.folders])
+    is_written = options.in_place or options.output is not None
+    path = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
+    check_output(path)
+    is_reported = path is not None and bool(result.changes or (options.report and result.lines))
+    render = as_json if path and path.endswith(".json") else as_markdown
+    text = encoded(render(result.lines, wishes.source, wishes.target, base)) if is_reported else b""
+    report = (path, text) if path is not None and is_reported else None
+    if report is not None and os.path.isdir(report[0]):
+        raise UserError(f"'{report[0]}' is a folder")
+    if options.output is not None:
+        problems = write_copy(scratch, base, options.output, report)
+    elif options.in_place:
+        problems = write_changes(result.changes, report)
+    else:
+        print_bytes(patch(result.changes))
+        problems = write_changes((), report)
+    for problem in problems:
+        print_message(problem)
+    if problems:
+        return 2
+    counts = {kind: sum(line.kind is kind for line in result.lines) for kind in EntryKind}
+    verb = "changed" if is_written else "would change"
+    files = f"{len(result.changes)} file{'s' * (len(result.changes) != 1)}"
+    print_message(
+        f"{verb} {files}; {counts[EntryKind.DONE]} done, {counts[EntryKind.DECIDED]} decided, "
+        f"{counts[EntryKind.FOR_YOU]} for you{f' (see {path})' if is_reported else ''}"
+    )
+    return int(bool(result.changes) and not is_written)
+
+
+command = Command(MigrateOptions, run_migrate)

@@ -1,0 +1,144 @@
+"""`urdfctl gen-check`: run the command in each generated file again, and report the files that are out of date."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from itertools import takewhile
+
+from urdfctl.discover.robots import check_readable
+from urdfctl.errors import UserError
+from urdfctl.output.printing import print_message
+from urdfctl.source.files import first_bytes, folders_upwards
+from urdfctl.source.gate import admits, exists, reading_within, walk
+from urdfctl.source.workspace import workspace_of
+from urdfctl.startup.records import NamedTuple
+
+_COMMAND = re.compile(r"made by urdfctl (gen-[a-z0-9-]+|convert)(.*?)(?: -->)?$")
+_PARTS = ("config", "urdf", "launch", "mujoco")
+_FIRST = 1 << 16
+_FORBIDDEN = re.compile(
+    r"-o.*|--?(output|into|force|diff|check|trust|templates|package-path|workspace|config|env|timeout|memory)(=.*)?"
+)
+"""Options that the command in a file cannot set: output files, further inputs, trust, limits. Its author is not the one
+who runs it."""
+
+
+class Origin(NamedTuple):
+    """A generated file or package.
+
+    path: the file, or the folder of the package.
+    words: the command that generated it.
+    home: the folder that paths in the command are relative to.
+    workspace: the workspace of the file: the command reads nothing outside of it.
+    """
+
+    path: str
+    words: tuple[str, ...]
+    home: str
+    workspace: str
+
+    @property
+    def command(self) -> tuple[str, ...]:
+        """Return the words of the command with its output."""
+        return (*self.words, "-o", os.path.relpath(self.path, self.home))
+
+
+def run_again(paths: Sequence[str], run_words: Callable[[Sequence[str]], int], *, update: bool) -> int:
+    """Check or update the generated files among some files and folders, and return the exit status.
+
+    run_words: runs a command line and returns its exit status.
+    """
+    stale = False
+    origins = list(dict.fromkeys(_origins(paths or ["."])))
+    if not origins:
+        raise UserError(f"no generated file was checked in {', '.join(paths or ['this folder'])}")
+    for origin in origins:
+        with reading_within([origin.workspace]), _working_in(origin.home):
+            try:
+                status = run_words([*origin.command, "--force" if update else "--check"])
+            except UserError as error:
+                raise UserError(f"'{os.path.relpath(origin.path)}' cannot be generated again: {error}") from None
+        stale = stale or bool(status)
+    return int(stale)
+
+
+def _origins(paths: Sequence[str]) -> Iterator[Origin]:
+    for path in paths:
+        if not os.path.exists(path):
+            raise UserError(f"file or folder '{path}' does not exist")
+        for file in _files(path):
+            words = words_of_generated_file(file)
+            if words:
+                workspace = workspace_of(os.path.abspath(file))
+                with reading_within([workspace]):
+                    origin = _origin(file, words, workspace)
+                if origin:
+                    yield origin
+
+
+def _files(path: str) -> Iterator[str]:
+    if not os.path.isdir(path):
+        yield path
+        return
+    check_readable(path)
+    for folder, folders, names in walk(path):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        yield from (os.path.normpath(os.path.join(folder, name)) for name in sorted(names))
+
+
+def words_of_generated_file(file: str) -> tuple[str, ...] | None:
+    """Return the command in the first two lines of a generated file; None if there is none."""
+    try:
+        lines = first_bytes(file, _FIRST).decode("utf-8", "replace").splitlines()[:2]
+    except OSError:
+        return None
+    for line in lines:
+        command = _COMMAND.search(line)
+        if command:
+            try:
+                return (command[1], *shlex.split(command[2]))
+            except ValueError:
+                return None
+    return None
+
+
+def _origin(file: str, words: tuple[str, ...], workspace: str) -> Origin | None:
+    """Return how to generate a file again. None if that is not possible; the reason is printed."""
+    first = takewhile(lambda word: word == "-" or not word.startswith("-"), words[1:])
+    inputs = [word for word in first if ":=" not in word]
+    forbidden = next((word for word in words if _FORBIDDEN.fullmatch(word)), None)
+    folder = os.path.dirname(os.path.abspath(file))
+    is_part = os.path.basename(folder) in _PARTS and not exists(os.path.join(folder, "package.xml"))
+    package = os.path.dirname(folder) if is_part else folder
+    above = list(folders_upwards(folder))
+    if not inputs:
+        above = [folder for folder in above if exists(os.path.join(folder, "package.xml"))]
+    homes = [home for home in ([os.curdir, *above] if inputs or not above else above) if admits(home)]
+    if words[0] == "gen-all":  # the package may hold a copy of its robot, which is no input: it is searched last
+        outside = [home for home in homes if not f"{os.path.abspath(home)}{os.sep}".startswith(f"{package}{os.sep}")]
+        homes = [*outside, package]
+    home = next((home for home in homes if all(exists(os.path.join(home, path)) for path in inputs)), None)
+    if forbidden or home is None or "-" in inputs:
+        outside = [path for path in inputs if not any(admits(os.path.join(home, path)) for home in homes)]
+        where = f"is outside the workspace '{workspace}'" if outside else "does not exist"
+        why = f"its command sets {forbidden}" if forbidden else f"its input '{' '.join(outside or inputs)}' {where}"
+        why = "it was generated from standard input" if "-" in inputs else why
+        print_message(f"'{file}' is skipped: {why}")
+        return None
+    if words[0] != "gen-all":
+        return Origin(os.path.abspath(file), words, os.path.abspath(home), workspace)
+    return Origin(package, words, os.path.abspath(home), workspace)
+
+
+@contextmanager
+def _working_in(folder: str) -> Iterator[None]:
+    before = os.getcwd()
+    os.chdir(folder)
+    try:
+        yield
+    finally:
+        os.chdir(before)

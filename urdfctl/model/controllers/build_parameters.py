@@ -1,0 +1,237 @@
+"""Build typed parameters from located YAML, as ROS 1 and ROS 2 read it, and record what their readers reject."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+
+from urdfctl.model.controllers.controllers import Fault, FaultKind, Key, Section
+from urdfctl.model.controllers.parameters import Kind, Parameter, Parameters, Value
+from urdfctl.source.span import Place
+from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, Sequence, YamlFile
+from urdfctl.source.yaml_types import Typed, is_literal, typed_by_pyyaml, typed_by_rcl
+from urdfctl.startup.records import NamedTuple
+
+PARAMETERS_KEY = "ros__parameters"
+_INT32 = range(-(1 << 31), 1 << 31)
+_TEXT_KEYS = (Kind.STRING, Kind.UNKNOWN)
+
+
+class Leaf(NamedTuple):
+    """A parameter or a map of parameters in a ROS 1 file.
+
+    path: the keys that lead to it, including its own.
+    key: the place of its own key.
+    value: the value.
+    """
+
+    path: tuple[str, ...]
+    key: Place
+    value: Value
+
+
+class Flat(NamedTuple):
+    """The flattened content of a file: sections (ROS 2) or leaves (ROS 1), and faults."""
+
+    sections: list[Section]
+    leaves: list[Leaf]
+    faults: list[Fault]
+
+
+def value_of(node: Node, typed: Callable[[Scalar], Typed]) -> Value:
+    """Return the value of a YAML node; `typed` types a scalar as the reader does."""
+    if isinstance(node, Scalar):
+        kind, value = typed(node)
+        return Value(kind, value, node.text, node.at)
+    if isinstance(node, Sequence):
+        return Value(Kind.LIST, None, "", node.at, tuple(_element(item, typed) for item in node.items))
+    return Value(Kind.MAP, None, "", node.at)
+
+
+def _element(node: Node, typed: Callable[[Scalar], Typed]) -> Value:
+    value = value_of(node, typed)
+    if not isinstance(node, Mapping):
+        return value
+    fields = (Parameter(entry.key.text, entry.key.at, value_of(entry.value, typed)) for entry in node.entries)
+    return value._replace(fields=tuple(fields))
+
+
+def parameters_of(leaves: Iterable[Leaf], base: int = 0) -> Parameters:
+    """Return the parameters for some leaves, including the maps that dotted keys imply.
+
+    base: number of leading keys that are left out of the names.
+    """
+    by_name: dict[str, Parameter] = {}
+    for leaf in leaves:
+        path = leaf.path[base:]
+        for length in range(1, len(path)):
+            name = ".".join(path[:length])
+            if name not in by_name:
+                by_name[name] = Parameter(name, leaf.key, Value(Kind.MAP, None, "", leaf.key))
+        name = ".".join(path)
+        if name in by_name and leaf.value.kind is Kind.MAP and by_name[name].value.kind is Kind.MAP:
+            continue
+        by_name[name] = Parameter(name, leaf.key, leaf.value)
+    return Parameters(by_name.values())
+
+
+def tag_faults(file: YamlFile) -> list[Fault]:
+    """Return the tags in a file that make Python objects."""
+    return [Fault(FaultKind.PYTHON_TAG, at) for at in file.python_tags]
+
+
+# -- ROS 2 -----------------------------------------------------------------------------------------------------------
+
+
+def read_by_rcl(file: YamlFile) -> Flat:
+    """Return the sections of a parameter file, as parse.c of rcl_yaml_param_parser reads them: all documents as one."""
+    flat = Flat([], [], [*(Fault(FaultKind.ALIAS, at) for at in file.aliases), *tag_faults(file)])
+    for document in file.documents:
+        lost = _lost_indentation(document)
+        if lost:
+            flat.faults.append(lost)
+        elif isinstance(document, Mapping):
+            _nodes(document, (), flat)
+        elif isinstance(document, Sequence):
+            flat.faults.append(Fault(FaultKind.ROOT, document.at))
+    return flat
+
+
+def _lost_indentation(document: Node) -> Fault | None:
+    """The fault of a document in which `ros__parameters` follows a node's name on the same level, if it is one."""
+    above: Entry | None = None
+    for entry in document.entries if isinstance(document, Mapping) else ():
+        is_name = above is not None and isinstance(above.value, Scalar) and not above.value.text
+        if entry.key.text == PARAMETERS_KEY and above is not None and is_name:
+            return Fault(FaultKind.LOST_INDENTATION, entry.key.at, above.key.text)
+        above = entry
+    return None
+
+
+def _nodes(mapping: Mapping, keys: tuple[Key, ...], flat: Flat) -> None:
+    for key, value in mapping.entries:
+        if not key.text.startswith(PARAMETERS_KEY):  # rcl compares only this many characters
+            if isinstance(value, Mapping):
+                _nodes(value, (*keys, Key(key.text, key.at)), flat)
+            else:
+                flat.faults.append(Fault(FaultKind.OUTSIDE_PARAMETERS, key.at, key.text, keys))
+            continue
+        name, at = "/".join(above.text for above in keys), keys[-1].at if keys else key.at
+        if not keys or not _is_node(name):
+            flat.faults.append(Fault(FaultKind.NODE_NAME, at, name, keys))
+        elif isinstance(value, Mapping):
+            faults: list[Fault] = []
+            leaves = list(_leaves_of_rcl(value, (), faults))
+            flat.faults.extend(fault._replace(keys=keys) for fault in faults)
+            flat.sections.append(Section(name, at, parameters_of(leaves), key.at))
+        elif isinstance(value, Scalar) and typed_by_rcl(value).kind is Kind.NULL:
+            flat.faults.append(Fault(FaultKind.EMPTY, key.at, key.text, keys))  # rcl rejects the whole file
+        else:
+            flat.faults.append(Fault(FaultKind.PARAMETERS_NOT_A_MAP, key.at, name, keys))
+
+
+def _is_node(path: str) -> bool:
+    """Whether rcl's __validate_name accepts a path: parts of letters, digits and underscores, or whole wildcards."""
+    if not is_literal(path) or "<" in path:
+        return True
+    return all(part in ("*", "**") or _is_name(part) for part in path.removeprefix("/").split("/"))
+
+
+def _is_name(part: str) -> bool:
+    return re.fullmatch(r"[A-Za-z_]\w*", part, re.ASCII) is not None
+
+
+def _leaves_of_rcl(mapping: Mapping, path: tuple[str, ...], faults: list[Fault]) -> Iterator[Leaf]:
+    for key, written in mapping.entries:
+        here, node = (*path, *key.text.split(".")), written
+        if isinstance(written, Sequence) and written.items and isinstance(written.items[0], Mapping):
+            faults.extend(Fault(FaultKind.MAP_IN_LIST, item.at, key.text) for item in written.items[1:2])
+            node = written.items[0]  # rcl reads the first map of a list instead of the list
+        value = value_of(node, typed_by_rcl)
+        yield Leaf(here, key.at, value)
+        faults.extend(_unexpanded(value, key))
+        if not isinstance(node, Scalar) and not value.items and not (isinstance(node, Mapping) and node.entries):
+            faults.append(Fault(FaultKind.EMPTY_COLLECTION, key.at, key.text))
+        elif isinstance(node, Mapping):
+            yield from _leaves_of_rcl(node, here, faults)
+        elif isinstance(node, Sequence):
+            faults.extend(_faults_of_list(node, value, key.text))
+        elif value.kind is Kind.NULL:
+            faults.append(Fault(FaultKind.EMPTY, key.at, key.text))
+
+
+def _unexpanded(value: Value, key: Scalar) -> Iterator[Fault]:
+    for item in (value, *value.items):
+        if "${" in item.text or "$(" in item.text:
+            yield Fault(FaultKind.UNEXPANDED, item.at, key.text)
+
+
+def _faults_of_list(node: Sequence, value: Value, name: str) -> Iterator[Fault]:
+    first = next((item.kind for item in value.items if item.is_known), None)
+    for item, typed in zip(node.items, value.items, strict=True):
+        if isinstance(item, Sequence):
+            yield Fault(FaultKind.NESTED_LIST, item.at, name)
+            return
+        if isinstance(item, Mapping):
+            yield Fault(FaultKind.MAP_IN_LIST, item.at, name)
+            return
+        if typed.kind is Kind.NULL:
+            yield Fault(FaultKind.EMPTY, item.at, name)
+        elif typed.is_known and typed.kind is not first:
+            yield Fault(FaultKind.MIXED_LIST, item.at, name)
+            return
+
+
+# -- ROS 1 -----------------------------------------------------------------------------------------------------------
+
+
+def read_by_rosparam(file: YamlFile, prefix: tuple[str, ...] = ()) -> Flat:
+    """Return the parameters of a file, as roslaunch's `<rosparam>` uploads them into the namespace `prefix`."""
+    flat = Flat([], [], tag_faults(file))
+    if len(file.documents) > 1:
+        flat.faults.append(Fault(FaultKind.DOCUMENTS, file.documents[1].at))
+    for document in file.documents[:1]:
+        if isinstance(document, Mapping):
+            flat.leaves.extend(_leaves_of_rosparam(document, prefix, flat.faults))
+        elif not isinstance(document, Scalar) or typed_by_pyyaml(document).kind is not Kind.NULL:
+            flat.faults.append(Fault(FaultKind.ROOT, document.at))
+    return flat
+
+
+def _leaves_of_rosparam(mapping: Mapping, path: tuple[str, ...], faults: list[Fault]) -> Iterator[Leaf]:
+    for key, node in _merged(mapping):
+        if typed_by_pyyaml(key).kind not in _TEXT_KEYS:
+            faults.append(Fault(FaultKind.KEY, key.at, key.text))
+        here = (*path, *(part for part in key.text.split("/") if part))
+        value = value_of(node, typed_by_pyyaml)
+        yield Leaf(here, key.at, value)
+        faults.extend(_unexpanded(value, key))
+        if isinstance(node, Mapping):
+            yield from _leaves_of_rosparam(node, here, faults)
+        else:
+            faults.extend(_faults_of_value(value, key))
+
+
+def _merged(mapping: Mapping) -> list[Entry]:
+    """The entries of a map with `<<` merged; as in PyYAML, own entries take precedence, then the last of duplicates."""
+    inherited: list[Entry] = []
+    own: list[Entry] = []
+    for entry in mapping.entries:
+        if entry.key.text != "<<" or entry.key.style:
+            own.append(entry)
+            continue
+        sources = entry.value.items if isinstance(entry.value, Sequence) else (entry.value,)
+        for source in reversed(sources):
+            if isinstance(source, Mapping):
+                inherited += _merged(source)
+    return list({entry.key.text: entry for entry in inherited + own}.values())
+
+
+def _faults_of_value(value: Value, key: Scalar) -> Iterator[Fault]:
+    for item in (value, *value.items):
+        if item.kind is Kind.NULL:
+            yield Fault(FaultKind.EMPTY, key.at if item is value else item.at, key.text)
+        elif item.kind is Kind.OTHER:
+            yield Fault(FaultKind.UNUSABLE, item.at, key.text)
+        elif item.kind is Kind.INT and item.value not in _INT32:
+            yield Fault(FaultKind.OVERFLOW, item.at, key.text)

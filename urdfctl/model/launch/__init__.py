@@ -1,0 +1,33 @@
+"""The model of launch files: what they are known to do with robots and controllers, and the package around them."""
+
+from __future__ import annotations
+
+from urdfctl.model.launch.launch import (
+    Description,
+    InlineParameters,
+    Launch,
+    Node,
+    Option,
+    ParameterLoad,
+    Reference,
+    Simulation,
+    Spawn,
+    Word,
+    joined,
+)
+from urdfctl.model.launch.package import Package
+
+__all__ = [
+    "Description",
+    "InlineParameters",
+    "Launch",
+    "Node",
+    "Option",
+    "Package",
+    "ParameterLoad",
+    "Reference",
+    "Simulation",
+    "Spawn",
+    "Word",
+    "joined",
+]

@@ -1,0 +1,406 @@
+"""Build the model of a ROS 1 launch file (roslaunch XML), together with the files that it includes."""
+
+from __future__ import annotations
+
+import re
+from collections import ChainMap
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
+
+from urdfctl.model.controllers import FileReference
+from urdfctl.model.launch.launch import (
+    Description,
+    InlineParameters,
+    Launch,
+    Node,
+    Option,
+    ParameterLoad,
+    Reference,
+    Simulation,
+    Spawn,
+    Word,
+    joined,
+)
+from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_environment
+from urdfctl.model.launch.xacro_command import of_command
+from urdfctl.model.moveit import MoveItFiles
+from urdfctl.source.dom import Element
+from urdfctl.source.opaque import UNKNOWN, if_known
+from urdfctl.source.span import Place
+
+_DESCRIPTION = "robot_description"
+_SEMANTIC = "_semantic"
+_MOST_DEPTH = 16
+_MOST_INCLUDES = 200
+_MOST_REPLACED = 200
+_SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
+"""Packages whose launch files start a simulator, but no controllers."""
+_OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
+_SPAWNING = {"spawn": True, "load": False, "start": True}
+"""The verbs of the program `controller_manager` that load controllers, and whether they start them."""
+
+
+_ARGUMENT_FILES = (".rviz", ".vcg", ".world", ".sdf")
+"""The endings of files that programs get as arguments."""
+
+
+def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
+    """Return the model of a ROS 1 launch file that is started with these arguments; None if it is not such a file."""
+    document = sources.read(path)
+    root = document.documentElement if document else None
+    if root is None or root.tagName != "launch" or is_of_ros2(root):
+        return None
+    builder = _Builder(sources)
+    builder.walk(root, Scope(path, "", ChainMap(dict(arguments)), sure=True))
+    return Launch(
+        path,
+        1,
+        tuple(builder.descriptions or builder.others),
+        tuple(builder.loads),
+        tuple(builder.spawns),
+        complete=builder.complete,
+        elsewhere=tuple(builder.elsewhere),
+        nodes=tuple(builder.nodes),
+        simulations=tuple(builder.simulations),
+        references=tuple(builder.references),
+        packages=tuple(builder.packages),
+        strays=tuple(builder.strays),
+        arguments=tuple(builder.arguments.items()),
+        inline=tuple(builder.inline),
+        moveit=tuple(_with_loads(files, builder.loads) for files in builder.moveit),
+    )
+
+
+def _with_loads(files: MoveItFiles, loads: Sequence[ParameterLoad]) -> MoveItFiles:
+    """The files for MoveIt with the YAML files that are loaded for the same robot."""
+
+    def last(ending: str) -> FileReference | None:
+        name = f"{files.namespace or ''}/{_DESCRIPTION}{ending}"
+        return next((load.file for load in reversed(loads) if load.sure and load.namespace == name), None)
+
+    known = tuple(load.file for load in loads if load.sure and load.file.path)
+    return files._replace(kinematics=last("_kinematics"), limits=last("_planning"), controllers=known)
+
+
+def is_of_ros2(root: Element) -> bool:
+    """Return whether a launch file in XML is for ROS 2, by its attributes, `<let>` elements or substitutions."""
+    for element in _all(root):
+        if "exec" in element.attrs or "namespace" in element.attrs or element.tagName == "let":
+            return True
+        if any("$(var " in value or "$(find-pkg-share " in value for value in element.attrs.values()):
+            return True
+    return False
+
+
+def _all(element: Element) -> Iterator[Element]:
+    pending = [element]
+    while pending:
+        current = pending.pop()
+        yield current
+        pending.extend(current.elements())
+
+
+class _Builder:
+    def __init__(self, sources: Sources) -> None:
+        self.sources = sources
+        self.descriptions: list[Description] = []
+        self.others: list[Description] = []
+        """Descriptions with a name other than robot_description; used only if nothing has that name."""
+        self.loads: list[ParameterLoad] = []
+        self.spawns: list[Spawn] = []
+        self.elsewhere: list[Spawn] = []
+        self.nodes: list[Node] = []
+        self.simulations: list[Simulation] = []
+        self.references: list[Reference] = []
+        self.packages: list[Word] = []
+        self.strays: list[Word] = []
+        self.moveit: list[MoveItFiles] = []
+        self.arguments: dict[str, str | None] = {}
+        self.inline: list[InlineParameters] = []
+        self.complete = True
+        self._includes = 0
+        self._remapped = False
+        self._of_environment: set[str] = set()
+
+    def walk(self, parent: Element, scope: Scope) -> None:
+        for element in parent.elements():
+            texts = self._texts(scope, element)
+            held = self._held(element, texts)
+            inner = scope._replace(sure=scope.sure and held is True, held=scope.held and held is not False)
+            self._packages(element)
+            namespace = texts.resolve(element.attrs.get("ns", "")).strip()
+            if element.tagName == "arg":
+                if held is not False:
+                    self._argument(element, inner, texts)
+            elif element.tagName == "group":
+                own = inner.arguments.new_child()
+                self.walk(element, inner._replace(namespace=inner.joined(namespace), arguments=own))
+            elif element.tagName == "include":
+                self._include(element, inner._replace(namespace=inner.joined(namespace)), texts)
+            elif element.tagName == "node":
+                self._node(element, inner._replace(namespace=inner.joined(namespace)), texts)
+            elif element.tagName == "param" and inner.held:
+                self._param(element, inner, texts)
+            elif element.tagName == "rosparam" and inner.held:
+                self._rosparam(element, inner, texts)
+            elif element.tagName == "remap" and not inner.in_node:
+                self._remapped = True
+
+    def _packages(self, element: Element) -> None:
+        for name, value in element.attrs.items():
+            for package in re.findall(r"\$\(find\s+([^\s()$]+)\s*\)", value):
+                self.packages.append(Word(package, element.at[name]))
+
+    def _texts(self, scope: Scope, element: Element) -> Substitutions:
+        sources = self.sources
+
+        def too_long() -> None:
+            sources.too_long(element.at)
+
+        return Substitutions(scope.file, scope.arguments, sources.find, sources.environ, too_long)
+
+    @staticmethod
+    def _held(element: Element, texts: Substitutions) -> bool | None:
+        """Whether the condition of an element is true; None if unknown."""
+        if "if" in element.attrs:
+            return texts.truth(element.attrs["if"])
+        if "unless" in element.attrs:
+            truth = texts.truth(element.attrs["unless"])
+            return None if truth is None else not truth
+        return True
+
+    # -- elements ----------------------------------------------------------------------------------------------------
+
+    def _argument(self, element: Element, scope: Scope, texts: Substitutions) -> None:
+        name = element.attrs.get("name", "")
+        if scope.depth == 0 and not scope.in_node and "value" not in element.attrs:
+            self.arguments.setdefault(name, element.attrs.get("default"))
+        given = element.attrs.get("value")
+        if given is None and name in scope.arguments:
+            return
+        text = given if given is not None else element.attrs.get("default")
+        if text is not None and is_of_environment(text, self._of_environment):
+            self._of_environment.add(name)
+        value = UNKNOWN if text is None or not scope.sure else texts.resolve(text)
+        scope.arguments[name] = value if value or given is not None else self.sources.blank()
+
+    def _include(self, element: Element, scope: Scope, texts: Substitutions) -> None:
+        written = element.attrs.get("file", "")
+        path = texts.resolve(written)
+        if any(f"$(find {package})" in written for package in _SIMULATOR_ALONE):
+            self._simulation(element, scope, texts)
+            return
+        self._includes += 1
+        arguments = dict(scope.arguments) if element.attrs.get("pass_all_args", "").lower() in ("true", "1") else {}
+        for child in element.elements():
+            if child.tagName == "arg" and self._held(child, texts) is not False:
+                text = child.attrs.get("value", child.attrs.get("default"))
+                sure = self._held(child, texts) is True
+                arguments[child.attrs.get("name", "")] = texts.resolve(text) if text is not None and sure else UNKNOWN
+        document = None
+        if UNKNOWN not in path and scope.depth < _MOST_DEPTH and self._includes <= _MOST_INCLUDES:
+            document = self.sources.read(path)
+        if scope.held:
+            self._reference(written, element.at["file"], if_known(path), "include", sure=scope.sure)
+        if document is None or document.documentElement is None:
+            self.complete = self.complete and not scope.held
+            return
+        declared = {each.attrs.get("name") for each in _all(document.documentElement) if each.tagName == "arg"}
+        for child in element.elements():
+            if child.tagName == "arg" and child.attrs.get("name") not in declared and scope.held:
+                self.strays.append(Word(child.attrs.get("name", ""), child.at["name"]))
+        inner = Scope(path, scope.namespace, ChainMap(arguments), scope.sure, scope.depth + 1, held=scope.held)
+        self.walk(document.documentElement, inner)
+
+    def _simulation(self, element: Element, scope: Scope, texts: Substitutions) -> None:
+        if not scope.held or "world" not in element.attrs.get("file", ""):
+            return
+        arguments = [child for child in element.elements() if child.tagName == "arg"]
+        for child in arguments:
+            path = texts.resolve(child.attrs.get("value", ""))
+            if path.endswith(_ARGUMENT_FILES):
+                self._reference(child.attrs["value"], child.at["value"], if_known(path), "argument", sure=scope.sure)
+        given = [argument for argument in arguments if argument.attrs.get("name") == "paused"]
+        paused = texts.truth(given[-1].attrs.get("value", "")) if given else False
+        at = given[-1].at if given else element.at
+        self.simulations.append(Simulation("gazebo-classic", at, paused, scope.sure))
+
+    def _param(self, element: Element, scope: Scope, texts: Substitutions) -> None:
+        name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))
+        last = name.rpartition("/")[2]
+        if last.endswith(_SEMANTIC):
+            self._semantic(element, name, scope, texts)
+            return
+        if last != _DESCRIPTION and not (last.endswith("_description") and _makes_urdf(element)):
+            if "value" in element.attrs:
+                self._contained(name, element.at["value"], scope)
+            return
+        path: str | None = None
+        arguments: tuple[tuple[str, str], ...] | None = ()
+        source = "command" if "command" in element.attrs else "textfile"
+        written = re.sub(r"\$\(find xacro\)", "xacro", element.attrs.get(source, ""))
+        if source == "command":
+            path, arguments = of_command(texts.resolve(written))
+        elif written:
+            path = if_known(texts.resolve(written))
+        reference = self._reference(written, element.at[source], path, "description", sure=scope.sure)
+        at = element.at[source]
+        named = re.findall(r"((?<!\w)(\w+):=\S*)", written)
+        places = at.words(word for word, _ in named)
+        names = tuple(Word(name, place) for (_, name), place in zip(named, places, strict=True))
+        namespace = if_known(name.rpartition("/")[0])
+        description = Description(
+            file=reference,
+            arguments=arguments,
+            namespace=namespace,
+            at=element.at,
+            sure=scope.sure,
+            names=names,
+            command=written,
+            in_node=scope.in_node,
+        )
+        (self.descriptions if last == _DESCRIPTION else self.others).append(description)
+
+    def _semantic(self, element: Element, name: str, scope: Scope, texts: Substitutions) -> None:
+        """Add an SRDF that is set on the parameter server."""
+        source = "command" if "command" in element.attrs else "textfile"
+        written = re.sub(r"\$\(find xacro\)", "xacro", element.attrs.get(source, ""))
+        text = texts.resolve(written)
+        path, arguments = of_command(text) if source == "command" else (if_known(text), ())
+        reference = self._reference(written, element.at[source], path, "argument", sure=scope.sure)
+        namespace = if_known(name.rpartition("/")[0])
+        files = MoveItFiles(element.at, reference, arguments, namespace=namespace, sure=scope.sure)
+        self.moveit.append(files)
+
+    def _rosparam(self, element: Element, scope: Scope, texts: Substitutions) -> None:
+        if element.attrs.get("command", "load") != "load":
+            return
+        below = "/".join(texts.resolve(element.attrs[name]) for name in ("ns", "param") if element.attrs.get(name))
+        namespace = joined(scope.namespace, below)
+        if "file" not in element.attrs:
+            if element.at.content.start != element.at.start and element.attrs.get("param"):
+                self._contained(namespace, element.at.content, scope)
+            elif element.at.content.start != element.at.start and not scope.in_node and UNKNOWN not in namespace:
+                self.inline.append(InlineParameters(namespace, "", element.at.content, scope.sure))
+            return
+        self._load(element.attrs["file"], element.at["file"], namespace, scope, texts)
+        if texts.truth(element.attrs.get("subst_value", "")):
+            known = (pair for pair in scope.arguments.items() if if_known(pair[1]) is not None)
+            replaced = tuple((f"$(arg {name})", value) for name, value in islice(known, _MOST_REPLACED))
+            self.loads[-1] = self.loads[-1]._replace(replaced=replaced)
+        if texts.truth(element.attrs.get("subst_value", "false")) is not False:
+            self.loads[-1] = self.loads[-1]._replace(substituted=True)
+
+    def _contained(self, name: str, at: Place, scope: Scope) -> None:
+        """Add a parameter with its value. Those of a node are private to it."""
+        namespace, _, last = name.rpartition("/")
+        if not scope.in_node and last and UNKNOWN not in name and "$(" not in at.span.text:
+            self.inline.append(InlineParameters(namespace, last, at, scope.sure))
+
+    def _load(self, written: str, at: Place, namespace: str, scope: Scope, texts: Substitutions) -> None:
+        reference = self._reference(written, at, if_known(texts.resolve(written)), "parameters", sure=scope.sure)
+        self.loads.append(ParameterLoad(reference, if_known(namespace), at, scope.sure, scope.in_node))
+
+    def _reference(self, written: str, at: Place, path: str | None, use: str, *, sure: bool) -> FileReference:
+        located, exists = self.sources.locate(path) if path else (None, None)
+        if path and not path.startswith("/"):
+            exists = None  # depends on the folder that roslaunch is started in
+        if not exists and is_of_environment(written, self._of_environment):
+            exists = None
+        reference = FileReference(written, at, located, exists)
+        if located is not None:
+            self.references.append(Reference(reference, use, None, sure))
+        return reference
+
+    def _node(self, element: Element, scope: Scope, texts: Substitutions) -> None:
+        name = texts.resolve(element.attrs.get("name", ""))
+        inside = scope._replace(namespace=scope.joined(name), arguments=scope.arguments.new_child(), in_node=True)
+        self.walk(element, inside)
+        kind = element.attrs.get("type", "")
+        words = texts.resolve(element.attrs.get("args", "")).split()
+        if scope.held:
+            self._started(element, name, words, scope, texts)
+        if element.attrs.get("pkg") != "controller_manager" or kind not in ("spawner", "controller_manager"):
+            return
+        active = True
+        if kind == "controller_manager":
+            if not words or words[0] not in _SPAWNING:
+                return
+            active = _SPAWNING[words.pop(0)]
+        self._spawn(element, words, scope, texts, active=active)
+
+    def _started(self, element: Element, name: str, words: list[str], scope: Scope, texts: Substitutions) -> None:
+        package = Word(element.attrs.get("pkg", ""), element.at["pkg"])
+        program = Word(element.attrs.get("type", ""), element.at["type"])
+        at = element.at["args"]
+        given = tuple(map(Word, words, at.words(words)))
+        for word in words:
+            if word.endswith(_ARGUMENT_FILES):
+                self._reference(word, at, if_known(word), "argument", sure=scope.sure)
+        namespace = if_known(scope.namespace)
+        children = list(element.elements())
+        parameters = tuple(Word(child.attrs["name"], child.at["name"]) for child in children if "name" in child.attrs)
+        parameters += tuple(
+            Word(child.attrs["param"], child.at["param"]) for child in children if "param" in child.attrs
+        )
+        remaps = tuple(
+            (texts.resolve(child.attrs.get("from", "")), texts.resolve(child.attrs.get("to", "")))
+            for child in children
+            if child.tagName == "remap"
+        )
+        loads_files = any(child.tagName == "rosparam" and "param" not in child.attrs for child in children)
+        self.nodes.append(
+            Node(
+                package=package,
+                executable=program,
+                name=if_known(name),
+                namespace=namespace,
+                at=element.at,
+                words=given,
+                parameters=parameters,
+                remaps=remaps,
+                sure=scope.sure,
+                complete=not loads_files and not self._remapped,
+            )
+        )
+
+    def _spawn(self, element: Element, words: list[str], scope: Scope, texts: Substitutions, *, active: bool) -> None:
+        names: list[tuple[str, Place]] = []
+        options: list[Option] = []
+        namespace, complete = scope.namespace, True
+        at = element.at["args"]
+        rest = zip(words, at.words(words), strict=True)
+        for word, place in rest:
+            option, mark, value = word.partition("=")
+            if option in _OPTIONS_WITH_VALUE:
+                value, of_value = (value, place) if mark else next(rest, ("", at))
+                namespace = scope.joined(value) if option == "--namespace" else namespace
+                options.append(Option(option, Word(value, of_value), place))
+            elif word.startswith("--"):
+                active = active and option != "--stopped"
+                options.append(Option(option, None, place))
+            elif UNKNOWN in word:
+                complete = False
+            elif word.endswith((".yaml", ".yml")):
+                if scope.held:
+                    self._load(word, at, "", scope, texts)
+                complete = False
+            elif not word.startswith("-"):
+                names.append((word, place))
+        program = Word(element.attrs.get("type", ""), element.at["type"])
+        spawn = Spawn(
+            names=tuple(names),
+            namespace=if_known(namespace),
+            at=at,
+            active=active,
+            sure=scope.sure,
+            complete=complete,
+            program=program,
+        )
+        (self.spawns if scope.held else self.elsewhere).append(spawn._replace(options=tuple(options)))
+
+
+def _makes_urdf(element: Element) -> bool:
+    """Whether the value of a parameter comes from xacro or a URDF file."""
+    command = element.attrs.get("command", "")
+    return "xacro" in command or element.attrs.get("textfile", "").endswith(".urdf")

@@ -1,0 +1,340 @@
+"""The model of a launch file: what it is known to do with a robot and its controllers, each fact with its place."""
+
+from __future__ import annotations
+
+from urdfctl.model.launch.package import Package
+from urdfctl.source.lengths import MOST_CHARACTERS
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.span import Place
+from urdfctl.startup.hints import TYPE_CHECKING
+from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.model.controllers import FileReference
+    from urdfctl.model.moveit import MoveItFiles
+
+# Fields of the same meaning in all classes:
+# sure: False if it depends on an unknown condition.
+# namespace: empty at the root; None if unknown.
+# A text that is not fully known contains UNKNOWN.
+
+
+_WITHOUT_CONTROLLERS = frozenset({"moveit_ros_move_group", "moveit_servo", "teleop_twist_joy", "diagnostic_aggregator"})
+
+
+class Word(NamedTuple):
+    """A text with its place, such as a name or an argument of a program."""
+
+    text: str
+    at: Place
+
+    @property
+    def known(self) -> str | None:
+        """The text; None if it is not fully known."""
+        return None if UNKNOWN in self.text else self.text
+
+
+class Description(NamedTuple):
+    """A robot description that is set on the parameter server or passed to a node.
+
+    file: the URDF or xacro file.
+    arguments: the arguments for xacro, whose values may be unknown; None if it is unknown which ones are given.
+    names: the names of all arguments, known or not.
+    command: the command that prints it; None if there is none.
+    node: executable of the node that gets it; None for the parameter server.
+    in_node: ROS 1: the namespace is a node's own name.
+    alternatives: other arguments that it may have, where an unknown condition decides.
+    more: whether other arguments may be given too, which are not known.
+    as_yaml: ROS 2: whether launch parses the text as YAML, because nothing says that it is a string.
+    """
+
+    file: FileReference
+    arguments: tuple[tuple[str, str], ...] | None
+    namespace: str | None
+    at: Place
+    sure: bool = True
+    names: tuple[Word, ...] = ()
+    command: str | None = None
+    node: str | None = None
+    in_node: bool = False
+    alternatives: tuple[tuple[tuple[str, str], ...], ...] = ()
+    as_yaml: bool = False
+    more: bool = False
+
+    @property
+    def usable(self) -> bool:
+        """Whether its file exists, and its arguments are known by name."""
+        return bool(self.file.exists) and self.arguments is not None
+
+
+class ParameterLoad(NamedTuple):
+    """A YAML file whose parameters are loaded.
+
+    namespace: ROS 1: the namespace that the parameters are loaded into. ROS 2: empty; the file names its nodes.
+    in_node: ROS 1: the namespace is a node's own name.
+    node: ROS 2: executable of the node that gets the file.
+    of: ROS 2: namespace of that node.
+    replaced: the texts in the file that the launch file replaces, with what replaces them.
+    substituted: ROS 1: whether `$(...)` in the file is evaluated.
+    """
+
+    file: FileReference
+    namespace: str | None
+    at: Place
+    sure: bool = True
+    in_node: bool = False
+    node: str | None = None
+    of: str | None = None
+    replaced: tuple[tuple[str, str], ...] = ()
+    substituted: bool = False
+
+
+class InlineParameters(NamedTuple):
+    """Parameters that a ROS 1 launch file itself contains, in <param value="..."> or <rosparam>.
+
+    namespace: what they are loaded into, and for <param> the name before the last slash.
+    name: the parameter that has the value; empty if the text is a map of parameters in YAML.
+    at: the text, as YAML.
+    """
+
+    namespace: str
+    name: str
+    at: Place
+    sure: bool = True
+
+
+class Option(NamedTuple):
+    """An option of a program, as written, with its value; None if it has no value."""
+
+    name: str
+    value: Word | None
+    at: Place
+
+
+class Spawn(NamedTuple):
+    """A spawner.
+
+    names: the controllers with their places.
+    namespace: the namespace of their manager.
+    active: False if the controllers are loaded, but not started.
+    complete: False if some of its arguments are unknown.
+    manager: the manager's name without namespace; None if unknown.
+    program: `spawner`, `spawner.py`, or the verb of `ros2 control`.
+    options: the options with their values.
+    files: the parameter files that it gets.
+    after: controllers whose spawner exits before this one starts.
+    """
+
+    names: tuple[tuple[str, Place], ...]
+    namespace: str | None
+    at: Place
+    active: bool = True
+    sure: bool = True
+    complete: bool = True
+    manager: str | None = "controller_manager"
+    program: Word | None = None
+    options: tuple[Option, ...] = ()
+    files: tuple[FileReference, ...] = ()
+    after: tuple[str, ...] = ()
+
+    def option(self, *names: str) -> Option | None:
+        """Return the first option with one of these names, if any."""
+        return next((option for option in self.options if option.name in names), None)
+
+
+class Node(NamedTuple):
+    """A node that is started.
+
+    name: None if not given or unknown.
+    namespace: the full namespace.
+    words: its command-line arguments.
+    parameters: the names of its parameters.
+    values: the texts of its single parameters by name.
+    remaps: pairs of the old and the new name of a topic.
+    complete: False if some arguments, parameters or remappings are unknown.
+    files: the parameter files that it gets.
+    """
+
+    package: Word
+    executable: Word
+    name: str | None
+    namespace: str | None
+    at: Place
+    words: tuple[Word, ...] = ()
+    parameters: tuple[Word, ...] = ()
+    remaps: tuple[tuple[str, str], ...] = ()
+    sure: bool = True
+    complete: bool = True
+    files: tuple[Word, ...] = ()
+    values: tuple[tuple[str, str], ...] = ()
+
+    def runs(self, package: str, *executables: str) -> bool:
+        """Return whether it runs one of these executables of a package."""
+        return self.package.text == package and self.executable.text in executables
+
+
+class Simulation(NamedTuple):
+    """A simulator that is started.
+
+    simulator: `gz` or `gazebo-classic`.
+    paused: whether it starts paused; None if unknown.
+    """
+
+    simulator: str
+    at: Place
+    paused: bool | None = None
+    sure: bool = True
+
+
+class Reference(NamedTuple):
+    """A file that the launch file uses.
+
+    use: `description`, `parameters`, `include` or `argument`.
+    has_siblings: whether it should be there: its folder has other files of its kind, or is missing too.
+    package: the package that contains it; None if unknown.
+    """
+
+    file: FileReference
+    use: str
+    package: str | None = None
+    sure: bool = True
+    has_siblings: bool = False
+
+
+class Launch(NamedTuple):
+    """A launch file together with the files that it includes.
+
+    ros: the ROS generation, 1 or 2.
+    loads: the parameter files that are loaded.
+    complete: False if some actions are unknown, e.g. because an included file cannot be read.
+    elsewhere: spawners that run only with other launch arguments.
+    packages: the packages that it names.
+    package: the package that contains it; None if unknown.
+    strays: ROS 1: arguments for included files that do not declare them.
+    arguments: the launch arguments that the file itself declares, with their defaults; None for a required one.
+    inline: ROS 1: the parameters that it contains.
+    misspelt: the packages that it names and that do not exist, each with the package that was probably meant.
+    moveit: the files that it gives to MoveIt.
+    """
+
+    path: str
+    ros: int
+    descriptions: tuple[Description, ...] = ()
+    loads: tuple[ParameterLoad, ...] = ()
+    spawns: tuple[Spawn, ...] = ()
+    complete: bool = True
+    elsewhere: tuple[Spawn, ...] = ()
+    nodes: tuple[Node, ...] = ()
+    simulations: tuple[Simulation, ...] = ()
+    references: tuple[Reference, ...] = ()
+    packages: tuple[Word, ...] = ()
+    package: Package | None = None
+    strays: tuple[Word, ...] = ()
+    arguments: tuple[tuple[str, str | None], ...] = ()
+    inline: tuple[InlineParameters, ...] = ()
+    misspelt: tuple[tuple[Word, str], ...] = ()
+    moveit: tuple[MoveItFiles, ...] = ()
+
+    @property
+    def started(self) -> tuple[str, ...] | None:
+        """The controllers that are started together, with their namespaces if known; None if some are unknown, or if
+        there are no spawners."""
+        if not self.complete or not self.spawns or not all(spawn.sure and spawn.complete for spawn in self.spawns):
+            return None
+        return tuple(dict.fromkeys(_full(name, s) for s in self.spawns if s.active for name, _ in s.names))
+
+    @property
+    def description(self) -> Description | None:
+        """The robot description, if there is only one; of several robots, the first. None if it is not known."""
+        robots = self.robots
+        return robots[0] if robots else None
+
+    @property
+    def robots(self) -> tuple[Description, ...]:
+        """The descriptions of all robots, each once, with the robot's namespace; empty if it is not known which.
+
+        The same description in a namespace and below it is one robot. A node's own description belongs to the node's
+        namespace, unless controllers are loaded under the node's name.
+        """
+        usable = [each._replace(namespace=self._home(each)) for each in self.descriptions if each.usable]
+        sure = [each for each in usable if each.sure]
+        robots: list[Description] = []
+        for each in sorted(sure or usable, key=lambda one: (one.namespace or "").count("/")):
+            if not any(_is_same_robot(each, robot) for robot in robots):
+                robots.append(each)
+        if len({each.namespace for each in robots}) < len(robots):
+            return ()  # different descriptions for one namespace
+        return tuple(sorted(robots, key=lambda one: one.at.start))
+
+    @property
+    def unfollowed(self) -> tuple[str, ...]:
+        """The launch files that it includes and that are worth checking on their own.
+
+        Those that it may or may not include; all of them if no robot is known.
+        """
+        robots = self.robots
+        included = (one for one in self.references if one.use == "include" and one.file.exists)
+        paths = (one.file.path for one in included if not (robots and one.sure))
+        return tuple(dict.fromkeys(path for path in paths if path))
+
+    @property
+    def runs_without_simulator(self) -> bool:
+        """Whether it is known to start a controller manager of ROS 2, and no simulator."""
+        managers = (node for node in self.nodes if node.sure and node.runs("controller_manager", "ros2_control_node"))
+        return self.complete and not self.simulations and any(managers)
+
+    def is_of_other_node(self, load: ParameterLoad) -> bool:
+        """Return whether ROS 1 loads parameters under the name of a node that manages no controllers."""
+        namespace = load.namespace
+        if self.ros > 1 or not namespace or load.in_node or any(spawn.namespace == namespace for spawn in self.spawns):
+            return False
+        named = (
+            node for node in self.nodes if node.sure and joined(node.namespace or "", node.name or "") == namespace
+        )
+        return any(node.package.text in _WITHOUT_CONTROLLERS for node in named)
+
+    def among(self, robot: Description) -> Launch:
+        """Return the launch file with only what belongs to one of its robots: what no other robot is nearer to."""
+        others = {self._home(each) or "" for each in self.descriptions if not each.usable}
+        homes = others | {each.namespace or "" for each in self.robots}
+        home = robot.namespace or ""
+
+        def belongs(namespace: str | None) -> bool:
+            around = [one for one in homes if f"{namespace or ''}/".startswith(f"{one}/")]
+            return namespace is None or max(around, key=len, default=home) == home
+
+        if len(homes) < 2:  # noqa: PLR2004
+            return self
+        return self._replace(
+            descriptions=tuple(each for each in self.descriptions if belongs(self._home(each))),
+            loads=tuple(load for load in self.loads if belongs(load.of if self.ros > 1 else load.namespace)),
+            spawns=tuple(spawn for spawn in self.spawns if belongs(spawn.namespace)),
+        )
+
+    def _home(self, description: Description) -> str | None:
+        """The namespace of the robot that a description is of."""
+        own = description.namespace
+        if own is None or not description.in_node:
+            return own
+        used = {load.namespace for load in self.loads if not load.in_node} | {spawn.namespace for spawn in self.spawns}
+        return own if own in used else own.rpartition("/")[0]
+
+
+def _is_same_robot(description: Description, robot: Description) -> bool:
+    """Whether a description is that of a robot nearer to the root."""
+    is_same = (description.file.path, description.arguments) == (robot.file.path, robot.arguments)
+    return is_same and f"{description.namespace or ''}/".startswith(f"{robot.namespace or ''}/")
+
+
+def joined(namespace: str, name: str) -> str:
+    """Return a name in a namespace, joined as launch files do; empty for the root, UNKNOWN if part of it is unknown, or
+    it is longer than any name.
+    """
+    if UNKNOWN in name or len(namespace) + len(name) > MOST_CHARACTERS:
+        return UNKNOWN
+    full = name if name.startswith("/") else f"{namespace}/{name}"
+    return UNKNOWN if UNKNOWN in full else "".join(f"/{part}" for part in full.split("/") if part)
+
+
+def _full(name: str, spawn: Spawn) -> str:
+    return name if spawn.namespace is None else f"{spawn.namespace}/{name}"

@@ -1,0 +1,132 @@
+"""The model of a package, from its manifest and its build files."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator
+from functools import partial
+
+from urdfctl.model.robot import text_of
+from urdfctl.source.dom import Document, Element
+from urdfctl.source.files import first_bytes
+from urdfctl.source.gate import is_file
+from urdfctl.source.packages import PackageNotFound, Packages
+from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
+
+
+class Package(NamedTuple):
+    """The package that contains a launch file.
+
+    at: the root element of the manifest.
+    ros: the ROS generation of its build system; None if unknown.
+    dependencies: its run dependencies, as the manifest lists them.
+    reaches: returns whether a package is among its run dependencies, directly or through other source packages.
+    installs: returns whether a source file, by its path, is installed to the share folder; None if unknown.
+    build_file: the file with the install rules.
+    shares_models: returns whether a package, by its name, adds its folder to Gazebo's model path; None if unknown.
+    """
+
+    name: str
+    folder: str
+    at: Place
+    ros: int | None
+    dependencies: frozenset[str]
+    reaches: Callable[[str], bool]
+    installs: Callable[[str], bool | None]
+    build_file: str
+    shares_models: Callable[[str], bool | None] = lambda _: None
+    tag: str = "exec_depend"
+    """The element for a run dependency in the manifest's format."""
+
+    def holds(self, place: Place) -> bool:
+        """Return whether a place is in a file of the package."""
+        return place.source.path.startswith(f"{self.folder}/")
+
+
+_RUNNING = ("depend", "exec_depend", "run_depend", "build_export_depend")
+_MOST_MANIFESTS = 300
+_DEPEND = re.compile(r"<(?:depend|exec_depend|run_depend)\b[^>]*>\s*([^<\s]+)\s*<")
+_COMMENT = re.compile(r"(?s)<!--.*?-->")
+
+
+def package_around(packages: Packages, tree: Callable[[str], Document | None]) -> Package | None:
+    """Return the package that contains a file; None if there is none, or its manifest cannot be read.
+
+    packages: the packages as the file sees them.
+    tree: returns the tree of an XML file; None if it cannot be read.
+    """
+    folder = packages.own()
+    document = tree(os.path.join(folder, "package.xml")) if folder else None
+    root = document.documentElement if document else None
+    if folder is None or root is None or root.tagName != "package":
+        return None
+    name = next(_texts(root, "name"), "")
+    running = frozenset(text for tag in _RUNNING for text in _texts(root, tag))
+    built = " ".join(_texts(root, "buildtool_depend"))
+    exports = (element for export in root.elements() if export.tagName == "export" for element in export.elements())
+    kind = " ".join(text_of(element).value for element in exports if element.tagName == "build_type")
+    ros = 2 if "ament" in built + kind else 1 if "catkin" in built + kind else None
+    return Package(
+        name=name,
+        folder=folder,
+        at=root.at,
+        ros=ros,
+        dependencies=running,
+        reaches=partial(_reaches, packages, running),
+        installs=partial(_installs, packages, folder, name),
+        build_file="setup.py" if "python" in kind else "CMakeLists.txt",
+        shares_models=partial(_shares_models, packages),
+        tag="run_depend" if root.attrs.get("format", "1") == "1" else "exec_depend",
+    )
+
+
+def _texts(root: Element, tag: str) -> Iterator[str]:
+    for element in root.elements():
+        if element.tagName == tag:
+            yield text_of(element).value
+
+
+def _installs(packages: Packages, folder: str, name: str, path: str) -> bool | None:
+    """Whether a file of the package is installed; None if unknown."""
+    relative = os.path.relpath(path, folder)
+    return packages.install_map(folder, name).installs(relative) if not relative.startswith(os.pardir) else None
+
+
+def _reaches(packages: Packages, running: frozenset[str], name: str) -> bool:
+    """Whether a package is among the run dependencies, directly or through other source packages."""
+    seen = set(running)
+    pending = sorted(running)
+    while pending and len(seen) < _MOST_MANIFESTS:
+        if name in seen:
+            return True
+        new = _needed_by(packages, pending.pop()) - seen
+        seen |= new
+        pending += sorted(new)
+    return name in seen
+
+
+def _shares_models(packages: Packages, name: str) -> bool | None:
+    """Whether a package exports a model path for Gazebo, or may set environment variables; None if it is not here."""
+    try:
+        folder = packages.find(name)
+        manifest = first_bytes(os.path.join(folder, "package.xml"), 65536)
+    except (PackageNotFound, OSError):
+        return None
+    if b"model_path" in _COMMENT.sub("", manifest.decode("utf-8", "replace")).encode():
+        return True
+    for build_file in ("CMakeLists.txt", "setup.py"):
+        path = os.path.join(folder, build_file)
+        if is_file(path) and re.search(rb"environment_hooks|\bhook", first_bytes(path, 1 << 18)):
+            return True
+    return False
+
+
+def _needed_by(packages: Packages, name: str) -> set[str]:
+    try:
+        manifest = os.path.join(packages.find(name), "package.xml")
+        text = first_bytes(manifest, 65536).decode("utf-8", "replace")
+        return set(_DEPEND.findall(_COMMENT.sub("", text)))
+    except (PackageNotFound, OSError):
+        return set()

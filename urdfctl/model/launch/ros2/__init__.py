@@ -1,0 +1,10 @@
+"""Build the model of ROS 2 launch files, which are followed without running anything."""
+
+from __future__ import annotations
+
+from urdfctl.model.launch.ros2.build_launch_ros2 import Sources, launch_of_ros2
+
+__all__ = [
+    "Sources",
+    "launch_of_ros2",
+]

@@ -1,0 +1,363 @@
+"""Build the model of a ROS 2 launch file from its terms, together with the files that it includes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from urdfctl.model.launch import Launch, Simulation, Spawn, Word, joined
+from urdfctl.model.launch.ros2.descriptions import content_of
+from urdfctl.model.launch.ros2.facts import LaunchFacts
+from urdfctl.model.launch.ros2.moveit import LAUNCHES
+from urdfctl.model.launch.ros2.nodes import Nodes
+from urdfctl.model.launch.ros2.simulators import (
+    commanded_simulation,
+    included_simulation,
+    package_outside,
+    simulator_of,
+)
+from urdfctl.model.launch.ros2.texts import Scope, Texts, table_of
+from urdfctl.source.launch.terms import (
+    Called,
+    Constant,
+    Function,
+    Items,
+    Missing,
+    OneOf,
+    Perhaps,
+    Term,
+)
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
+
+_MOST_DEPTH = 16
+_MOST_INCLUDES = 200
+_MOST_ACTIONS = 5000
+_WITHOUT_CONTROLLERS = frozenset(
+    "nav2_bringup slam_toolbox ros_gz_bridge foxglove_bridge rosbridge_server realsense2_camera rplidar_ros joy "
+    "teleop_twist_joy robot_localization turtlebot3_navigation2 velodyne usb_cam moveit_servo rviz2 depthai_ros_driver "
+    "sick_scan_xd ldlidar_stl_ros2 urg_node micro_ros_agent urdf_launch launch_testing_ament_cmake".split()
+)
+"""Packages whose launch files start no controllers, in addition to the simulators."""
+_HARMLESS = frozenset(
+    (
+        "LogInfo Shutdown EmitEvent SetEnvironmentVariable AppendEnvironmentVariable UnsetEnvironmentVariable "
+        "PrependEnvironmentVariable SetROSLogDir "
+        "UnregisterEventHandler ResetEnvironment PushEnvironment PopEnvironment LoadComposableNodes "
+        "ComposableNodeContainer ComposableNode LifecycleTransition UnsetLaunchConfiguration ReadyToTest GzServer "
+        "RosGzBridge AppendEnvironment"
+    ).split()
+)
+"""Actions that have no effect on a robot and its controllers."""
+_ALTERING = frozenset({"SetParameter", "SetParametersFromFile", "SetRemap", "SetUseSimTime"})
+"""Actions that change the parameters or remappings of all following nodes."""
+_NODES = frozenset({"Node", "LifecycleNode"})
+_PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
+_HANDLERS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start", "OnExecutionComplete": "on_completion"}
+_SPAWNING = frozenset(
+    (
+        "generate_load_controller_launch_description generate_controllers_spawner_launch_description "
+        "generate_controllers_spawner_launch_description_from_dict"
+    ).split()
+)
+
+
+class Sources(NamedTuple):
+    """Access to files, packages and the environment for a launch file.
+
+    read: returns the launch description of a file; None if it cannot be read.
+    locate: returns the source path of a file, and whether it exists; None if that cannot be checked.
+    find: returns the folder of a package that is used at a place; None if it is not among the sources.
+    environ: the environment variables.
+    values: returns the content of a YAML file; None if it cannot be read.
+    blank: returns the value of arguments with an empty default, in this file and the included ones.
+    too_long: is told a place at which a text becomes too long.
+    """
+
+    read: Callable[[str], Term | None]
+    locate: Callable[[str], tuple[str, bool | None]]
+    find: Callable[[str, Place], str | None]
+    environ: Mapping[str, str]
+    values: Callable[[str], Term | None] = lambda _: None
+    blank: Callable[[], str] = str
+    too_long: Callable[[Place], None] = lambda _: None
+
+
+class _State(NamedTuple):
+    """The state for an action.
+
+    sure: False if an unknown condition decides whether it runs.
+    held: False if it runs only with other launch arguments.
+    after: controllers whose spawner exits before it runs.
+    depth: depth of nested actions and includes.
+    """
+
+    sure: bool = True
+    held: bool = True
+    after: tuple[str, ...] = ()
+    depth: int = 0
+
+
+def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
+    """Return the model of a ROS 2 launch file that is started with these arguments; None if it is not such a file."""
+    term = sources.read(path)
+    if term is None:
+        return None
+    walk = _Walk(sources)
+    walk.action(term, Scope(path, arguments), _State())
+    facts = walk.facts
+    order = {name: index for index, spawn in enumerate(facts.spawns) for name, _ in spawn.names}
+    spawns = sorted(facts.spawns, key=lambda spawn: _turn(spawn, facts.spawns, order))
+    return Launch(
+        path,
+        2,
+        tuple(facts.descriptions),
+        tuple(facts.loads),
+        tuple(spawns),
+        complete=walk.complete,
+        elsewhere=tuple(facts.elsewhere),
+        nodes=tuple(facts.nodes),
+        simulations=tuple(walk.simulations),
+        references=tuple(facts.references.values()),
+        arguments=tuple(walk.arguments.items()),
+        moveit=tuple(facts.moveit),
+    )
+
+
+def _turn(spawn: Spawn, spawns: list[Spawn], order: Mapping[str, int], depth: int = 0) -> int:
+    """The number of spawners in a row that must exit before this one starts."""
+    if depth > len(spawns):
+        return depth
+    before = (spawns[order[name]] for name in spawn.after if name in order)
+    return max((1 + _turn(earlier, spawns, order, depth + 1) for earlier in before if earlier is not spawn), default=0)
+
+
+class _Walk:
+    def __init__(self, sources: Sources) -> None:
+        self.sources = sources
+        self.facts = LaunchFacts(sources.locate)
+        self.simulations: list[Simulation] = []
+        self.arguments: dict[str, str | None] = {}
+        self.complete = True
+        self._includes = self._actions = 0
+
+    def texts(self, scope: Scope) -> Texts:
+        sources = self.sources
+        return Texts(scope, sources.find, sources.environ, sources.values, sources.too_long)
+
+    def nodes(self, scope: Scope) -> Nodes:
+        return Nodes(self.facts, self.texts(scope))
+
+    # -- actions -----------------------------------------------------------------------------------------------------
+
+    def action(self, term: Term | None, scope: Scope, state: _State) -> None:
+        """Follow an action or a list of actions."""
+        self._actions += 1
+        if self._actions > _MOST_ACTIONS or state.depth > _MOST_DEPTH * 4:
+            self.complete = False
+        elif isinstance(term, Items):
+            for value in term.values:
+                self.action(value, scope, state._replace(depth=state.depth + 1))
+        elif isinstance(term, Perhaps):
+            self._apart((term.term,), scope, state)
+        elif isinstance(term, OneOf):
+            self._apart(term.options, scope, state)
+        elif isinstance(term, Called):
+            self._called(term, scope, state)
+        elif not (term is None or isinstance(term, Constant)):
+            self.complete = False
+
+    def _apart(self, terms: Sequence[Term], scope: Scope, state: _State) -> None:
+        """Follow actions each of which may run or not: what they set is known among themselves, and not after them."""
+        scopes = [scope.copy() for _ in terms]
+        for term, inner in zip(terms, scopes, strict=True):
+            self.action(term, inner, state._replace(sure=False, depth=state.depth + 1))
+        for inner in scopes:
+            scope.blur(inner)
+
+    def _called(self, term: Called, scope: Scope, state: _State) -> None:
+        held = self.texts(scope).condition(term.keywords.get("condition"))
+        if held is False:
+            scope = scope.copy()
+            state = state._replace(sure=False, held=False)
+        outer = scope
+        if held is None:
+            scope, state = scope.copy(), state._replace(sure=False)
+        self._act(term, scope, state._replace(depth=state.depth + 1))
+        if held is None:
+            outer.blur(scope)
+
+    def _act(self, term: Called, scope: Scope, state: _State) -> None:
+        """Follow an action whose condition may be true."""
+        if term.short in _ACTIONS:
+            _ACTIONS[term.short](self, term, scope, state)
+        elif term.short in _NODES:
+            self.nodes(scope).node(term, sure=state.sure, held=state.held, after=state.after)
+        elif term.short in _PROCESSES:
+            self._process(term, scope, state)
+        elif term.short in _SPAWNING:
+            self.nodes(scope).helper(term, sure=state.sure, held=state.held)
+        elif term.short in _ALTERING:
+            self.facts.altered = True
+        elif term.short not in _HARMLESS and state.held:
+            self.complete = False
+
+    def description(self, term: Called, scope: Scope, state: _State) -> None:
+        """Follow the actions of a launch description, including those added later."""
+        self.action(term.given("initial_entities", 0), scope, state)
+        for added in term.added:
+            self.action(added, scope, state)
+
+    def declared(self, term: Called, scope: Scope, _: _State) -> None:
+        """Declare a launch argument: set its default if no value was given."""
+        texts = self.texts(scope)
+        name = texts.of(term.given("name", 0))
+        default = term.given("default_value", 1)
+        if self._includes == 0:
+            self.arguments.setdefault(name, None if default is None else texts.of(default))
+        if UNKNOWN in name or name in scope.settings:
+            return
+        if default is None and "default_value" in term.keywords:
+            return
+        value = texts.of(default) if default is not None else UNKNOWN
+        scope.settings[name] = value or self.sources.blank()
+        self._described(name, default, scope)
+
+    def set(self, term: Called, scope: Scope, state: _State) -> None:
+        """Set a launch configuration (`let` in XML)."""
+        texts = self.texts(scope)
+        name = texts.of(term.given("name", 0))
+        value = term.given("value", 1)
+        if not state.held:
+            return
+        if UNKNOWN in name:
+            self.complete = False
+        else:
+            scope.settings[name] = texts.of(value)
+            self._described(name, value, scope)
+
+    def _described(self, name: str, value: Term | None, scope: Scope) -> None:
+        content = content_of(value, self.texts(scope), self.facts.exists) if value is not None else None
+        if content is not None:
+            scope.contents[name] = content
+
+    def group(self, term: Called, scope: Scope, state: _State) -> None:
+        """Follow a group. Its settings end with it, unless it is not scoped."""
+        texts = self.texts(scope)
+        inner = scope if texts.truth(term.keywords.get("scoped")) is False else scope.copy()
+        settings = table_of(term.keywords.get("launch_configurations"))
+        if settings:
+            inner.settings.update((name, texts.of(value)) for name, value in settings.entries.items())
+        self.action(term.given("actions", 0), inner, state)
+
+    def namespace(self, term: Called, scope: Scope, state: _State) -> None:
+        """Change the namespace of the following nodes (PushRosNamespace)."""
+        if state.held:
+            pushed = self.texts(scope).of(term.given("namespace", 0))
+            scope.namespace = joined(scope.namespace, pushed)
+
+    def opaque(self, term: Called, scope: Scope, state: _State) -> None:
+        """Follow an OpaqueFunction: call the function with the launch context, and follow the actions it returns."""
+        function = term.given("function", 0)
+        if not isinstance(function, Function):
+            self.complete = False
+            return
+        given = term.given("args")
+        arguments = given.values if isinstance(given, Items) else []
+        keywords = table_of(term.given("kwargs"))
+        context = Missing(term.at)
+        actions = function.call([context, *arguments], keywords.entries if keywords else {}, self.texts(scope).context)
+        self.action(actions, scope, state)
+
+    def timer(self, term: Called, scope: Scope, state: _State) -> None:
+        """Follow the actions of a timer."""
+        self.action(term.given("actions"), scope, state)
+
+    def handler(self, term: Called, scope: Scope, state: _State) -> None:
+        """Follow the actions of an event handler for the start or the exit of a process."""
+        event = term.given("event_handler", 0)
+        if not isinstance(event, Called) or event.short not in _HANDLERS:
+            return
+        target = event.given("target_action", 0)
+        if isinstance(target, Called) and event.short != "OnProcessStart":
+            arguments = self.nodes(scope).spawner_arguments(target)
+            state = state._replace(after=tuple(word.text for word in arguments.names) if arguments else ())
+        actions = event.given(_HANDLERS[event.short], 1)
+        if isinstance(actions, Function):
+            actions = actions.call([Missing(term.at), Missing(term.at)], {}, self.texts(scope).context)
+        self.action(actions, scope, state)
+
+    def moveit(self, term: Called, scope: Scope, state: _State) -> None:
+        """Add what a function of moveit_configs_utils.launches starts."""
+        self.nodes(scope).moveit(term, sure=state.sure, held=state.held)
+
+    # -- included files ----------------------------------------------------------------------------------------------
+
+    def include(self, term: Called, scope: Scope, state: _State) -> None:
+        """Follow an included launch file. Its settings stay in effect after it."""
+        texts = self.texts(scope)
+        source = term.given("launch_description_source", 0)
+        if isinstance(source, Called) and source.short.endswith("LaunchDescriptionSource"):
+            source = source.given("location", 0)
+        if isinstance(source, Called) and source.short == "LaunchDescription":
+            self.description(source, scope, state)
+            return
+        path = texts.of(source)
+        given = table_of(term.given("launch_arguments"))
+        is_simulator = simulator_of(path) is not None
+        if is_simulator:  # before the arguments are set: one may contain the former value of its own name
+            if state.held:
+                self._simulates(included_simulation(path, given, texts, term.at, sure=state.sure))
+            self.nodes(scope).worlds(given, texts, sure=state.sure)
+        for name, value in given.entries.items() if given else ():
+            scope.settings[name] = texts.of(value)
+            self._described(name, value, scope)
+        if not is_simulator and package_outside(path) not in _WITHOUT_CONTROLLERS:
+            at = source.at if source is not None else term.at
+            self._follow(path, Word(path, at), scope, state)
+
+    def _follow(self, path: str, written: Word, scope: Scope, state: _State) -> None:
+        self._includes += 1
+        included = None
+        if UNKNOWN not in path:
+            self.facts.reference(path, written.at, "include", sure=state.sure)
+            if self._includes <= _MOST_INCLUDES and state.depth < _MOST_DEPTH * 4:
+                included = self.sources.read(path)
+        if included is None:
+            self.complete = self.complete and not state.held
+            return
+        outer, scope.file = scope.file, path
+        self.action(included, scope, state)
+        scope.file = outer
+
+    # -- simulators --------------------------------------------------------------------------------------------------
+
+    def _simulates(self, simulation: Simulation | None) -> None:
+        if simulation is not None:
+            self.simulations.append(simulation)
+
+    def _process(self, term: Called, scope: Scope, state: _State) -> None:
+        words = self.nodes(scope).command(term, sure=state.sure, held=state.held, after=state.after)
+        texts = [word.text for word in words]
+        if not texts or not state.held:
+            return
+        self._simulates(commanded_simulation(texts, term.at, sure=state.sure))
+        if texts[:2] == ["ros2", "launch"]:
+            self.complete = False
+
+
+_ACTIONS: dict[str, Callable[[_Walk, Called, Scope, _State], None]] = {
+    "LaunchDescription": _Walk.description,
+    "DeclareLaunchArgument": _Walk.declared,
+    "SetLaunchConfiguration": _Walk.set,
+    "GroupAction": _Walk.group,
+    "PushRosNamespace": _Walk.namespace,
+    "PushROSNamespace": _Walk.namespace,
+    "OpaqueFunction": _Walk.opaque,
+    "TimerAction": _Walk.timer,
+    "RosTimer": _Walk.timer,
+    "ROSTimer": _Walk.timer,
+    "RegisterEventHandler": _Walk.handler,
+    "IncludeLaunchDescription": _Walk.include,
+    **dict.fromkeys(LAUNCHES, _Walk.moveit),
+}

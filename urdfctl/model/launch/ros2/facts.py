@@ -1,0 +1,79 @@
+"""The facts that a ROS 2 launch file states, as they are collected while it is followed."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+
+from urdfctl.model.controllers import FileReference
+from urdfctl.model.launch import Description, Node, ParameterLoad, Reference, Spawn, Word
+from urdfctl.model.launch.ros2.texts import Content
+from urdfctl.model.moveit import MoveItFiles
+from urdfctl.source.opaque import UNKNOWN, if_known
+from urdfctl.source.span import Place
+
+
+class LaunchFacts:
+    """The facts that are collected while a launch file is followed.
+
+    locate: finds a path: where it lies in the sources, and whether it exists (None if that cannot be known).
+    """
+
+    def __init__(self, locate: Callable[[str], tuple[str, bool | None]]) -> None:
+        self.locate = locate
+        self.descriptions: list[Description] = []
+        self.loads: list[ParameterLoad] = []
+        self.spawns: list[Spawn] = []
+        self.elsewhere: list[Spawn] = []
+        self.nodes: list[Node] = []
+        self.references: dict[tuple[str, int], Reference] = {}
+        self.moveit: list[MoveItFiles] = []
+        self.altered = False
+        """Whether an action changes the parameters or remappings of all following nodes."""
+
+    def exists(self, path: str) -> bool:
+        """Return whether a path certainly exists."""
+        return bool(self.locate(path)[1])
+
+    def reference(self, path: str, at: Place, use: str, *, sure: bool) -> FileReference:
+        """Add a reference to a file, if its path is known, and return it."""
+        known = if_known(path)
+        located, exists = self.locate(known) if known else (None, None)
+        if known and not os.path.isabs(known):
+            located, exists = None, None  # depends on the folder that the launch is started in
+        reference = FileReference(path, at, located, exists)
+        if located is not None:
+            self.references.setdefault((located, at.start), Reference(reference, use, None, sure))
+        return reference
+
+    def load(
+        self, file: Word, node: str, *, sure: bool, of: str | None, replaced: tuple[tuple[str, str], ...] = ()
+    ) -> FileReference:
+        """Add a parameter file of a controller manager or a spawner, and return the reference to it.
+
+        of: the node's namespace; None if unknown.
+        replaced: the texts that the launch file replaces in the file, with what replaces them.
+        """
+        reference = self.reference(file.text, file.at, "parameters", sure=sure)
+        self.loads.append(ParameterLoad(reference, "", file.at, sure, node=node, of=of, replaced=replaced))
+        return reference
+
+    def described(self, content: Content, node: str, namespace: str | None, *, sure: bool) -> None:
+        """Add a robot description that is passed to a node."""
+        file = self.reference(content.path or UNKNOWN, content.at, "description", sure=sure)
+        names = tuple(Word(name, at) for name, at in content.names)
+        self.descriptions.append(
+            Description(
+                file=file,
+                arguments=content.arguments,
+                namespace=namespace,
+                at=content.at,
+                sure=sure,
+                names=names,
+                command=content.command,
+                node=node,
+                alternatives=content.alternatives,
+                as_yaml=content.as_yaml,
+                more=content.more,
+            )
+        )

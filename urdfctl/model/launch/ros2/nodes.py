@@ -1,0 +1,256 @@
+"""The nodes and commands of ROS 2 launch files: their arguments and parameters, and which of them load controllers."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+
+from urdfctl.model.launch import Node, Spawn, Word, joined
+from urdfctl.model.launch.ros2.facts import LaunchFacts
+from urdfctl.model.launch.ros2.moveit import builder_of
+from urdfctl.model.launch.ros2.parameters import DESCRIBED, MANAGERS, NodeParameters
+from urdfctl.model.launch.ros2.spawner import SpawnerArguments, command_arguments, manager_of, spawner_arguments
+from urdfctl.model.launch.ros2.texts import Content, Texts
+from urdfctl.source.launch.terms import Called, Constant, Items, Missing, OneOf, Perhaps, Table, Term
+from urdfctl.source.opaque import UNKNOWN, if_known
+from urdfctl.source.span import Place
+
+SPAWNERS = ("spawner", "spawner.py")
+_FILE_OPTIONS = ("-file", "--file")
+_SUFFIXES = (".yaml", ".yml", ".urdf", ".xacro", ".rviz", ".sdf", ".world", ".srdf")
+_NAMING = ("controller_name", "controller_names", "controller_info_dict")
+_ALTERNATIVE = {"package": "node_package", "executable": "node_executable", "name": "node_name"}
+"""The keywords of a node with their names in older distros."""
+
+
+class Nodes:
+    """Adds the effects of single actions to the collected facts."""
+
+    def __init__(self, facts: LaunchFacts, texts: Texts) -> None:
+        self.facts = facts
+        self.texts = texts
+
+    # -- nodes -------------------------------------------------------------------------------------------------------
+
+    def node(self, term: Called, *, sure: bool, held: bool, after: tuple[str, ...] = ()) -> None:
+        """Add a node: a spawner, a controller manager or another node."""
+        package, executable = self._word(term, "package"), self._word(term, "executable")
+        if not held:
+            if self._is_spawner(package, executable):
+                self.facts.elsewhere.append(self._spawn(term, executable, sure=sure, after=after))
+            return
+        words, complete = self._split(term, "arguments")
+        name = self._word(term, "name").known if _given(term, "name") is not None else None
+        namespace = if_known(self._namespace(term))
+        parameters = NodeParameters(
+            term.keywords.get("parameters"),
+            executable.text,
+            facts=self.facts,
+            texts=self.texts,
+            namespace=namespace,
+            sure=sure,
+        )
+        remaps = tuple(self._remaps(term.keywords.get("remappings")))
+        self.facts.nodes.append(
+            Node(
+                package=package,
+                executable=executable,
+                name=name,
+                namespace=namespace,
+                at=term.at,
+                words=words,
+                parameters=tuple(parameters.names),
+                remaps=remaps,
+                sure=sure,
+                complete=parameters.complete and complete and not self.facts.altered,
+                files=tuple(parameters.files),
+                values=tuple(parameters.values.items()),
+            )
+        )
+        if self._is_spawner(package, executable):
+            self.facts.spawns.append(self._spawn(term, executable, sure=sure, after=after))
+        else:
+            self._described_by(words, executable.text, namespace, sure=sure)
+
+    @staticmethod
+    def _is_spawner(package: Word, executable: Word) -> bool:
+        return package.text == "controller_manager" and executable.text in SPAWNERS
+
+    def spawner_arguments(self, term: Called) -> SpawnerArguments | None:
+        """Return the spawner's arguments of an action; None if it is not a spawner."""
+        if term.short in {"Node", "LifecycleNode"}:
+            if not self._is_spawner(self._word(term, "package"), self._word(term, "executable")):
+                return None
+            words, complete = self._split(term, "arguments")
+            return spawner_arguments(words, complete=complete)
+        command = command_arguments(self._split(term, "cmd")[0])
+        return command[1] if command else None
+
+    def _spawn(self, term: Called, program: Word, *, sure: bool, after: tuple[str, ...]) -> Spawn:
+        words, complete = self._split(term, "arguments")
+        parsed = spawner_arguments(words, complete=complete)
+        files = [*parsed.values("-p", "--param-file"), *self._files(term.keywords.get("parameters"))]
+        at = term.keywords["arguments"].at if "arguments" in term.keywords else term.at
+        return self._spawn_with(parsed, program, at, self._namespace(term), files, sure=sure, after=after)
+
+    def _spawn_with(
+        self,
+        parsed: SpawnerArguments,
+        program: Word,
+        at: Place,
+        namespace: str,
+        files: Sequence[Word],
+        *,
+        sure: bool,
+        after: tuple[str, ...] = (),
+    ) -> Spawn:
+        for given in parsed.values("-n", "--namespace"):
+            namespace = joined("", given.text)
+        manager, manager_namespace = manager_of(parsed.manager, namespace)
+        references = tuple(self.facts.load(word, program.text, sure=sure, of=if_known(namespace)) for word in files)
+        names = tuple((word.text, word.at) for word in parsed.names)
+        return Spawn(
+            names=names,
+            namespace=manager_namespace,
+            at=at,
+            active=parsed.active,
+            sure=sure,
+            complete=parsed.complete,
+            manager=manager,
+            program=program,
+            options=parsed.options,
+            files=references,
+            after=after,
+        )
+
+    def helper(self, term: Called, *, sure: bool, held: bool) -> None:
+        """Add a spawner from a function of controller_manager's launch_utils."""
+        names = next((given for key in _NAMING if (given := term.given(key))), None) or term.given("", 0)
+        files = term.given("controller_params_file") or term.given("controller_params_files")
+        table = names if isinstance(names, Table) else None
+        file_lists: list[Term | None] = [files, *table.entries.values()] if table else [files]
+        keys = Items([Constant(key, place) for key, place in table.keys.items()], table.at) if table else None
+        words, complete = self._words(keys or _as_list(names))
+        more, known = self._words(term.given("extra_spawner_args"))
+        parsed = spawner_arguments([*words, *more], complete=complete and known and (table is None or table.whole))
+        manager = self.texts.scope.settings.get("controller_manager_name", "controller_manager")
+        parsed = parsed._replace(manager=parsed.manager or manager)
+        paths = [word for file_list in file_lists for word in self._words(_as_list(file_list))[0] if word.text]
+        program = Word("spawner", term.at)
+        spawn = self._spawn_with(parsed, program, term.at, self.texts.scope.namespace, paths, sure=sure)
+        (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
+
+    def moveit(self, term: Called, *, sure: bool, held: bool) -> None:
+        """Add what a function of moveit_configs_utils.launches starts.
+
+        The demo also starts a controller manager with ros2_controllers.yaml, and spawners of MoveIt's controllers.
+        """
+        builder = builder_of(term.given("moveit_config", 0), self.texts)
+        kind, namespace = term.short, if_known(self.texts.scope.namespace)
+        demo = kind == "generate_demo_launch"
+        if not held:
+            return
+        if builder is not None:
+            runs = demo or kind == "generate_move_group_launch"
+            self.facts.moveit.append(
+                builder.files(term.at, self.facts.locate, namespace=namespace, sure=sure, runs=runs)
+            )
+            if runs or kind == "generate_rsp_launch":
+                content = builder.description(self.facts.exists, term.at)
+                self.facts.described(content, DESCRIBED[0] if not runs else "move_group", namespace, sure=sure)
+        if demo or kind == "generate_spawn_controllers_launch":
+            self.facts.spawns.append(Spawn((), namespace, term.at, sure=sure, complete=False))
+        if demo:
+            folder = builder.folder if builder else UNKNOWN
+            controllers = Word(f"{folder}/config/ros2_controllers.yaml", term.at)
+            self.facts.load(controllers, MANAGERS[0], sure=sure, of=namespace)
+
+    # -- commands ----------------------------------------------------------------------------------------------------
+
+    def command(self, term: Called, *, sure: bool, held: bool, after: tuple[str, ...]) -> tuple[Word, ...]:
+        """Add a process, which may load controllers. Return the words of its command line."""
+        words, complete = self._split(term, "cmd")
+        command = command_arguments(words)
+        if command is not None:
+            program, parsed = command
+            parsed = parsed._replace(complete=parsed.complete and complete)
+            files = list(parsed.values("-p", "--param-file"))
+            spawn = self._spawn_with(parsed, program, term.at, "", files, sure=sure, after=after)
+            (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
+        return words
+
+    # -- words -------------------------------------------------------------------------------------------------------
+
+    def _split(self, term: Called, keyword: str) -> tuple[tuple[Word, ...], bool]:
+        """The words of a process, and whether they are fully known. A shell splits them again (launch ExecuteLocal)."""
+        words, complete = self._words(term.given(keyword, 0 if keyword == "cmd" else None))
+        if self.texts.truth(term.keywords.get("shell")):
+            words = tuple(Word(part, word.at) for word in words for part in word.text.split())
+        return words, complete
+
+    def _word(self, term: Called, keyword: str) -> Word:
+        given = _given(term, keyword)
+        return Word(self.texts.of(given), given.at if given is not None else term.at)
+
+    def _namespace(self, term: Called) -> str:
+        given = term.keywords.get("namespace") or term.keywords.get("node_namespace")
+        return joined(self.texts.scope.namespace, self.texts.of(given) if given is not None else "")
+
+    def _words(self, term: Term | None) -> tuple[tuple[Word, ...], bool]:
+        """The words of a list, and whether the list is fully known."""
+        if term is None:
+            return (), True
+        if not isinstance(term, Items):
+            return (), isinstance(term, Constant) and term.value is None
+        words, complete = [], True
+        for value in term.values:
+            if isinstance(value, Perhaps) or (isinstance(value, OneOf) and not _one_word(value)):
+                complete = False
+            else:
+                words.append(Word(self.texts.of(value), value.at))
+        return tuple(words), complete
+
+    def _remaps(self, term: Term | None) -> Iterator[tuple[str, str]]:
+        for pair in term.values if isinstance(term, Items) else ():
+            if isinstance(pair, Items) and len(pair.values) == 2:  # noqa: PLR2004 (from and to)
+                yield self.texts.of(pair.values[0]), self.texts.of(pair.values[1])
+
+    def _files(self, term: Term | None) -> Iterator[Word]:
+        """The parameter files among a node's `parameters`."""
+        for value in term.values if isinstance(term, Items) else ():
+            if isinstance(value, (Constant, Called)) and (text := self.texts.of(value)):
+                yield Word(text, value.at)
+
+    def worlds(self, given: Table | None, texts: Texts, *, sure: bool) -> None:
+        """Add the world files in the arguments of a simulator."""
+        for value in given.entries.values() if given else ():
+            for word in texts.of(value).split():
+                if word.endswith((".world", ".sdf")) and os.path.isabs(word) and UNKNOWN not in word:
+                    self.facts.reference(word, value.at, "argument", sure=sure)
+
+    def _described_by(self, words: Sequence[Word], executable: str, namespace: str | None, *, sure: bool) -> None:
+        """Add the files in a node's arguments.
+
+        A URDF file is a description for robot_state_publisher (its old form), or for a program that spawns models.
+        """
+        for index, word in enumerate(words):
+            if word.known is None:
+                continue
+            named = index > 0 and words[index - 1].text in _FILE_OPTIONS
+            if word.text.endswith(".urdf") and (executable in DESCRIBED or named):
+                self.facts.described(Content(word.text, (), word.at), executable, namespace, sure=sure)
+            elif word.text.endswith(_SUFFIXES) and os.path.isabs(word.text):
+                self.facts.reference(word.text, word.at, "argument", sure=sure)
+
+
+def _given(term: Called, keyword: str) -> Term | None:
+    argument = term.keywords.get(keyword) or term.keywords.get(_ALTERNATIVE[keyword])
+    return None if isinstance(argument, Constant) and argument.value is None else argument
+
+
+def _as_list(term: Term | None) -> Term | None:
+    return Items([term], term.at) if isinstance(term, (Constant, Called, Missing)) else term
+
+
+def _one_word(term: OneOf) -> bool:
+    return all(isinstance(option, (Constant, Called)) for option in term.options)

@@ -1,0 +1,133 @@
+"""The `parameters` of nodes in ROS 2 launch files."""
+
+from __future__ import annotations
+
+import re
+
+from urdfctl.model.launch import Word
+from urdfctl.model.launch.ros2.descriptions import content_of, is_of_other_node
+from urdfctl.model.launch.ros2.facts import LaunchFacts
+from urdfctl.model.launch.ros2.moveit import builder_of, files_of_table
+from urdfctl.model.launch.ros2.texts import Content, Texts, replaced_by
+from urdfctl.source.launch.terms import Called, Constant, Items, Member, OneOf, Perhaps, Table, Term
+from urdfctl.source.opaque import UNKNOWN
+
+MANAGERS = ("ros2_control_node",)
+DESCRIBED = ("robot_state_publisher", *MANAGERS, "move_group")
+"""The programs that take a robot description."""
+_OF_MANAGERS = r"ros2_control|controller_manager"
+_DESCRIPTION, _SEMANTIC = "robot_description", "robot_description_semantic"
+_DESCRIPTION_PATH = r"[^<>\s]+\.(?:urdf|xacro|sdf)"
+"""A text in place of a description that is the path of its file."""
+
+
+class NodeParameters:
+    """The `parameters` of a node: names of single parameters, and files. A controller manager's files are loaded.
+
+    names: the names of single parameters.
+    values: the texts of single parameters by name, with UNKNOWN for what is not known.
+    files: the files.
+    complete: False if some of them are unknown.
+    """
+
+    def __init__(
+        self,
+        given: Term | None,
+        executable: str,
+        *,
+        facts: LaunchFacts,
+        texts: Texts,
+        namespace: str | None,
+        sure: bool,
+    ) -> None:
+        self.facts = facts
+        self.texts = texts
+        self.executable = executable
+        self.namespace = namespace
+        self.sure = sure
+        self.names: list[Word] = []
+        self.values: dict[str, str] = {}
+        self.files: list[Word] = []
+        self.complete = True
+        if isinstance(given, Items):
+            for value in given.values:
+                self._add(value)
+        elif given is not None:
+            self.complete = False
+
+    def _add(self, term: Term) -> None:
+        if isinstance(term, Perhaps):
+            self.complete = False
+            self._add(term.term)
+        elif isinstance(term, OneOf):
+            self.complete = False
+            for option in term.options:
+                self._add(option)
+        elif isinstance(term, Table):
+            self._table(term)
+        elif isinstance(term, (Member, Called)) and builder_of(term, self.texts) is not None:
+            self._of_builder(term)
+        elif isinstance(term, (Constant, Called)) or (isinstance(term, Items) and _is_path(term)):
+            self._file(term)
+        elif isinstance(term, Items):
+            for value in term.values:
+                self._add(value)
+        else:
+            self.complete = False
+
+    def _table(self, table: Table) -> None:
+        self.complete = self.complete and table.whole
+        for name, value in table.entries.items():
+            self.names.append(Word(name, table.keys[name]))
+            is_text = isinstance(value, (Constant, Called)) or (name == _DESCRIPTION and isinstance(value, Items))
+            text = self.texts.of(value) if is_text else None
+            if text is not None and (name != _DESCRIPTION or re.fullmatch(_DESCRIPTION_PATH, text)):
+                self.values[name] = text
+            if name == _DESCRIPTION:
+                self._description(value)
+        read = lambda term: content_of(term, self.texts, lambda _: False)  # noqa: E731 (one use)
+        files = files_of_table(table, table.at, read, self.facts.locate)
+        if files is not None:
+            runs = self.executable == "move_group"
+            self.facts.moveit.append(files._replace(namespace=self.namespace, sure=self.sure, runs=runs))
+
+    def _of_builder(self, term: Member | Called) -> None:
+        """Add the parameters of a MoveItConfigsBuilder: one of its dicts, or all of them (`to_dict()`)."""
+        self.complete = False
+        builder = builder_of(term, self.texts)
+        if isinstance(term, Member) and term.name == _DESCRIPTION:
+            self.names.append(Word(term.name, term.at))
+            self._description(term)
+        elif builder is not None and (isinstance(term, Called) or term.name == _SEMANTIC):
+            runs = self.executable == "move_group"
+            files = builder.files(term.at, self.facts.locate, namespace=self.namespace, sure=self.sure, runs=runs)
+            self.facts.moveit.append(files)
+            if runs and isinstance(term, Called):
+                content = builder.description(self.facts.exists, term.at)
+                self.facts.described(content, self.executable, self.namespace, sure=self.sure)
+
+    def _description(self, value: Term) -> None:
+        if self.executable not in DESCRIBED or is_of_other_node(value, self.texts):
+            return
+        content = content_of(value, self.texts, self.facts.exists) or Content(None, None, value.at)
+        self.facts.described(content, self.executable, self.namespace, sure=self.sure)
+
+    def _file(self, term: Constant | Called | Items) -> None:
+        text = self.texts.of(term)
+        if isinstance(term, Called) and UNKNOWN in text and term.of is not None:
+            self.complete = False  # a method's result: some dict
+            return
+        self.files.append(Word(text, term.at))
+        if re.search(_OF_MANAGERS, self.executable):
+            replaced = replaced_by(term, self.texts)
+            self.facts.load(Word(text, term.at), self.executable, sure=self.sure, of=self.namespace, replaced=replaced)
+        elif text:
+            self.facts.reference(text, term.at, "parameters", sure=self.sure)
+
+
+def _is_path(items: Items) -> bool:
+    """Whether a list inside `parameters` is one path in parts: launch_ros joins texts and substitutions."""
+    parts = items.values
+    return bool(parts) and all(
+        isinstance(part, Constant) or (isinstance(part, Called) and part.short != "ParameterFile") for part in parts
+    )

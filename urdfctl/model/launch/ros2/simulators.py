@@ -1,0 +1,64 @@
+"""The simulators that ROS 2 launch files start, by including a launch file of their packages or by a command."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+
+from urdfctl.model.launch import Simulation
+from urdfctl.model.launch.ros2.texts import Texts
+from urdfctl.source.launch.terms import Constant, Table
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.span import Place
+
+_SIMULATORS = {"ros_gz_sim": "gz", "ros_ign_gazebo": "gz", "ros_gz": "gz", "gazebo_ros": "gazebo-classic"}
+
+
+def package_outside(path: str) -> str | None:
+    """Return the package that contains a path, if it is not among the sources; None otherwise."""
+    match = re.match(rf"{UNKNOWN}\(([^)]*)\)", path)
+    return match.group(1) if match else None
+
+
+def simulator_of(path: str) -> str | None:
+    """Return the simulator in whose package a launch file lies, also by the name of a folder; None if in none."""
+    outside = package_outside(path)
+    packages = [outside] if outside else reversed(path.split("/"))
+    return next((_SIMULATORS[package] for package in packages if package in _SIMULATORS), None)
+
+
+def included_simulation(path: str, given: Table | None, texts: Texts, at: Place, *, sure: bool) -> Simulation | None:
+    """Return what the launch file of a simulator's package starts with some arguments; None if it starts nothing."""
+    file, simulator = os.path.basename(path), simulator_of(path)
+    if simulator is None or not any(word in file for word in ("sim", "gazebo", "gzserver")):
+        return None
+    entries = given.entries if given else {}
+    if simulator != "gz":
+        paused = texts.truth(entries["pause"]) if "pause" in entries else False
+        return Simulation(simulator, at, paused, sure)
+    arguments = texts.of(entries.get("gz_args") or entries.get("ign_args") or Constant("", at))
+    is_open = given is not None and not given.whole
+    return _gz(arguments, at, sure=sure, is_open=is_open)
+
+
+def commanded_simulation(words: Sequence[str], at: Place, *, sure: bool) -> Simulation | None:
+    """Return what a command line starts; None if it is not that of a simulator."""
+    if words[:2] in (["gz", "sim"], ["ign", "gazebo"]):
+        return _gz(" ".join(words[2:]), at, sure=sure)
+    if words[0] in {"gazebo", "gzserver"}:
+        return Simulation("gazebo-classic", at, any(word in {"-u", "--pause"} for word in words), sure)
+    return None
+
+
+def _gz(arguments: str, at: Place, *, sure: bool, is_open: bool = False) -> Simulation | None:
+    """What gz does with arguments; nothing if it starts its window alone, by `-g`.
+
+    It starts paused without `-r`; that is not known if the arguments are not, or are open to more.
+    """
+    if "-g" in arguments.split():
+        return None
+    runs = any(re.fullmatch(r"-[a-zA-Z]*r\w*", word) for word in arguments.split())
+    is_unknown = UNKNOWN in arguments or is_open
+    paused = False if runs else None if is_unknown else True
+    return Simulation("gz", at, paused, sure)

@@ -1,0 +1,325 @@
+"""A smoke run in stages, as `smoke` calls them: find, plan, load, judge, move, report.
+
+A robot is loaded and judged in one limited worker, and moved in another, fresh one for each engine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from functools import partial
+from itertools import groupby
+from operator import itemgetter
+
+from urdfctl.config.file import Config
+from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.discover.robots import DiscoveredFiles
+from urdfctl.errors import UserError
+from urdfctl.lint.job import Work, Workers, failed, run_on_targets, shared_loader
+from urdfctl.lint.merging import merge
+from urdfctl.lint.planning import Arguments, PlannedTarget, discovered, of_shard, planned
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import LintedTarget, lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.meshes import mesh_path
+from urdfctl.load.target import Target
+from urdfctl.names import enumerated
+from urdfctl.report.common import shown
+from urdfctl.run.limits import processors
+from urdfctl.smoke.checked_robot import CheckedRobot
+from urdfctl.smoke.pairing import has_joints_of_controllers, only_ones, pairs_to_try
+from urdfctl.smoke.reports import SmokeReport, report_of
+from urdfctl.smoke.results import RobotResult
+from urdfctl.smoke.statics import check_statically
+from urdfctl.smoke.tasks import MOTION, TaskFile, misfits
+from urdfctl.startup.hints import TYPE_CHECKING, Any
+from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.discover.shards import Shard
+
+
+class SmokeRequest(NamedTuple):
+    """The request of a smoke run: what it tests, and how.
+
+    only: the names of the controllers to test; none for all.
+    engines: each of them moves the robots; without any, nothing moves.
+    instead: the engines that are tried if an engine crashes or rejects a robot.
+    duration: the time for which each controller moves, in s.
+    gui: whether to show a window.
+    live: whether to print a line on standard error for each controller as soon as it was moved.
+    tasks: the user's own tasks as plain data (see `TaskFile`), or None.
+    arguments: given to each description, as names with values.
+    controllers: files that each robot reads besides its own.
+    shard: the share of the targets to test; all if None.
+    parallel: how many workers run at the same time; one for each processor if None.
+    """
+
+    only: tuple[str, ...] = ()
+    engines: tuple[str, ...] = ()
+    instead: tuple[str, ...] = ()
+    duration: float = MOTION
+    gui: bool = False
+    live: bool = False
+    tasks: Any = None
+    arguments: Arguments = ()
+    controllers: tuple[str, ...] = ()
+    shard: Shard | None = None
+    parallel: int | None = None
+
+
+class ConfiguredPaths(NamedTuple):
+    """Paths that are tested with one configuration, as a rule the one around them."""
+
+    paths: tuple[str, ...]
+    config: Config
+    settings: Settings
+
+
+class PlannedRobot(NamedTuple):
+    """A target of a run, with the settings of its group."""
+
+    entry: PlannedTarget
+    settings: Settings
+
+    @property
+    def target(self) -> Target:
+        """The target, which is loaded."""
+        return self.entry.target
+
+
+class RobotTest(NamedTuple):
+    """The result of one target of a run, with the settings of its group."""
+
+    target: Target
+    settings: Settings
+    result: RobotResult
+
+
+def smoke(
+    groups: Sequence[ConfiguredPaths],
+    request: SmokeRequest,
+    watch: Callable[[Iterator[RobotTest], int], Iterable[RobotTest]] = lambda tests, _: tests,
+) -> list[RobotTest]:
+    """Return the tests of the robots that some paths mean; `report` makes a report of them.
+
+    watch: is given the tests as they come, with their greatest number, and gives them back.
+    Raises UserError if there is nothing to test, or if the request names what no robot has.
+    """
+    robots = [robot for group in groups for robot in plan(find(group), group, request)]
+    if not robots and request.shard is None:
+        where = ", ".join(path for group in groups for path in group.paths) or "this folder"
+        raise UserError(f"nothing to test in {where}: name a robot or a launch file")
+    tests = list(watch(_tested(robots, request), len(robots)))
+    _check_only(request.only, [test.result for test in tests])
+    return tests
+
+
+def _tested(robots: Sequence[PlannedRobot], request: SmokeRequest) -> Iterator[RobotTest]:
+    checked = check([robot.target for robot in robots], [robot.settings for robot in robots], request)
+    reported = list(_reported(robots, [robot.result for robot in checked]))
+    limits = robots[0].settings if robots else Settings()  # the options of the run, which are the same for all
+    results = move([checked[index] for index in reported], request, limits)
+    for index, result in zip(reported, results, strict=True):
+        yield RobotTest(robots[index].target, robots[index].settings, result)
+
+
+# -- find and plan ---------------------------------------------------------------------------------------------------
+
+
+def find(group: ConfiguredPaths) -> DiscoveredFiles:
+    """Return the files that the paths of a group mean."""
+    return discovered(group.paths, group.config)
+
+
+def plan(files: DiscoveredFiles, group: ConfiguredPaths, request: SmokeRequest) -> list[PlannedRobot]:
+    """Return the targets that some files of a group are."""
+    entries = planned(files, request.arguments, group.config.robots)
+    if request.shard is not None:
+        _, entries = of_shard(files, entries, request.shard, group.config.robots)
+    targets = (each.target._replace(controllers=(*each.target.controllers, *request.controllers)) for each in entries)
+    return [
+        PlannedRobot(entry._replace(target=target), group.settings)
+        for entry, target in zip(entries, targets, strict=True)
+    ]
+
+
+# -- load and judge, in the first worker -----------------------------------------------------------------------------
+
+
+def check(targets: Sequence[Target], settings: Sequence[Settings], request: SmokeRequest) -> list[CheckedRobot]:
+    """Return targets, each loaded with its own settings and judged without an engine.
+
+    A launch file that spawns controllers without a robot has the only other robot that fits it.
+    Raises UserError, with file and line, if the user's tasks do not fit a robot, or name what no robot has.
+    """
+    if request.engines:
+        import urdfctl.smoke.robot_motion  # noqa: F401 (for all workers at once, before they fork)
+    robots = list(_checked(targets, settings, request))
+    pairs = pairs_to_try(targets, [robot.result for robot in robots])
+    own = [settings[pair.position] for pair in pairs]
+    tried = list(_checked([pair.target for pair in pairs], own, request)) if pairs else []
+    for index, position in only_ones(pairs, [robot.fits for robot in tried]).items():
+        robots[index] = tried[position]._replace(result=tried[position].result._replace(paired=True))
+    _check_tasks(robots, request)
+    return robots
+
+
+def _checked(targets: Sequence[Target], settings: Sequence[Settings], request: SmokeRequest) -> Iterator[CheckedRobot]:
+    for its_settings, pairs in groupby(zip(settings, targets, strict=True), key=itemgetter(0)):
+        group = [target for _, target in pairs]
+        results = run_on_targets(
+            load_and_judge,
+            group,
+            its_settings,
+            details=[request._asdict()] * len(group),
+            workers=Workers(shared_loader(group, its_settings), request.parallel or processors()),
+        )
+        for target, result in zip(group, results, strict=True):
+            if isinstance(result, dict):
+                yield CheckedRobot.from_json(result)
+            else:
+                yield CheckedRobot(RobotResult(failed(target, its_settings, result)), None)
+
+
+def load_and_judge(work: Work) -> dict[str, Any]:
+    """Return the checked robot of a job, in a worker."""
+    seen = load(work.loader, work.target)
+    return judge(seen, work.loader, SmokeRequest(**work.details)).to_json()
+
+
+def load(loader: Loader, target: Target) -> LintedTarget:
+    """Return a target with its files and the findings of all rules."""
+    return lint_target(loader, target, Selection())
+
+
+def judge(seen: LintedTarget, loader: Loader, request: SmokeRequest) -> CheckedRobot:
+    """Return a robot after the checks without an engine, with the plan for an engine if one is wanted."""
+    packages = loader.reading(seen.result.path)[1]
+    given = TaskFile.from_json(request.tasks) if request.tasks else None
+    find_mesh = partial(mesh_path, packages=packages, robot_file=seen.result.path)
+    static_check = check_statically(seen, request.only, find_mesh, given)
+    motion_plan = None
+    if request.engines:
+        from urdfctl.smoke.robot_motion import plan_of
+
+        motion_plan, troubles = plan_of(static_check, packages, request.duration, gui=request.gui)
+        static_check = static_check._replace(troubles=(*static_check.troubles, *troubles))
+    mechanism = static_check.mechanism
+    names = [controller.name for controller in static_check.lifecycle.controllers]
+    robot = CheckedRobot(
+        result=static_check.result,
+        plan=motion_plan,
+        misfits=tuple(misfits(given, mechanism, static_check.tasks, names)) if given and mechanism else (),
+        fits=has_joints_of_controllers(seen.project),
+    )
+    if motion_plan is None:
+        return robot
+    return robot._replace(
+        placed=static_check.placed(),
+        troubles=static_check.troubles,
+        suppressed=static_check.suppressed_codes(),
+        not_started=static_check.not_started,
+    )
+
+
+def _check_tasks(robots: Sequence[CheckedRobot], request: SmokeRequest) -> None:
+    """Reject tasks that do not fit a robot, or that name what no robot has. UserError with file and line."""
+    if not request.tasks:
+        return
+    file = TaskFile.from_json(request.tasks)
+    found = [misfit for robot in robots for misfit in robot.misfits]
+    tasked = sum(robot.plan is not None for robot in robots)
+    for misfit in sorted(found):
+        if not misfit.absent or found.count(misfit) >= tasked:
+            raise UserError(f"{shown(file.path)}:{misfit.line}: {misfit.message}")
+
+
+def _reported(robots: Sequence[PlannedRobot], results: Sequence[RobotResult]) -> Iterator[int]:
+    """Yield the indices of the results to report. Each robot with its controllers is reported once, in whatever order
+    launch files start them, unless they are rejected for another reason then. A robot without
+    controllers is reported only if no launch file gives it any."""
+    among = [
+        robot if planned_robot.entry.is_reported(robot.linted) else None
+        for planned_robot, robot in zip(robots, results, strict=True)
+    ]
+    driven = {robot.linted.path for robot in among if robot and robot.controllers}
+    seen = set()
+    for index, robot in enumerate(among):
+        if robot is None:
+            continue
+        verdicts = frozenset((result.name, result.verdict, result.reason) for result in robot.controllers)
+        key = robot.linted.path, robot.linted.controllers, verdicts
+        if key not in seen and (robot.controllers or robot.linted.path not in driven):
+            seen.add(key)
+            yield index
+
+
+# -- move, in an engine's worker -------------------------------------------------------------------------------------
+
+
+def move(robots: Sequence[CheckedRobot], request: SmokeRequest, limits: Settings) -> Iterator[RobotResult]:
+    """Yield the result of each robot after all engines of the request have moved it.
+
+    limits: the settings that limit time and memory, the same for all.
+    """
+    runs = [(n, engine) for n, robot in enumerate(robots) if robot.plan for engine in request.engines]
+    if not runs:
+        yield from (robot.result for robot in robots)
+        return
+    from urdfctl.smoke.motion import EngineWorkers, compared
+    from urdfctl.smoke.robot_motion import with_engine_result
+
+    plans = [made.within(limits.timeout)._replace(engine=engine) for n, engine in runs if (made := robots[n].plan)]
+    simulations = EngineWorkers(limits, request.parallel or processors(), request.instead, live=request.live)
+    engine_results = iter(zip(runs, simulations.results(plans), strict=True))
+    pending = next(engine_results, None)
+    for n, robot in enumerate(robots):
+        result, trials = robot.result, []
+        while pending and pending[0][0] == n:
+            trials.append(pending[1])
+            pending = next(engine_results, None)
+        for engine, trial in compared(trials):
+            result = with_engine_result(result, robot, engine, trial)
+        yield result._replace(interrupted=simulations.interrupted)
+
+
+def _check_only(only: Sequence[str], results: Sequence[RobotResult]) -> None:
+    names = {controller.name for robot in results for controller in robot.controllers}
+    unknown = [name for name in only if name not in names]
+    if unknown:
+        quoted = enumerated([f"'{name}'" for name in unknown], "or")
+        raise UserError(f"--only: no robot has a controller {quoted}")
+
+
+# -- report ----------------------------------------------------------------------------------------------------------
+
+
+def report(
+    tests: Sequence[RobotTest],
+    groups: Sequence[ConfiguredPaths],
+    selection: Selection = Selection(),  # noqa: B008 (immutable)
+    *,
+    unknown: Callable[[list[Diagnostic], Collection[str]], list[Diagnostic]] | None = None,
+    fail_on: Severity = Severity.ERROR,
+) -> SmokeReport:
+    """Return the report of a run: the findings of all its robots, merged and selected, and the results.
+
+    A controller that fails for a finding that is not reported is warned instead.
+
+    unknown: given the findings and the files that were read, returns the findings that no baseline has.
+    fail_on: the severity from which findings fail the run.
+    """
+    results = [test.result for test in tests]
+    everything = merge([robot.linted.outcome for robot in results], Selection())
+    findings = [
+        finding
+        for finding in everything
+        if selection.admits(finding.code)
+        and not any(group.config.ignores(finding.at.file, finding.code) for group in groups)
+    ]
+    if unknown is not None:
+        findings = unknown(findings, {file for robot in results for file in robot.linted.files})
+    reported = {finding.message for finding in findings}
+    hidden = [finding.message for finding in everything if finding.message not in reported]
+    return report_of([robot.without(hidden) for robot in results], findings, fail_on)

@@ -1,0 +1,7 @@
+"""The checks of a robot before anything moves: its controllers' lifecycles, and the physics that needs no engine."""
+
+from __future__ import annotations
+
+from urdfctl.smoke.statics.check import StaticCheck, as_not_started, check_statically, with_troubles
+
+__all__ = ["StaticCheck", "as_not_started", "check_statically", "with_troubles"]

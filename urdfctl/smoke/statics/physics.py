@@ -1,0 +1,145 @@
+"""The physics that needs no engine: masses, limits and mimic joints; with the wheels, the ground and the efforts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from urdfctl.model.robot import Robot
+from urdfctl.rules.smoke.command_range_too_small import command_range_too_small
+from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
+from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
+from urdfctl.rules.smoke.initial_position_beyond_limits import initial_position_beyond_limits
+from urdfctl.rules.smoke.joint_held_still import joint_held_still
+from urdfctl.rules.smoke.joint_without_range import joint_without_range
+from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
+from urdfctl.rules.urdf.inertia_out_of_proportion import size_of
+from urdfctl.smoke.results import Trouble, trouble_of
+from urdfctl.smoke.robot import Hinge, Mechanism, Shapes
+from urdfctl.smoke.statics.drives import drive_troubles
+from urdfctl.smoke.statics.efforts import effort_troubles
+from urdfctl.smoke.statics.ground import ground_troubles
+from urdfctl.smoke.tasks import ControllerTask
+
+LEAST_REACH = 1 / 30
+"""The radius of gyration of a link should be at least this fraction of its largest dimension."""
+LEAST_MASS = 0.01
+"""Lighter links are not judged by their inertia, in kg."""
+LEAST_RANGE = 0.01
+"""The range of a command should be at least this fraction of the joint's own range."""
+BEYOND = 0.02
+"""A mimic joint may be asked to exceed its limits by this fraction of its range."""
+
+
+def static_troubles(
+    mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robot, shapes: Shapes
+) -> Iterator[Trouble]:
+    """Yield what is wrong with a robot at rest, and with what its active controllers should move."""
+    unusable = list(_masses(mechanism))
+    yield from unusable
+    limited = mechanism.within_command_ranges()
+    yield from drive_troubles(limited, tasks)
+    for task in tasks:
+        if not task.through:  # the controllers that it commands are checked
+            yield from _limits(mechanism, task)
+    yield from _mimics(mechanism)
+    yield from _starts(mechanism)
+    if not unusable:
+        yield from effort_troubles(limited, tasks)
+        yield from _inertias(mechanism, tasks, robot)
+        yield from ground_troubles(mechanism, shapes, tasks)
+
+
+def _masses(mechanism: Mechanism) -> Iterator[Trouble]:
+    for body in mechanism.bodies.values():
+        numbers = (body.mass, *body.centre, *(moment for row in body.inertia for moment in row))
+        problem = ""
+        if not all(map(math.isfinite, numbers)):
+            problem = "not a finite number"
+        elif body.mass < 0 or any(body.inertia[n][n] < 0 for n in range(3)):
+            problem = "negative"
+        if problem:
+            yield trouble_of(inertia_unusable, f"link:{body.name}", link=body.name, problem=problem)
+
+
+def _inertias(mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robot) -> Iterator[Trouble]:
+    """The links that are moved by efforts: their inertia decides how they move."""
+    pushed = {joint for task in tasks if task.interface == "effort" for joint in task.joints}
+    moved: set[str] = set()
+    for hinge in mechanism.hinges:
+        if hinge.name in pushed or hinge.parent in moved:
+            moved.add(hinge.child)
+    for link in robot.links:
+        body = mechanism.bodies.get(link.name or "")
+        if body is None or body.name not in moved or body.mass < LEAST_MASS:
+            continue
+        size = size_of(link)
+        most = max(body.inertia[n][n] for n in range(3))
+        reach = math.sqrt(most / body.mass)
+        if size and 0 < reach < LEAST_REACH * size:
+            times = (size / math.sqrt(12) / reach) ** 2
+            fields = {"link": body.name, "times": f"{times:.1g}", "mass": f"{body.mass:g}", "size": f"{size:g}"}
+            yield trouble_of(inertia_too_small, f"link:{body.name}", None, (), **fields)
+
+
+# -- joints ----------------------------------------------------------------------------------------------------------
+
+
+def _limits(mechanism: Mechanism, task: ControllerTask) -> Iterator[Trouble]:
+    for hinge in filter(None, map(mechanism.hinge, task.joints)):
+        if hinge.velocity == 0 and hinge.moves:
+            yield trouble_of(joint_held_still, f"joint:{hinge.name}", task.controller, joint=hinge.name)
+        elif hinge.moves and hinge.span[0] == hinge.span[1]:
+            limits = {"lower": hinge.lower, "upper": hinge.upper}
+            yield trouble_of(
+                joint_without_range, f"joint:{hinge.name}", task.controller, (), joint=hinge.name, **limits
+            )
+        elif hinge.moves:
+            yield from _ranges(hinge, task)
+
+
+def _ranges(hinge: Hinge, task: ControllerTask) -> Iterator[Trouble]:
+    """The range of commands that the hardware allows, against the range that the joint has."""
+    low, high = hinge.range_of(task.interface)
+    if low == -math.inf:
+        return
+    whole = {"position": hinge.span, "velocity": _both(hinge.velocity), "effort": _both(hinge.effort)}.get(
+        task.interface
+    )
+    if whole is None or not whole[1] > whole[0]:
+        return
+    common = min(high, whole[1]) - max(low, whole[0])
+    if common < LEAST_RANGE * (whole[1] - whole[0]):
+        fields = {"joint": hinge.name, "interface": task.interface, "low": low, "high": high}
+        given = {"least": whole[0], "most": whole[1]}
+        yield trouble_of(command_range_too_small, f"joint:{hinge.name}", task.controller, (), **fields, **given)
+
+
+def _both(limit: float | None) -> tuple[float, float] | None:
+    return (-limit, limit) if limit else None
+
+
+def _starts(mechanism: Mechanism) -> Iterator[Trouble]:
+    for hinge in mechanism.hinges:
+        low, high = hinge.span
+        slack = BEYOND * (high - low)
+        given = hinge.initial
+        if given is None or not hinge.moves or hinge.type == "continuous" or low - slack <= given <= high + slack:
+            continue
+        fields = {"joint": hinge.name, "start": given, "unit": hinge.unit, "lower": low, "upper": high}
+        yield trouble_of(initial_position_beyond_limits, f"joint:{hinge.name}", None, (), **fields)
+
+
+def _mimics(mechanism: Mechanism) -> Iterator[Trouble]:
+    for hinge in mechanism.hinges:
+        leader = mechanism.hinge(hinge.mimic[0]) if hinge.mimic else None
+        if leader is None or not hinge.mimic or not hinge.moves or "continuous" in (leader.type, hinge.type):
+            continue
+        _, factor, offset = hinge.mimic
+        ends = sorted(factor * end + offset for end in leader.span)
+        low, high = hinge.span
+        slack = BEYOND * (high - low)
+        if ends[0] < low - slack or ends[1] > high + slack:
+            fields = {"joint": hinge.name, "leader": leader.name, "unit": hinge.unit}
+            asked = {"least": ends[0], "most": ends[1], "lower": low, "upper": high}
+            yield trouble_of(mimic_beyond_limits, f"joint:{hinge.name}", None, (), **fields, **asked)

@@ -1,0 +1,34 @@
+"""Which simulator moves the joints of a robot, according to its description."""
+
+from __future__ import annotations
+
+from urdfctl.catalog.catalog import Catalog
+from urdfctl.catalog.distros import generation
+from urdfctl.control.gazebo_ros1 import in_gazebo
+from urdfctl.diagnostic import Severity
+from urdfctl.model.project import Project
+from urdfctl.model.robot import Ros2Control
+
+GAZEBO_ROS1 = "gazebo_ros_control"
+_WORLDS = ("gz", "gazebo-classic")
+"""The simulators in which a robot stands on the ground and falls."""
+
+
+def simulator_of(control: Ros2Control, catalog: Catalog, distro: str) -> str:
+    """Return the simulator whose hardware a component loads: one of the catalogue, or empty."""
+    plugin = (control.plugin or "").strip()
+    known = catalog.hardware(plugin, distro) if plugin else None
+    return (known.simulator if known else None) or ""
+
+
+def in_gazebo_of_ros1(project: Project) -> bool:
+    """Return whether Gazebo's default hardware simulation of ROS 1 certainly runs a robot."""
+    return in_gazebo(project) is Severity.ERROR
+
+
+def in_simulation(project: Project, distro: str) -> bool:
+    """Return whether a simulator with gravity certainly runs a robot."""
+    if generation(distro) == 1:
+        return in_gazebo_of_ros1(project)
+    controls = project.robot.ros2_controls if project.robot else ()
+    return any(simulator_of(control, project.catalog, distro) in _WORLDS for control in controls)

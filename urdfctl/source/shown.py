@@ -1,0 +1,83 @@
+"""The disk as an editor shows it: open texts instead of files, a folder instead of the current one. And what is
+remembered of the disk until it changes."""
+
+from __future__ import annotations
+
+import os
+from _thread import get_ident
+from collections.abc import Callable, Mapping
+from functools import lru_cache
+
+from urdfctl.startup.hints import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Result = TypeVar("Result")
+
+
+class as_shown:  # noqa: N801 (a context manager, read as a verb)
+    """Within it, this thread works in a folder as an editor shows it, not in the current one as it is on disk.
+
+    folder: what is relative, is relative to it.
+    texts: what is read instead of the files with these real paths.
+    aside: is given the real paths of the files on which what is remembered depends, and which are no source of a robot,
+        such as a package.xml.
+    """
+
+    def __init__(self, folder: str, texts: Mapping[str, bytes], aside: set[str] | None = None) -> None:
+        self.folder, self.texts, self.aside = folder, texts, aside
+
+    def __enter__(self) -> None:
+        _SHOWN[get_ident()] = self
+
+    def __exit__(self, *_: object) -> None:
+        del _SHOWN[get_ident()]
+
+
+_SHOWN: dict[int, as_shown] = {}
+"""By thread."""
+
+
+def current_folder() -> str:
+    """Return the folder that this thread works in."""
+    shown = _SHOWN.get(get_ident())
+    return shown.folder if shown else os.getcwd()
+
+
+def open_text(path: str) -> bytes | None:
+    """Return the text that is read instead of a file; None if the file itself is."""
+    shown = _SHOWN.get(get_ident()) if _SHOWN else None
+    return shown.texts.get(real_path(path)) if shown and shown.texts else None
+
+
+def note_aside(path: str) -> None:
+    """Tell an editor that what is remembered depends on a file."""
+    shown = _SHOWN.get(get_ident()) if _SHOWN else None
+    if shown and shown.aside is not None:
+        shown.aside.add(real_path(path))
+
+
+# -- what is remembered ------------------------------------------------------------------------------------------------
+
+_REMEMBERED: list[Callable[[], None]] = []
+_MOST_REMEMBERED = 1 << 15
+
+
+def remembered(function: Callable[[str], Result]) -> Callable[[str], Result]:
+    """Remember what a function returns for a path until `forget_files` is called."""
+    cached = lru_cache(_MOST_REMEMBERED)(function)
+    _REMEMBERED.append(cached.cache_clear)
+    return cached
+
+
+@remembered
+def real_path(path: str) -> str:
+    """Return a path with all links followed."""
+    return os.path.realpath(path)
+
+
+def forget_files() -> None:
+    """Look at the disk again: files were created, deleted or changed."""
+    for forget in _REMEMBERED:
+        forget()
