@@ -171,6 +171,15 @@ def test_a_new_folder_is_there_as_a_whole_or_not_at_all(folder: Folder) -> None:
 
 
 @needs_posix
+def test_the_processes_of_another_container_tell_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    child = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
+    monkeypatch.setattr(processes.os, "readlink", lambda _: "1")
+    assert processes.start_of(child.pid) == 0
+    child.communicate(b"\n")
+    assert processes.start_of(child.pid) is None
+
+
+@needs_posix
 @pytest.mark.parametrize("system", ["linux", "darwin"])
 def test_a_process_runs_until_it_ends(system: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(processes.sys, "platform", system)

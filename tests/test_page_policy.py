@@ -31,7 +31,7 @@ NAMES = [
     "<!--<script>",
     "javascript:window.hurt = 5",
     "a\u2028b\u202ec",
-    "{{ 7 * 7 }}{% raw %}",
+    "{{ 7919 * 7907 }}{% raw %}",
     "<svg/onload=window.hurt=6>",
     "&lt;b&gt;",
 ]
@@ -153,7 +153,7 @@ def test_no_name_is_markup(made: dict[str, Path]) -> None:
         assert not [name for _, attributes in elements.found for name in attributes if name.startswith("on")]
         assert not [address for address in elements.addresses if not address.startswith("#")]
         assert not re.search("[\u2028-\u202e]", text)
-        assert "49" not in re.findall(r"\b49\b", " ".join(elements.texts))
+        assert str(7919 * 7907) not in " ".join(elements.texts)
 
 
 @needs_browser

@@ -11,14 +11,11 @@ _ENDED = (b"Z", b"X")
 
 def start_of(process: int) -> int | None:
     """Return when a process started, in ticks of the system's clock; 0 if that is not told; None if it has ended."""
-    if sys.platform == "linux":
+    if sys.platform == "linux" and _proc_is_ours():
         try:
             with open(f"/proc/{process}/stat", "rb") as file:
                 state, *numbers = file.read().rpartition(b")")[2].split()  # the name before may hold anything
             return None if state in _ENDED else int(numbers[18])
-        except (FileNotFoundError, ProcessLookupError):
-            if os.path.exists("/proc/self/stat"):
-                return None
         except OSError:
             pass
     return 0 if _exists(process) else None
@@ -28,6 +25,14 @@ def is_running(process: int, start: int) -> bool:
     """Return whether a process runs that started at `start`; any with its number where the system tells no start."""
     now = start_of(process)
     return now is not None and (now == start or 0 in (now, start))
+
+
+def _proc_is_ours() -> bool:
+    """Return whether /proc names processes by the same numbers as this process does: a container may see another's."""
+    try:
+        return os.readlink("/proc/self") == str(os.getpid())
+    except OSError:
+        return False
 
 
 def _exists(process: int) -> bool:
