@@ -118,17 +118,17 @@ def real_of(path: str) -> str:
 
 def is_file(path: str) -> bool:
     """Return whether a path is a regular file that may be read."""
-    return admits(path) and os.path.isfile(path)
+    return os.path.isfile(path) and admits(path)
 
 
 def is_folder(path: str) -> bool:
     """Return whether a path is a folder that may be read."""
-    return admits(path) and os.path.isdir(path)
+    return os.path.isdir(path) and admits(path)
 
 
 def exists(path: str) -> bool:
     """Return whether a path exists and may be read."""
-    return admits(path) and os.path.exists(path)
+    return os.path.exists(path) and admits(path)
 
 
 def names_in(folder: str) -> list[str]:

@@ -4,6 +4,7 @@ remembered of the disk until it changes."""
 from __future__ import annotations
 
 import os
+import sys
 from _thread import get_ident
 from collections.abc import Callable, Mapping
 from functools import lru_cache
@@ -62,6 +63,8 @@ def note_aside(path: str) -> None:
 
 _REMEMBERED: list[Callable[[], None]] = []
 _MOST_REMEMBERED = 1 << 15
+_DEEP = 100
+"""Folders above a path, from which on they are not looked up one by one."""
 
 
 def remembered(function: Callable[[str], Result]) -> Callable[[str], Result]:
@@ -73,8 +76,12 @@ def remembered(function: Callable[[str], Result]) -> Callable[[str], Result]:
 
 @remembered
 def real_path(path: str) -> str:
-    """Return a path with all links followed."""
-    return os.path.realpath(path)
+    """Return a path with all links followed. Where the folders above lead is looked up once for all that is in them."""
+    above, name = os.path.split(path)
+    is_plain = os.path.isabs(path) and path.count(os.sep) < _DEEP and name not in ("", os.curdir, os.pardir)
+    if sys.platform == "win32" or not is_plain or os.path.islink(path):
+        return os.path.realpath(path)
+    return os.path.join(real_path(above), name)
 
 
 def forget_files() -> None:
