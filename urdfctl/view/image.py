@@ -24,7 +24,8 @@ _FOCUS, _YAW, _PITCH, _AWAY = 2.1, 0.7, 0.4, 1.15
 """The camera, as the page has it: focal length, angles in rad, and distance in sizes of the robot."""
 _SPACING = 0.7
 """Triangles are filled with points that are at most this many pixels apart."""
-_AT_ONCE = 4_000_000
+_AT_ONCE = 500_000
+"""Points that are drawn at the same time: each needs about 100 bytes."""
 _COLOURS = {
     "position": (36, 96, 196), "velocity": (22, 121, 74), "effort": (154, 98, 0), "state": (122, 75, 194),
     "mimic": (31, 138, 150), "none": (138, 146, 160), "error": (208, 43, 48), "missing": (217, 77, 191),
@@ -180,14 +181,23 @@ def _filled(x: Array, y: Array) -> Iterator[tuple[Array, Array]]:
     longest = np.hypot(x - x[:, around], y - y[:, around]).max(axis=1)
     parts = 2 ** np.ceil(np.log2(np.clip(longest / _SPACING, 1, 4096))).astype(np.int64)
     for number in np.unique(parts):
-        first, second = np.meshgrid(np.arange(number + 1), np.arange(number + 1), indexing="ij")
+        of_size = np.flatnonzero(parts == number)
+        for weights in _weights(int(number)):
+            for chunk in np.array_split(of_size, math.ceil(len(of_size) * len(weights) / _AT_ONCE)):
+                yield chunk, weights
+
+
+def _weights(number: int) -> Iterator[Array]:
+    """The weights of the corners at the points of a triangle that is divided into `number` rows."""
+    import numpy as np
+
+    at_once = max(1, _AT_ONCE // (number + 1))
+    for start in range(0, number + 1, at_once):
+        rows = np.arange(start, min(start + at_once, number + 1))
+        first, second = np.meshgrid(rows, np.arange(number + 1 - start), indexing="ij")
         kept = first + second <= number
         a, b = first[kept] / number, second[kept] / number
-        weights = np.stack([a, b, 1 - a - b], axis=1)
-        of_size = np.flatnonzero(parts == number)
-        for chunk in np.array_split(of_size, max(1, math.ceil(len(of_size) * len(weights) / _AT_ONCE))):
-            if len(chunk):
-                yield chunk, weights
+        yield np.stack([a, b, 1 - a - b], axis=1)
 
 
 def _encoded(pixels: Array) -> bytes:
