@@ -17,8 +17,8 @@ from urdfctl.expand.xml_writer import write
 from urdfctl.source.dom import Cloning, Element, Text
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import SourceText
+from urdfctl.source.xacro.stand_ins import NotFoundErr
 from urdfctl.source.xml import parse
-from urdfctl.startup.xacro_imports import NotFoundErr
 
 
 def tree(text: str | bytes) -> Element:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
 from urdfctl.diagnostic import Edit, Finding, Fix, Note, Severity
 from urdfctl.fault import Fault, Stage, StageDependsOn
 from urdfctl.model.project import Project
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack

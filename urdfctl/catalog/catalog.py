@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cache
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, generation
@@ -19,7 +20,6 @@ from urdfctl.catalog.reading import (
     replacement_of,
 )
 from urdfctl.catalog.store import plain, renamed
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfctl.catalog.hardware import HardwareInterface, HardwareType, SimulatorPlugin, TransmissionType

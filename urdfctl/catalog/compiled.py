@@ -9,11 +9,11 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.reading import controller_type, extension
-from urdfctl.startup.hints import Any
 
 DATA = Path(__file__).parent / "data"
 KINDS = ("controllers", "hardware", "simulators", "transmissions", "interfaces", "manager")

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 from urdfctl.catalog.validators import NAMES
 from urdfctl.source.kinds import Kind
 from urdfctl.source.yaml import Mapping as YamlMap
 from urdfctl.source.yaml import Node, Scalar, Sequence, YamlFile
 from urdfctl.source.yaml_types import typed_by_pyyaml
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 _TYPE = re.compile(r"((?:bool|int|double|string)(?:_array)?|none)(?:_fixed_(\d+))?")

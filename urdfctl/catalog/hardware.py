@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import Any
 
 from urdfctl.catalog.entries import NOTHING, Parameter, Replacement
 from urdfctl.catalog.reading import in_distro, read_parameters, replacement_of
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 Plain = Mapping[str, Any]

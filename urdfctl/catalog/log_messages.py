@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from typing import Any
 
 from urdfctl.catalog.distros import ALL, spanned
 from urdfctl.catalog.store import log_message_entries
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 KINDS = ("failure", "consequence", "warning", "harmless", "progress")

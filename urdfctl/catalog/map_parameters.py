@@ -8,10 +8,9 @@ from functools import lru_cache
 
 from urdfctl.catalog.entries import FormerParameter, Parameter
 from urdfctl.catalog.values import elements, is_known
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.per_object import once_per_object
 
-_PLACEHOLDER = lazy_pattern(r"<([^<>]+)>")
+_PLACEHOLDER = re.compile(r"<([^<>]+)>")
 
 
 def expanded(name: str, values: Mapping[str, object]) -> tuple[str, ...]:

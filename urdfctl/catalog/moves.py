@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from functools import lru_cache
+from typing import Any
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.store import moves_data
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 

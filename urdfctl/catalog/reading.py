@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
 
 from urdfctl.catalog.distros import generation, spanned
 from urdfctl.catalog.entries import (
@@ -17,12 +18,8 @@ from urdfctl.catalog.entries import (
     ParameterRule,
     Replacement,
 )
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    Typed = TypeVar("Typed")
+Typed = TypeVar("Typed")
 
 Plain = Mapping[str, Any]
 _JOINED = ("parameters", "removed_parameters")

@@ -10,10 +10,10 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
+from typing import Any
 
 from urdfctl.catalog.distros import ALL, spanned
 from urdfctl.names import did_you_mean
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 Schema = Mapping[str, Any]

@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 import os
 from functools import cache, lru_cache
-
-from urdfctl.startup.hints import Any
+from typing import Any
 
 _FOLDER = os.path.join(os.path.dirname(__file__), "data")
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from typing import Any
 
 from urdfctl.catalog.values import elements, is_known, is_list
-from urdfctl.startup.hints import Any
 
 Broken = Callable[[Any, Any], bool]
 

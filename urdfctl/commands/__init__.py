@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from importlib import import_module
+from typing import TYPE_CHECKING
 
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from enum import Enum
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
-    from typing import ClassVar
-
     from typing_extensions import dataclass_transform
 else:
 

@@ -5,13 +5,9 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator
+from typing import TypeVar
 
-from urdfctl.startup.hints import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    Result = TypeVar("Result")
+Result = TypeVar("Result")
 
 
 SHOWN_FROM = 20

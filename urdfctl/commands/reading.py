@@ -7,14 +7,11 @@ returns None: typer then reads the words again, by the same declarations, and re
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any, TypeVar
 
 from urdfctl.commands.declaring import Option, Options
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    Of = TypeVar("Of", bound=Options)
+Of = TypeVar("Of", bound=Options)
 
 
 def plain_options(options: type[Of], given: Sequence[str]) -> Of | None:

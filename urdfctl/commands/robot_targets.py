@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from urdfctl.commands.progress import with_progress
 from urdfctl.commands.words import split_arguments
@@ -13,7 +14,6 @@ from urdfctl.lint.run import LintRequest, LintRun, find, in_workers, judge, plan
 from urdfctl.lint.selection import Selection
 from urdfctl.load.target import Target
 from urdfctl.report.common import is_robot
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.discover.shards import Shard

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Sequence
+from typing import TYPE_CHECKING
 
 from urdfctl.commands.reach import is_in_workspace
 from urdfctl.config.file import Config, config_for, config_of, with_environ
@@ -12,7 +13,6 @@ from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
 from urdfctl.source.gate import is_file
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.commands.options import ReadingOptions, StartOptions

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import groupby
+from typing import Any
 
 from urdfctl.compare.changes import Change
 from urdfctl.output.printing import visible
 from urdfctl.report.common import as_json
 from urdfctl.report.pages import page
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 FORMATS = ("text", "markdown", "html", "json")

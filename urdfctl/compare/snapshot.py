@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from urdfctl.compare.tree import Node, merged, node_of, plain
 from urdfctl.config.settings import Settings
@@ -16,7 +17,6 @@ from urdfctl.load.target import Target
 from urdfctl.model.controllers import Controller, Controllers
 from urdfctl.model.project import Project
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from urdfctl.catalog.definitions import definition_of
 from urdfctl.errors import UserError
 from urdfctl.source.files import named_bytes
 from urdfctl.source.span import SourceText
 from urdfctl.source.yaml import read_yaml
-from urdfctl.startup.hints import Any
 
 Nodes = tuple[tuple[str, Any], ...]
 

@@ -6,6 +6,7 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.config.robots import ConfiguredRobot, robots_of
@@ -14,7 +15,6 @@ from urdfctl.source.files import first_bytes
 from urdfctl.source.gate import admit, admits, is_file
 from urdfctl.source.packages import ELSEWHERE
 from urdfctl.source.workspace import workspace_of
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 _PACKAGE_PATHS = "URDFCTL_PACKAGE_PATHS"

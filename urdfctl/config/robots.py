@@ -6,11 +6,11 @@ import os
 from collections.abc import Iterator, Mapping
 from itertools import product
 from math import prod
+from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
 from urdfctl.source.gate import admits
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 MOST_VARIANTS = 200

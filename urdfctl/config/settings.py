@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, ROS1, ROS2, SIMULATORS
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -11,10 +11,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfctl.catalog.entries import ClaimRule, Condition, ControllerType
 from urdfctl.catalog.values import elements, is_known, is_list, is_set
 from urdfctl.control.values import Values
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
-_PLACEHOLDER = lazy_pattern(r"\{(\w+)\}")
+_PLACEHOLDER = re.compile(r"\{(\w+)\}")
 
 
 class Claim(NamedTuple):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from typing import Any
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
@@ -14,7 +15,6 @@ from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import outcome_to_json
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 

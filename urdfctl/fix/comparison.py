@@ -9,6 +9,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import zip_longest
+from typing import TYPE_CHECKING
 
 from urdfctl.fix.edits import Shift, Splice
 from urdfctl.source.dom import COMMENT, Element, Text
@@ -16,7 +17,6 @@ from urdfctl.source.files import is_yaml
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import Call, SourceText
 from urdfctl.source.xml import parse
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
@@ -16,7 +17,6 @@ from urdfctl.lint.selection import Selection
 from urdfctl.load.target import Target
 from urdfctl.output.change import Change
 from urdfctl.run.limits import WorkerFailure, processors
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 MOST_ROUNDS = 20

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Severity, Step
 from urdfctl.fix.comparison import EditedFile, edited_file, same_file, same_tree
@@ -14,7 +15,6 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.lint.serialising import result_from_json, result_to_json
 from urdfctl.lint.target import LintedTarget, lint_target
 from urdfctl.source.dom import Element
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 Chain = tuple[Step, ...]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog
@@ -21,7 +22,6 @@ from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import python_text, xml_text
 from urdfctl.generate.templates import Templates
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 
@@ -36,7 +36,7 @@ FORMS = {"python": "launch.py", "xml": "launch.xml", "yaml": "launch.yaml"}
 _ONE_A_SPAWNER = ("foxy", "galactic")
 _PACKAGES = {"control_filters": "control_toolbox"}
 """The packages of plugins whose names begin with something else."""
-_NAMED = lazy_pattern(r"(?:package://|\$\(find )\s*([A-Za-z0-9_-]+)")
+_NAMED = re.compile(r"(?:package://|\$\(find )\s*([A-Za-z0-9_-]+)")
 """A package whose files a robot uses."""
 
 

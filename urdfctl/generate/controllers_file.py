@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from urdfctl.generate.bringup import spawner, takes_param_file
 from urdfctl.generate.hardware import ANY_NAMESPACE
@@ -12,7 +13,6 @@ from urdfctl.generate.scalars import one_line
 from urdfctl.generate.settings import lines_of
 from urdfctl.generate.templates import Templates
 from urdfctl.generate.values import TODO, rate_of, reference
-from urdfctl.startup.hints import Any
 
 
 def controllers_file(made: Sequence[Controller], options: Options, templates: Templates, title: str = "") -> File:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import Any
 
 from urdfctl.model.geometry import Vector
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from typing import Any
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
@@ -23,7 +24,6 @@ from urdfctl.model.geometry import Vector
 from urdfctl.model.project import Project
 from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.source.packages import package_name
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import JointFacts
 from urdfctl.names import did_you_mean
-from urdfctl.startup.hints import Any
 
 NUMBERS = ("lower", "upper", "effort", "velocity", "reduction", "radius", "inertia")
 GAINS = ("p", "i", "d", "i_clamp")

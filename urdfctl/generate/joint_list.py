@@ -6,11 +6,11 @@ import csv
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import JointFacts
 from urdfctl.generate.joint_keys import LISTS, is_name_key, joint_of, key_of, name_of
-from urdfctl.startup.hints import Any
 
 _YAML = re.compile(r"- |\[|\{|---|[^,;\t]+:(\s|$)")
 _DELIMITERS = (";", "\t", ",")

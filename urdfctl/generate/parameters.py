@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import Any
 
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import expected
@@ -17,7 +18,6 @@ from urdfctl.generate.minimal_parameters import checked, minimal_settings
 from urdfctl.generate.recipes import recipe_of
 from urdfctl.generate.settings import Setting
 from urdfctl.generate.values import Left, Task, answer, gains
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 _PLACEHOLDER = re.compile(r"<([^<>]+)>")

@@ -6,13 +6,13 @@ import os
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache
+from typing import Any
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.errors import UserError
 from urdfctl.generate.options import Options
 from urdfctl.names import did_you_mean
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 _FILE = os.path.join(os.path.dirname(__file__), "recipes.yaml")

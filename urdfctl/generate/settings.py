@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from urdfctl.generate.scalars import one_line, yaml_text, yaml_value
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 _WIDE = 100

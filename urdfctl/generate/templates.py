@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.errors import UserError
 from urdfctl.generate.scalars import json_text, one_line, python_text, xacro_text, xml_comment, xml_text, yaml_text
 from urdfctl.report.template_folder import own_folder
 from urdfctl.source.files import MAX_BYTES, first_bytes
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import jinja2

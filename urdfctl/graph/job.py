@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.graph.build import graph_of
@@ -9,7 +11,6 @@ from urdfctl.graph.parts import Graph
 from urdfctl.lint.job import Work, run_on_targets
 from urdfctl.lint.target import lint_target
 from urdfctl.load.target import Target
-from urdfctl.startup.hints import Any
 
 
 def graph_for(target: Target, settings: Settings) -> Graph:

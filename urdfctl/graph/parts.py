@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 KINDS = (

@@ -12,8 +12,10 @@ import os
 import sys
 import time
 from collections.abc import Iterable, Iterator, Sequence
+from hashlib import blake2b
 from itertools import chain
 from operator import sub
+from typing import Any
 
 from urdfctl import __version__
 from urdfctl.config.settings import Settings
@@ -24,8 +26,6 @@ from urdfctl.output.cache_folder import cache_folder
 from urdfctl.source.gate import admits
 from urdfctl.source.packages import ELSEWHERE
 from urdfctl.source.workspace import workspace_of
-from urdfctl.startup.blake2 import blake2b
-from urdfctl.startup.hints import Any
 
 STORE_FROM = 0.5
 """Seconds, of the clock or of all processors together, that a run has to take to be worth storing."""

@@ -7,7 +7,6 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Remark
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 Explains = Callable[[Diagnostic, Diagnostic], bool]
@@ -74,7 +73,7 @@ LINKS = (
 LINKS_OF_RUN = (_UNDEFINED, *(link for link in LINKS if link.explains is at_its_place))
 """Those that also hold between the findings of several projects."""
 _CONSEQUENCES = {code for link in LINKS for code in link.consequences}
-_NAME = lazy_pattern(r"'([^']+)'")
+_NAME = re.compile(r"'([^']+)'")
 
 
 def without_consequences(findings: Sequence[Diagnostic], links: Sequence[Link] = LINKS) -> Sequence[Diagnostic]:

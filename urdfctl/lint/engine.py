@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import APPLIES, applies_to
 from urdfctl.diagnostic import Diagnostic, Finding, Note, diagnosed, excerpt_at, located
@@ -17,7 +18,6 @@ from urdfctl.source.budget import OverBudget
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.suppressions import Suppressed
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.lint.memory import RuleMemory

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Iterable
+from hashlib import blake2b
 
 from urdfctl.lint.results import TargetResult
 from urdfctl.source.dom import COMMENT, Element, Text
 from urdfctl.source.gate import is_file
-from urdfctl.startup.blake2 import blake2b
 
 _ENDINGS = (".urdf.xacro", ".xacro", ".urdf")
 

@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from importlib import import_module
+from typing import Any
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Finding, diagnosed
@@ -24,7 +25,6 @@ from urdfctl.run.pool import Division, run_jobs
 from urdfctl.source.files import is_launch
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro import private_module
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 _INDEX_FROM = 4

@@ -6,12 +6,11 @@ import re
 from functools import lru_cache
 
 from urdfctl.catalog.distros import ALL
-from urdfctl.startup.patterns import lazy_pattern
 
-_NAME = lazy_pattern(rf"'[^']*'|<[^<>]*>|-?\b\d[\w.]*(?:[eE][+-]?\d+)?|\b(?:{'|'.join(ALL)})\b")
-_LIST = lazy_pattern(r"''(?:, '')*(?:,? and (?:''|# more))?")
+_NAME = re.compile(rf"'[^']*'|<[^<>]*>|-?\b\d[\w.]*(?:[eE][+-]?\d+)?|\b(?:{'|'.join(ALL)})\b")
+_LIST = re.compile(r"''(?:, '')*(?:,? and (?:''|# more))?")
 _HINT = "; did you mean"
-_ADVICE = lazy_pattern(r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) .*")
+_ADVICE = re.compile(r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) .*")
 
 
 @lru_cache(4096)

@@ -7,12 +7,12 @@ the same there. So the project notes what each rule reads.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 from urdfctl.diagnostic import Finding
 from urdfctl.model.project import Project
 from urdfctl.rule import Rule
 from urdfctl.source.same import is_same
-from urdfctl.startup.hints import Any
 from urdfctl.startup.per_object import Noting
 from urdfctl.startup.records import NamedTuple
 

@@ -6,6 +6,7 @@ import os
 from collections.abc import Collection, Sequence
 from enum import Enum
 from itertools import product
+from typing import TYPE_CHECKING
 
 from urdfctl.config.file import Config
 from urdfctl.config.robots import ConfiguredRobot
@@ -14,7 +15,6 @@ from urdfctl.discover.robots import DiscoveredFiles, discover_files
 from urdfctl.lint.results import TargetResult, among
 from urdfctl.load.target import Target
 from urdfctl.source.files import is_launch
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Protocol
 
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
@@ -25,12 +26,9 @@ from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.names import did_you_mean
 from urdfctl.source.files import is_launch
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
-    from typing import Protocol
-
     from urdfctl.config.definitions import Nodes
     from urdfctl.discover.shards import Shard
     from urdfctl.lint.cache import RunCache

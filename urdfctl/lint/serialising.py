@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
 from urdfctl.lint.results import Outcome, SuppressionUse, TargetResult
 from urdfctl.load.bringup import Bringup
-from urdfctl.startup.hints import Any
 
 _TUPLES = ("files", "controllers", "distros", "nodes", "sections", "missing_packages")
 

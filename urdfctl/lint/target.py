@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 from urdfctl.lint.engine import lint
 from urdfctl.lint.generated import twin_digest
@@ -18,7 +19,6 @@ from urdfctl.source.files import is_launch
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.suppressions import Reach
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ALL, MAINTAINED, ROS2
 from urdfctl.config.settings import Settings
@@ -19,7 +20,6 @@ from urdfctl.load.evidence import (
 from urdfctl.model.project import Evidence, EvidenceItem
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import SourceText
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

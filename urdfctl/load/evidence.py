@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ALL, ROS2, since, until
 from urdfctl.load.package_distros import distros_of_package
@@ -13,8 +14,6 @@ from urdfctl.model.robot import Robot
 from urdfctl.source.files import first_bytes
 from urdfctl.source.gate import names_in
 from urdfctl.source.span import SourceText
-from urdfctl.startup.hints import TYPE_CHECKING
-from urdfctl.startup.patterns import lazy_pattern
 
 if TYPE_CHECKING:
     from urdfctl.load.controller_files import ControllerFiles
@@ -30,7 +29,7 @@ _HEADER_BYTES = 2048
 _MADE, _MADE_FOR = b"made by urdfctl ", rb"made by urdfctl [^\n]*--distro[ =](\w+)"
 _CONTROL_OF_ROS2 = ("gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control")
 _XML_COMMENT = r"(?s)<!--.*?(?:-->|\Z)"
-_DEPENDENCY = lazy_pattern(
+_DEPENDENCY = re.compile(
     r"<(?:(?:build|exec|run|test|build_export)_)?depend(?![^<>]*\bcondition\s*=)[^<>]*>\s*([^<\s]+)\s*<"
 )
 _FOUND_BY_CMAKE = r"(?im)^[^#\n]*\bfind_package\s*\(\s*(ament_cmake\w*|catkin)\b"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from urdfctl.load.description import MakeExpander
 from urdfctl.load.expanding import expanded
@@ -17,7 +18,6 @@ from urdfctl.source.same import is_same
 from urdfctl.source.span import Place
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.influence import Influence
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

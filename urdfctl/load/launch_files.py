@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch import InlineParameters, Launch, Reference, Word
@@ -22,7 +23,6 @@ from urdfctl.source.packages import PackageNotFound, Packages
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xml import parse
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 

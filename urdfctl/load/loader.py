@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Collection, Mapping, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 from urdfctl.config.settings import ALL_STARTED, Settings
 from urdfctl.load.build_files import absent_sources
@@ -24,7 +25,6 @@ from urdfctl.source.span import Place, SourceText
 from urdfctl.source.todo import todos_in
 from urdfctl.source.workspace import workspace_of
 from urdfctl.source.xacro.expansion import Expander
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.definitions import Definition, definition_of
 from urdfctl.model.project import OwnTypes
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.plugin_exports import ExportedClass, definition_files, exported_classes, sources_of_class
 from urdfctl.source.yaml import read_yaml
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from urdfctl.startup.hints import Any
+from typing import Any
+
 from urdfctl.startup.records import NamedTuple
 
 

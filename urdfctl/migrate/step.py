@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from enum import Enum
+from typing import TYPE_CHECKING
 
 from urdfctl.diagnostic import Edit
 from urdfctl.fault import Example, Written, example_of
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.span import Place
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

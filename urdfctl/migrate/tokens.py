@@ -8,14 +8,13 @@ from collections.abc import Iterator
 
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.yaml import Mapping, Node, Scalar, read_yaml
-from urdfctl.startup.patterns import lazy_pattern
 
 XML = (".xacro", ".urdf", ".xml", ".launch", ".srdf", ".sdf", ".world", ".gazebo", ".inc", ".trans")
 HOOKS = (".dsv", ".dsv.in", ".sh", ".sh.in", ".bash")
 """Files that set the environment."""
 _SKIPPED = rb"(?s)<!--.*?(?:-->|\Z)|<\?.*?\?>"
-_TAG = lazy_pattern(rb"<(/?)([A-Za-z_][\w:.-]*)((?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*)\s*/?>")
-_VALUE = lazy_pattern(rb"=\s*(?:\"([^\"]*)\"|'([^']*)')")
+_TAG = re.compile(rb"<(/?)([A-Za-z_][\w:.-]*)((?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*)\s*/?>")
+_VALUE = re.compile(rb"=\s*(?:\"([^\"]*)\"|'([^']*)')")
 
 
 def tokens_in(source: SourceText, element: str = "") -> Iterator[SourceSpan]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from urdfctl.startup.patterns import lazy_pattern
+import re
 
-PLACEHOLDER = lazy_pattern(r"<[A-Za-z_][\w.-]*>|\{\{[^{}]*\}\}")
+PLACEHOLDER = re.compile(r"<[A-Za-z_][\w.-]*>|\{\{[^{}]*\}\}")
 """What a launch file replaces in a path."""
-_PARTS = lazy_pattern(r"(/\*\*|/\*|/?(?:<[A-Za-z_][\w.-]*>|\{\{[^{}]*\}\}))")
+_PARTS = re.compile(r"(/\*\*|/\*|/?(?:<[A-Za-z_][\w.-]*>|\{\{[^{}]*\}\}))")
 _ANY, _ONE = "/**", "/*"
 _MOST_PARTS = 100
 

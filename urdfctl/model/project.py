@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, generation
@@ -11,7 +12,6 @@ from urdfctl.model.robot import Robot
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place
 from urdfctl.source.xacro.influence import Influence, no_influence
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

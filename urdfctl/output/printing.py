@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable
+from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.output.writing import encoded
-from urdfctl.startup.hints import Any
 
 INVISIBLE = (
     *((0x7F, 0x9F), (0xAD, 0xAD), (0x61C, 0x61C), (0x180E, 0x180E), (0x200B, 0x200F), (0x2028, 0x202E)),

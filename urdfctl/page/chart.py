@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
+from typing import Any
 
 from urdfctl.smoke.results import Curve
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 WIDTH, HEIGHT = 360, 190

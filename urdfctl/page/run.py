@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.graph.svg import STYLE, svg
@@ -15,7 +16,6 @@ from urdfctl.report.common import relative, shown
 from urdfctl.report.pages import page
 from urdfctl.smoke.reports import SmokeReport, conditions, explanation, heading, stages_reached, summary
 from urdfctl.smoke.results import ControllerResult, RobotResult, Verdict
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 from urdfctl.view.html import part_values
 from urdfctl.view.job import Portrait

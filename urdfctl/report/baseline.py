@@ -6,6 +6,7 @@ import json
 import os
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Sequence
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
@@ -15,7 +16,6 @@ from urdfctl.output.writing import write_file
 from urdfctl.report.fingerprint import mark, message_from, path_from
 from urdfctl.source.files import first_bytes
 from urdfctl.source.gate import exists
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 _VERSION = 1

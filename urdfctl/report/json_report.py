@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Remark, Repair, Severity
 from urdfctl.lint.results import Report, TargetResult
 from urdfctl.load.bringup import Bringup
 from urdfctl.report.common import as_json, is_robot, relative, shown
-from urdfctl.startup.hints import Any
 
 
 def render(report: Report) -> str:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 from urdfctl import __version__
 from urdfctl.logs.digest import Digest, Known, Unknown
 from urdfctl.logs.evidence import CheckedFolder
 from urdfctl.report.log_next import next_commands
 from urdfctl.rules import fault_of
-from urdfctl.startup.hints import Any
 
 
 def render_log_json(digest: Digest, *, complete: bool, files: CheckedFolder | None = None) -> str:

@@ -10,12 +10,12 @@ import hashlib
 import os
 from base64 import b64encode
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from urdfctl import __version__
 from urdfctl.output.printing import visible
 from urdfctl.report.common import as_text
 from urdfctl.report.template_folder import own_folder
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from markupsafe import Markup

@@ -10,6 +10,7 @@ import os
 import re
 from collections.abc import Sequence
 from functools import lru_cache
+from typing import Any
 from urllib.parse import quote
 
 from urdfctl import __version__
@@ -21,7 +22,6 @@ from urdfctl.report.fingerprint import fingerprints
 from urdfctl.report.words import fix_in_words, notes
 from urdfctl.rules import all_faults
 from urdfctl.rules.prose import as_markdown
-from urdfctl.startup.hints import Any
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 _ROOT = "%SRCROOT%"

@@ -9,10 +9,10 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from urdfctl.fault import Example
 from urdfctl.source.files import is_launch, is_yaml
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 _LINK = """\

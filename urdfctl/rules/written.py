@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.rule import Edit, Finding, Fix, Note
 from urdfctl.source.span import Place
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 _DEEPEST = 20
-_PARAMETER = lazy_pattern(r"\$\{\s*([A-Za-z_]\w*)\s*\}")
-_SUBSTITUTED = lazy_pattern(r"\$\{[^{}]*\}|\$\([^()]*\)")
+_PARAMETER = re.compile(r"\$\{\s*([A-Za-z_]\w*)\s*\}")
+_SUBSTITUTED = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
 class Written(NamedTuple):

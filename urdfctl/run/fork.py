@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
 import time
 from collections.abc import Callable, Sequence
 
 from urdfctl.run.limits import GRACE, Json, Limits, Result, WorkerFailure, restrict, start_clock
 from urdfctl.run.results import decoded_result, encoded_result
-from urdfctl.startup.signals import signal
 
 MAX_RESULT = 64 << 20
 """Bytes that a worker may send without ending a line."""

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import gc
 import os
+import signal
 import sys
 import time
 from collections.abc import Callable, Mapping
 from types import FrameType
+from typing import Any
 
 from urdfctl.source.budget import OverBudget
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
-from urdfctl.startup.signals import signal
 
 Json = dict[str, Any]
 GRACE = 2.0

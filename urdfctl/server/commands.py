@@ -8,6 +8,7 @@ from __future__ import annotations
 import asyncio
 import os
 from collections.abc import Awaitable, Callable
+from typing import Any
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
@@ -27,7 +28,6 @@ from urdfctl.server.smoking import tested, words_for
 from urdfctl.server.uris import path_of
 from urdfctl.server.window import Window
 from urdfctl.server.workspace import Workspace
-from urdfctl.startup.hints import Any
 
 GRAPH, VIEW, SMOKE = "urdfctl.graph", "urdfctl.view", "urdfctl.smoke"
 MIGRATE, CHOOSE_VARIANT = "urdfctl.migrate", "urdfctl.chooseVariant"

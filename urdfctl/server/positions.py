@@ -5,13 +5,13 @@ from __future__ import annotations
 import io
 import os
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
 from urdfctl.diagnostic import Location
 from urdfctl.server.uris import uri_of
 from urdfctl.source.files import MAX_BYTES, first_bytes
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pygls.workspace import PositionCodec

@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Severity, Step
 from urdfctl.load.target import Target
 from urdfctl.server.processes import pip_install
 from urdfctl.smoke.engines import installed
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
 from urdfctl.source.opaque import is_known
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 

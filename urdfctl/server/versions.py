@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
 from urdfctl.server.uris import path_of, uri_of
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pygls.workspace import TextDocument

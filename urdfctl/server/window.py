@@ -8,7 +8,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 from pygls.exceptions import FeatureRequestError, JsonRpcException, JsonRpcInternalError, JsonRpcParseError
@@ -30,7 +30,6 @@ from urdfctl.server.variants import robot_name
 from urdfctl.server.versions import Versions, versioned
 from urdfctl.server.workspace import Checked, Wishes, Workspace, text_on_disk
 from urdfctl.source.span import SourceText
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pygls.server import ServerErrors

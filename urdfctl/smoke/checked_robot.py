@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json, result_from_json, result_to_json
 from urdfctl.smoke.results import ControllerResult, RobotResult, Trouble
 from urdfctl.smoke.tasks import Misfit
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

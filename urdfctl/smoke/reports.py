@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Severity
@@ -14,7 +15,6 @@ from urdfctl.report.common import as_json, shown
 from urdfctl.report.json_report import document
 from urdfctl.report.text import Piece, pieces
 from urdfctl.smoke.results import ControllerResult, Curve, RobotResult, Verdict
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 _STYLES = {

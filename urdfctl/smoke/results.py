@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from enum import Enum
+from typing import Any
 
 from urdfctl.fault import FaultWithMessage, Stage
 from urdfctl.lint.results import TargetResult
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 ROBOT = "robot"

@@ -9,6 +9,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import groupby
 from operator import itemgetter
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
@@ -32,7 +33,6 @@ from urdfctl.smoke.reports import SmokeReport, report_of
 from urdfctl.smoke.results import RobotResult
 from urdfctl.smoke.statics import check_statically
 from urdfctl.smoke.tasks import MOTION, TaskFile, misfits
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.source.span import Call, Place, SourceText
+from urdfctl.source.xacro.stand_ins import NotFoundErr
 from urdfctl.startup.records import NamedTuple
-from urdfctl.startup.xacro_imports import NotFoundErr
 
 ELEMENT, TEXT, CDATA, INSTRUCTION, COMMENT, DOCUMENT, DOCTYPE = 1, 3, 4, 7, 8, 9, 10
 

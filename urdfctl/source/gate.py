@@ -12,21 +12,18 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import stat
 from _thread import get_ident
 from collections.abc import Iterable, Iterator
 from fnmatch import filter as matching_names
+from typing import BinaryIO
 
 from urdfctl.source.folders import Folder
 from urdfctl.source.folders import walk as all_folders
 from urdfctl.source.shown import real_path
-from urdfctl.startup.hints import TYPE_CHECKING
-from urdfctl.startup.patterns import lazy_pattern
 
-if TYPE_CHECKING:
-    from typing import BinaryIO
-
-_MAGIC = lazy_pattern(r"[*?[]")
+_MAGIC = re.compile(r"[*?[]")
 _FLAGS = os.O_RDONLY
 for _name in ("O_BINARY", "O_CLOEXEC", "O_NOFOLLOW", "O_NONBLOCK"):  # not every system has each
     _FLAGS |= getattr(os, _name, 0)

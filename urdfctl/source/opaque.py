@@ -8,12 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
-
-from urdfctl.startup.hints import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from typing import NoReturn
-
+from typing import Any, NoReturn
 
 _NONE: Mapping[str, str] = MappingProxyType({})
 UNKNOWN = "\ue000"

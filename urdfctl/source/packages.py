@@ -10,11 +10,11 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from urdfctl.source import gate
 from urdfctl.source.files import first_bytes, folders_upwards
 from urdfctl.source.gitignore import GitIgnore
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.source.install_maps import InstallMap

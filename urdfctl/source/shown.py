@@ -8,13 +8,9 @@ import sys
 from _thread import get_ident
 from collections.abc import Callable, Mapping
 from functools import lru_cache
+from typing import TypeVar
 
-from urdfctl.startup.hints import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    Result = TypeVar("Result")
+Result = TypeVar("Result")
 
 
 class as_shown:  # noqa: N801 (a context manager, read as a verb)

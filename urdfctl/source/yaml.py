@@ -9,10 +9,10 @@ the C library's own composer, and a few aliases of aliases can expand to more th
 from __future__ import annotations
 
 import re
+from typing import Any
 
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import BOM, Place, SourceText
-from urdfctl.startup.hints import Any
 from urdfctl.startup.lazy_yaml import SAFE_LOADER, yaml
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple

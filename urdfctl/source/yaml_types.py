@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 import re
 from functools import lru_cache
+from typing import Any
 
 from urdfctl.source.kinds import Kind
 from urdfctl.source.yaml import Scalar
-from urdfctl.startup.hints import Any
 from urdfctl.startup.lazy_yaml import yaml
 from urdfctl.startup.records import NamedTuple
 

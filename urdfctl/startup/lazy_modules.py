@@ -7,8 +7,7 @@ from __future__ import annotations
 
 import importlib
 from types import ModuleType
-
-from urdfctl.startup.hints import Any
+from typing import Any
 
 
 class LazyModule(ModuleType):

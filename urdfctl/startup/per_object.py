@@ -8,14 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
+from typing import TypeVar
 
-from urdfctl.startup.hints import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    _Argument = TypeVar("_Argument")
-    _Result = TypeVar("_Result")
+_Argument = TypeVar("_Argument")
+_Result = TypeVar("_Result")
 
 _MOST = 256
 _NONE: set[str] = set()

@@ -1,9 +1,9 @@
 """Import the modules of a few packages from their compiled files directly.
 
-Saves: a run imports about three hundred modules, and looking for each takes a third of its import: Python asks every
-finder, and reads the folder's state and the file's state several times. Reading a file by one call to the system, not
-seven, saves another 2 µs for each. The result is the same: a compiled file is only
-used if it is the one that Python itself would use, otherwise Python imports the module as usual.
+Saves: 10 to 13 % of a lint (paired whole processes, median of 21). A run imports more than four hundred modules, and
+looking for each takes a third of its import: Python asks every finder, and reads the folder's state and the file's
+state several times. The result is the same: a compiled file is only used if it is the one that Python itself would use,
+otherwise Python imports the module as usual.
 """
 
 from __future__ import annotations

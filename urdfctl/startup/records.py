@@ -8,8 +8,7 @@ one code object, with the names of the fields replaced. Type checkers see `typin
 from __future__ import annotations
 
 import functools
-
-from urdfctl.startup.hints import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from typing import NamedTuple as NamedTuple  # noqa: PLC0414 (so that it is exported)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from urdfctl.diagnostic import located
 from urdfctl.model.launch import Launch
@@ -19,7 +20,6 @@ from urdfctl.source.xacro.replay import (
     steps_behind,
     yaml_scalars,
 )
-from urdfctl.startup.hints import Any
 from urdfctl.trace.address import Value, address_of
 
 _MOST_LINKS = 100

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.lint.job import Work, run_on_targets
 from urdfctl.load.target import Target
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.startup.hints import Any
 from urdfctl.trace.address import Line, Value, all_values, values_at
 from urdfctl.trace.answer import answer, depends_on
 from urdfctl.trace.loading import Traced, traced

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from urdfctl.output.printing import visible
 from urdfctl.report.common import shown
-from urdfctl.startup.hints import Any
 
 Json = dict[str, Any]
 

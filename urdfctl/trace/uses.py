@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from urdfctl.control.groups import Groups
 from urdfctl.control.hardware import Kind
@@ -11,7 +12,6 @@ from urdfctl.diagnostic import located
 from urdfctl.model.project import Project
 from urdfctl.source.dom import Element
 from urdfctl.source.span import Place
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 from urdfctl.trace.address import parts_of
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from urdfctl.output.printing import visible_in
 from urdfctl.report.common import shown
 from urdfctl.report.pages import page
-from urdfctl.startup.hints import Any
 from urdfctl.view.joints import CONTROLS
 
 

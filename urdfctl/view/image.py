@@ -8,9 +8,9 @@ import struct
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.model.geometry import Pose, about, scaled
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import numpy as np

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from urdfctl.config.settings import Settings
 from urdfctl.graph.build import graph_of
@@ -13,7 +14,6 @@ from urdfctl.lint.target import lint_target
 from urdfctl.load.meshes import mesh_path
 from urdfctl.load.target import Target
 from urdfctl.smoke.robot import mechanism_of
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 from urdfctl.view.meshes import installed
 from urdfctl.view.outline import Segment, outline_of

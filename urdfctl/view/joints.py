@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.graph.parts import Graph, Node
 from urdfctl.model.robot import Joint, Robot
 from urdfctl.report.common import relative
 from urdfctl.smoke.robot import Hinge
-from urdfctl.startup.hints import Any
 
 COMMANDED = ("position", "velocity", "effort")
 CONTROLS = {

@@ -11,9 +11,9 @@ import io
 import warnings
 from collections.abc import Iterator, Sequence
 from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.smoke.robot import is_endless
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -6,6 +6,7 @@ import math
 import os
 import time
 from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.graph.parts import Graph
@@ -13,7 +14,6 @@ from urdfctl.model.geometry import Pose
 from urdfctl.model.robot import Link, Robot, Tag
 from urdfctl.smoke.robot import Hinge, hinges_of, numbers_of, origin_of
 from urdfctl.source.files import FileProblem
-from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.view.joints import Wiring, described
 from urdfctl.view.meshes import NotAMesh, Surface, merged, packed, read_mesh
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ALL, generation
 from urdfctl.commands.declaring import CHECKED_FOR, OUTPUT, Command, Options, Reads, argument, option
@@ -15,7 +16,6 @@ from urdfctl.report.common import shown
 from urdfctl.schemas.controllers import controllers_schema
 from urdfctl.schemas.robot import ros2_control_schema, urdf_schema
 from urdfctl.source.files import FileProblem, Files, is_yaml
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.schemas.checking import Fault

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from urdfctl.generate.job import measured_facts
 from urdfctl.lint.job import Work
-from urdfctl.startup.hints import Any
 
 
 def measure_work(work: Work) -> dict[str, Any]:

@@ -7,13 +7,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from typing import ClassVar
 
 from urdfctl.commands.declaring import CONTROLLERS, JOINTS, OTHER, OUTPUT, Reads, argument, option
 from urdfctl.commands.options import TargetOptions
-from urdfctl.startup.hints import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from typing import ClassVar
 
 _TYPES = (
     "Controller type: effort, velocity, position, trajectory, gripper, diff_drive, ackermann, bicycle, tricycle, "

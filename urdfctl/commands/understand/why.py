@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 from urdfctl.commands.declaring import OUTPUT, Command, argument, option
 from urdfctl.commands.options import TEXT_OR_JSON, TargetOptions
@@ -16,7 +17,6 @@ from urdfctl.output.printing import print_text
 from urdfctl.output.writing import write_file
 from urdfctl.report.common import as_json, shown
 from urdfctl.source.packages import package_around
-from urdfctl.startup.hints import Any
 from urdfctl.trace.address import HOW, Line, line_named
 from urdfctl.trace.job import why
 from urdfctl.trace.text import render

@@ -15,14 +15,13 @@ from urdfctl.rules.launch.description_read_as_yaml import description_read_as_ya
 from urdfctl.rules.ros2_control.comment_breaks_parameter import comment_breaks_parameter
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.todo import MARK
-from urdfctl.startup.patterns import lazy_pattern
 
 _AUTHORITY = (
     "gazebo_ros2_control#295: humble's plugin passes the description on as a parameter, which is parsed as YAML"
 )
 _LAUNCH = "launch_ros utilities/evaluate_parameters.py: a substitution without a type is passed to yaml.safe_load"
-_COLON = lazy_pattern(r"[ \t]*:(?=\s)")
-_HASH = lazy_pattern(r"(?<=\s)#+")
+_COLON = re.compile(r"[ \t]*:(?=\s)")
+_HASH = re.compile(r"(?<=\s)#+")
 
 
 def _comments(packages: Packages) -> Iterator[Proposal]:

@@ -17,7 +17,6 @@ from urdfctl.source.dom import Element
 from urdfctl.source.files import is_launch
 from urdfctl.source.gate import is_folder, walk
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.startup.patterns import lazy_pattern
 
 _VARIABLES = "gz-sim tutorials/resources.md: GZ_SIM_RESOURCE_PATH, GZ_SIM_SYSTEM_PLUGIN_PATH"
 _EXPORT = "ros_gz_sim README, gazebo_ros gazebo_ros_paths.py: <gazebo_ros gazebo_model_path> in package.xml"
@@ -26,7 +25,7 @@ VARIABLES: Mapping[str, str] = {
     "GAZEBO_RESOURCE_PATH": "GZ_SIM_RESOURCE_PATH",
     "GAZEBO_PLUGIN_PATH": "GZ_SIM_SYSTEM_PLUGIN_PATH",
 }
-_NAME = lazy_pattern(rb"(?<!\w)GAZEBO_(?:MODEL|RESOURCE|PLUGIN)_PATH(?!\w)")
+_NAME = re.compile(rb"(?<!\w)GAZEBO_(?:MODEL|RESOURCE|PLUGIN)_PATH(?!\w)")
 _OF_XML = (".xacro", ".urdf", ".gazebo")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
@@ -13,10 +14,9 @@ from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
-from urdfctl.startup.patterns import lazy_pattern
 
 _AUTHORITY = "gz_ros2_control doc/index.rst: initial_value of a state interface"
-_OPTION = lazy_pattern(rb"(?<![\w-])-J[\"'\s,]+(?:\w+::)?(\w+)[\"'\s,]+([-+]?\d[\d.eE+-]*)(?![\w.])")
+_OPTION = re.compile(rb"(?<![\w-])-J[\"'\s,]+(?:\w+::)?(\w+)[\"'\s,]+([-+]?\d[\d.eE+-]*)(?![\w.])")
 _LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.py", ".py", ".launch.yaml")
 _OF_XML = (".xacro", ".urdf", ".xml")
 _INITIAL = "initial_value"

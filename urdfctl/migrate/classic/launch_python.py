@@ -34,9 +34,8 @@ from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.packages import package_around, package_name
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.startup.patterns import lazy_pattern
 
-_CLASSIC = lazy_pattern(rb"gazebo_ros|['\"](?:gazebo|gzserver|gzclient)['\"]")
+_CLASSIC = re.compile(rb"gazebo_ros|['\"](?:gazebo|gzserver|gzclient)['\"]")
 _AUTHORITY = "ros_gz_sim README; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 
 

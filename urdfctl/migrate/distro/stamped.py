@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
@@ -13,7 +14,6 @@ from urdfctl.migrate.wishes import Part
 from urdfctl.migrate.yaml_edits import MapEdits
 from urdfctl.source.files import is_launch
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.startup.patterns import lazy_pattern
 
 SINCE = "jazzy"
 _STAMPED = "ros2_controllers#812, #958: ~/cmd_vel is always geometry_msgs/msg/TwistStamped"
@@ -39,7 +39,7 @@ PARAMETERS: Mapping[str, tuple[str, str]] = {
 }
 """By node: its parameter for velocities with a stamp, and the authority."""
 _OF_JOYSTICK = ("axis_linear", "scale_linear", "axis_angular")
-_OLD_TOPIC = lazy_pattern(r"(\w+)/(cmd_vel|reference)_unstamped\Z")
+_OLD_TOPIC = re.compile(r"(\w+)/(cmd_vel|reference)_unstamped\Z")
 
 
 def drives(packages: Packages) -> set[str]:

@@ -12,13 +12,12 @@ from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.source.yaml import Mapping, Node, Sequence, YamlFile, read_yaml
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 _AUTHORITY = "rcl rcl_yaml_param_parser/src/parse.c: 'Will not support aliasing'"
-_ALIAS = lazy_pattern(r"[*&]([^\s,\[\]{}]+)")
-_ANCHORS = lazy_pattern(r"(?m)(?<=[:\-,])([ ]+)&[^\s,\[\]{}]+(?:[ ]|$)")
-_KEY = lazy_pattern(r"([ ]*)(?!<<)[^\s{\[-][^{\[]*:[ ]+")
+_ALIAS = re.compile(r"[*&]([^\s,\[\]{}]+)")
+_ANCHORS = re.compile(r"(?m)(?<=[:\-,])([ ]+)&[^\s,\[\]{}]+(?:[ ]|$)")
+_KEY = re.compile(r"([ ]*)(?!<<)[^\s{\[-][^{\[]*:[ ]+")
 
 
 class _Anchored(NamedTuple):

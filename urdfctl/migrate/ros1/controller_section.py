@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog, catalog_with
@@ -21,12 +22,11 @@ from urdfctl.source.yaml import Mapping as Map
 from urdfctl.source.yaml import Node, Scalar
 from urdfctl.source.yaml import Sequence as List
 from urdfctl.source.yaml_types import typed_by_rcl
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 _RENAMED = "ros2_controllers doc/migration.rst; the parameters that the distro's branch declares"
 _TYPES = "control.ros.org, differences between ros_control and ros2_control"
-_FRACTION = lazy_pattern(r"[-+]?\d*\.\d*")
+_FRACTION = re.compile(r"[-+]?\d*\.\d*")
 _STAND_INS = {"wheel_separation": 0.5, "wheel_radius": 0.1}
 _STAND_INS_OF_MECANUM = {
     "kinematics.wheels_radius": 0.1,
@@ -35,7 +35,7 @@ _STAND_INS_OF_MECANUM = {
 """The measures of wheels that a controller requires, with values as the generators write them if they are unknown."""
 _SIDES = ("left", "right")
 _OF_MECANUM = tuple(f"{end}_{side}_wheel_joint" for end in ("front", "back") for side in _SIDES)
-_PID = lazy_pattern(r"(?:^|\.)pid\.")
+_PID = re.compile(r"(?:^|\.)pid\.")
 
 
 class ControllerSection(NamedTuple):

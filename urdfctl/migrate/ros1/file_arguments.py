@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
@@ -12,10 +13,9 @@ from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.gate import is_file
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.startup.patterns import lazy_pattern
 
 _AUTHORITY = "wiki.ros.org/roslaunch/XML/rosparam: subst_value; ros2_control reads parameter files as they are"
-_ARGUMENT = lazy_pattern(rb"\$\(arg \w+\)")
+_ARGUMENT = re.compile(rb"\$\(arg \w+\)")
 
 
 def _arguments(packages: Packages) -> Iterator[Proposal]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import glob
 import os
+import re
 from collections.abc import Collection, Iterator
 
 from urdfctl.diagnostic import Edit
@@ -12,10 +13,9 @@ from urdfctl.migrate.packages import Packages
 from urdfctl.source.gate import matching
 from urdfctl.source.packages import package_name
 from urdfctl.source.span import SourceSpan
-from urdfctl.startup.patterns import lazy_pattern
 
-_IN_PACKAGE = lazy_pattern(r"\$\(find ([\w-]+)\)(/.*)")
-_ARGUMENT = lazy_pattern(r"\$\((?:arg|eval|env|optenv) [^)]*\)")
+_IN_PACKAGE = re.compile(r"\$\(find ([\w-]+)\)(/.*)")
+_ARGUMENT = re.compile(r"\$\((?:arg|eval|env|optenv) [^)]*\)")
 
 
 def renamed_parameters(packages: Packages, old: Collection[str], new: str) -> Iterator[Edit]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Edit
@@ -20,7 +21,6 @@ from urdfctl.source.yaml import Entry as YamlEntry
 from urdfctl.source.yaml import Mapping as Map
 from urdfctl.source.yaml import Node, Scalar, read_yaml
 from urdfctl.source.yaml import Sequence as List
-from urdfctl.startup.patterns import lazy_pattern
 
 CONTROLLERS_FILE = "moveit_controllers.yaml"
 _LIST = "controller_list"
@@ -29,8 +29,8 @@ _PIPELINE = "_planning_pipeline.launch.xml"
 _OF_PIPELINES = ("planning_plugin", "request_adapters", "start_state_max_bounds_error")
 _OF_EXECUTION = ("allowed_execution_duration_scaling", "allowed_goal_duration_margin", "allowed_start_tolerance")
 _LIMITS = ("max_velocity", "max_acceleration", "max_jerk", "min_position", "max_position", "min_velocity")
-_INTEGER = lazy_pattern(r"[-+]?\d+")
-_REFERENCE = lazy_pattern(r"\$\(arg (\w+)\)")
+_INTEGER = re.compile(r"[-+]?\d+")
+_REFERENCE = re.compile(r"\$\(arg (\w+)\)")
 _CONTROLLERS = "moveit2 moveit_simple_controller_manager: controller_names, and a map for each"
 _BUILDER = "moveit2 moveit_configs_utils MoveItConfigsBuilder: config/PIPELINE_planning.yaml"
 _DOUBLES = "moveit2 robot_model_loader.cpp: limits of joints are doubles; rcl rejects integers"

@@ -13,15 +13,14 @@ from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.source.dom import Element
 from urdfctl.source.gate import exists
 from urdfctl.source.packages import package_around, package_name
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 MARK = ".setup_assistant"
 MOVE_GROUP = "move_group.launch"
 _CONTEXT = "planning_context.launch"
-_ADDRESS = lazy_pattern(r"\$\(find ([\w-]+)\)/([^\s'\"]+)")
-_ARGUMENT = lazy_pattern(r"\$\(arg (\w+)\)")
-_GIVEN = lazy_pattern(r"(\w+):='?([^\s']*)'?")
+_ADDRESS = re.compile(r"\$\(find ([\w-]+)\)/([^\s'\"]+)")
+_ARGUMENT = re.compile(r"\$\(arg (\w+)\)")
+_GIVEN = re.compile(r"(\w+):='?([^\s']*)'?")
 
 
 class MoveitPackage(NamedTuple):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
@@ -19,7 +20,6 @@ from urdfctl.migrate.launch.actions import (
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
 from urdfctl.migrate.ros1.roslaunch_values import parameters_of, unread_parameters_of
 from urdfctl.source.dom import Element
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 
@@ -94,7 +94,7 @@ _RENAMED = {
     ("tf", "static_transform_publisher"): ("tf2_ros", "static_transform_publisher"),
     ("robot_state_publisher", "state_publisher"): ("robot_state_publisher", "robot_state_publisher"),
 }
-_ARGUMENT = lazy_pattern(r"\$\(arg ([\w-]+)\)")
+_ARGUMENT = re.compile(r"\$\(arg ([\w-]+)\)")
 _DROPPED_WORDS = ("--shutdown-timeout", "--wait-for")
 _SPAWNER_WORDS = {"--timeout": "--controller-manager-timeout", "--stopped": "--inactive"}
 _SAME = frozenset(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from urdfctl.model.launch.package import Package
 from urdfctl.source.lengths import MOST_CHARACTERS
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

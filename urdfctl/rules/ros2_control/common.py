@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ROS2, since, until
 from urdfctl.model.robot import Interface, Parameter, Part, Ros2Control, Tag, Text
@@ -11,7 +12,6 @@ from urdfctl.rule import Edit, Fix, Note, Project
 from urdfctl.rules.common import is_known, label, robot_in
 from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.catalog.hardware import HardwareType

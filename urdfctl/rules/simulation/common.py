@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.hardware import PluginChild
 from urdfctl.control.gazebo_plugins import BECAME
@@ -12,7 +13,6 @@ from urdfctl.names import folded, is_slip
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_all_there, is_known
 from urdfctl.source.span import Place
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, label, robot_in
 from urdfctl.rules.urdf.mesh_addresses import in_packages
-from urdfctl.startup.patterns import lazy_pattern
 
-_OF_ONE_MACHINE = lazy_pattern(r"(file:)?/|[A-Za-z]:[\\/]|~")
+_OF_ONE_MACHINE = re.compile(r"(file:)?/|[A-Za-z]:[\\/]|~")
 
 
 @rule(

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ALL, until
 from urdfctl.model.robot import Joint, Link, Robot, Tag
 from urdfctl.rules.common import is_known, is_xacro
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 LEXICAL_CAST = until("lunar")
@@ -18,12 +17,12 @@ STREAM = tuple(distro for distro in ALL if distro not in LEXICAL_CAST)
 
 VECTOR = 3
 SMALLEST_NORMAL = 2.2250738585072014e-308
-_DECIMAL = lazy_pattern(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _PLAIN_TEXT = r"[+-]?[0-9]{1,40}(?:\.[0-9]{0,40})?(?:[eE][+-]?[0-9]{1,2})?"
-_PLAIN = lazy_pattern(_PLAIN_TEXT)
-_PLAIN_VECTOR = lazy_pattern(f"{_PLAIN_TEXT} {_PLAIN_TEXT} {_PLAIN_TEXT}")
-_BROKEN_ATTRIBUTE = lazy_pattern(rb"""=\s*(?:"[^"<>]*[\t\n\r]|'[^'<>]*[\t\n\r])""")
-_NOT_FINITE = lazy_pattern(r"[+-]?(?:inf(?:inity)?|nan)", re.IGNORECASE)
+_PLAIN = re.compile(_PLAIN_TEXT)
+_PLAIN_VECTOR = re.compile(f"{_PLAIN_TEXT} {_PLAIN_TEXT} {_PLAIN_TEXT}")
+_BROKEN_ATTRIBUTE = re.compile(rb"""=\s*(?:"[^"<>]*[\t\n\r]|'[^'<>]*[\t\n\r])""")
+_NOT_FINITE = re.compile(r"[+-]?(?:inf(?:inity)?|nan)", re.IGNORECASE)
 _BLANKS = " \t\n\v\f\r"
 
 JOINT_NUMBERS = {

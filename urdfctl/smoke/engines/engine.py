@@ -6,12 +6,12 @@ import math
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from importlib.util import find_spec
+from typing import Protocol
 
 from urdfctl.errors import UserError
 from urdfctl.model.geometry import Vector
 from urdfctl.names import did_you_mean
 from urdfctl.smoke.robot import friction_of
-from urdfctl.startup.hints import Protocol
 from urdfctl.startup.records import NamedTuple
 
 STEP = 0.001

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import math
 import os
+from typing import Any
 
 from urdfctl.smoke.engines.engine import STEP, BasePose, EngineSetup, Motor, RobotRejected
 from urdfctl.smoke.engines.urdf import quoted
 from urdfctl.smoke.robot import corners_of
-from urdfctl.startup.hints import Any
 
 STIFF = 60.0
 """The rate at which a driven joint approaches its target position, in 1/s."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 import os
 import time
+from typing import Any
 
 from urdfctl.output.scratch import scratch_folder
 from urdfctl.smoke.engines.engine import FREE_MOTOR, STEP, BasePose, EngineSetup, Motor, RobotRejected
 from urdfctl.smoke.engines.obj_meshes import with_own_meshes
 from urdfctl.smoke.robot import SLIDES
-from urdfctl.startup.hints import Any
 
 MOST_JOINTS = 121
 """The maximum number of movable joints: of the 128 coordinates that pybullet keeps of a robot (MAX_DEGREE_OF_FREEDOM),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from urdfctl.config.settings import Settings
 from urdfctl.run.limits import WAITING, Limits, Result, WorkerFailure
@@ -12,7 +13,6 @@ from urdfctl.smoke.motion.engine_agreement import decided, is_certain
 from urdfctl.smoke.motion.plan import MotionPlan, SimulationResult
 from urdfctl.smoke.motion.progress import keep, kept, live_lines, stopped_early
 from urdfctl.smoke.motion.trial import run_trial
-from urdfctl.startup.hints import Any
 
 STARTING = 60.0
 """What the start of an engine may take on a loaded machine, in s."""

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from typing import Protocol
 
 from urdfctl.smoke.engines import Engine
 from urdfctl.smoke.robot import Hinge
 from urdfctl.smoke.tasks import CRUISE, FREELY, ControllerTask, Drive, Goal, MotionFamily, PidGains, effort_of
-from urdfctl.startup.hints import Protocol
 
 MOST_STEERING = 0.5
 """A base is steered by this angle at most, in rad."""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from urdfctl.smoke.results import Curve, Trouble
 from urdfctl.smoke.robot import Mechanism
 from urdfctl.smoke.tasks import MOTION, ControllerTask, UserTask
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 SHARE = 100

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import Any
 
 from urdfctl.model.geometry import (
     UPRIGHT,
@@ -16,7 +17,6 @@ from urdfctl.model.geometry import (
     product,
     scaled,
 )
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 MOVABLE = ("revolute", "continuous", "prismatic")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from enum import Enum
+from typing import Any
 
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 FREE = 1e9

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable
+from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean, nearest_path
@@ -14,7 +15,6 @@ from urdfctl.source.span import Place, SourceText
 from urdfctl.source.yaml import Mapping as YamlMap
 from urdfctl.source.yaml import Node, Scalar, Sequence, read_yaml
 from urdfctl.source.yaml_types import typed_by_pyyaml
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 MOST_SECONDS = 60.0

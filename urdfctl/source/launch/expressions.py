@@ -6,6 +6,7 @@ import ast
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice
+from typing import Any
 
 from urdfctl.source.launch.calls import Calls
 from urdfctl.source.launch.frames import Frame, bound
@@ -38,7 +39,6 @@ from urdfctl.source.launch.terms import (
 )
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import BOM, Place, SourceText
-from urdfctl.startup.hints import Any
 
 _MOST_STEPS = 100_000
 _MOST_DEPTH = 100

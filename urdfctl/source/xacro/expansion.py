@@ -10,6 +10,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping
 from types import ModuleType
+from typing import Any
 
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, OverBudget
 from urdfctl.source.dom import Cloning, Document, Element, Node, Text
@@ -42,7 +43,6 @@ from urdfctl.source.xacro.safety import install_safety, install_yaml
 from urdfctl.source.xacro.speed import install_speed
 from urdfctl.source.xacro.without_ros import Substitutions
 from urdfctl.source.xml import parse
-from urdfctl.startup.hints import Any
 
 
 class Expander:

@@ -10,12 +10,11 @@ import warnings
 from functools import lru_cache
 from keyword import iskeyword
 from types import CodeType
+from typing import Any
 
 from urdfctl.source.xacro.allowed import check
 from urdfctl.source.xacro.guards import ForbiddenExpression
 from urdfctl.source.xacro.rewriting import GUARDS, SOMEWHERE, Replaced, arguments, replaced_in
-from urdfctl.startup.hints import Any
-from urdfctl.startup.patterns import lazy_pattern
 
 __all__ = ["GUARDS", "ForbiddenExpression", "compile_checked", "plain_path"]
 
@@ -24,8 +23,8 @@ _DEEPEST = 500
 _TOO_DEEP = f"the expression is nested more than {_DEEPEST} levels deep"
 _WITH_PARTS = (ast.expr, ast.comprehension, ast.arguments, ast.arg, ast.keyword)
 _QUOTED = r"'[^'\\\n]*'|\"[^\"\\\n]*\""
-_STEP = lazy_pattern(rf"[A-Za-z]\w*|{_QUOTED}")
-_PATH = lazy_pattern(rf"[A-Za-z]\w*(?:\[(?:{_QUOTED})\])*", re.ASCII)
+_STEP = re.compile(rf"[A-Za-z]\w*|{_QUOTED}")
+_PATH = re.compile(rf"[A-Za-z]\w*(?:\[(?:{_QUOTED})\])*", re.ASCII)
 
 
 @lru_cache(8192)

@@ -7,9 +7,9 @@ import math
 import re
 from collections.abc import Callable, Iterable, Sequence
 from types import ModuleType
+from typing import Any
 
 from urdfctl.source.opaque import Opaque
-from urdfctl.startup.hints import Any
 
 MOST_PLACES = 10_000
 LONGEST_VALUE = 1 << 20

@@ -14,11 +14,10 @@ from fnmatch import fnmatchcase
 
 from urdfctl.source.shown import current_folder
 from urdfctl.source.span import Call, Place
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
-_PARTS = lazy_pattern(r"\$\(\s*arg\s+([^\s()]+)\s*\)|\$\{([^{}]*)\}|\$\([^()]*\)")
-_LOAD = lazy_pattern(r"load_yaml\(\s*(?:([A-Za-z_]\w*)|'([^']*)'|\"([^\"]*)\")\s*\)")
+_PARTS = re.compile(r"\$\(\s*arg\s+([^\s()]+)\s*\)|\$\{([^{}]*)\}|\$\([^()]*\)")
+_LOAD = re.compile(r"load_yaml\(\s*(?:([A-Za-z_]\w*)|'([^']*)'|\"([^\"]*)\")\s*\)")
 _ASKED = r"\$\(\s*arg\s+([^\s()]+)\s*\)"
 _QUOTED = r"\barg\(\s*['\"]([^'\"]+)"
 _EVALUATED = r"\$\{([^{}]*)\}|\$\(\s*eval\b(.*)\)"
@@ -33,8 +32,8 @@ _DECIDING = {
     "xacro:element": ("xacro:name",),
     "xacro:attribute": ("name", "value"),
 }
-_TEXT = lazy_pattern(r"'[^']*'|\"[^\"]*\"")
-_NAME = lazy_pattern(r"(?<![\w.])[A-Za-z_]\w*")
+_TEXT = re.compile(r"'[^']*'|\"[^\"]*\"")
+_NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 _MOST_STEPS = 200
 _DEEPEST = 20
 

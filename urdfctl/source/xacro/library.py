@@ -5,6 +5,7 @@ use names that are defined elsewhere.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from urdfctl.source.dom import Document, Element, Node
 from urdfctl.source.opaque import UNKNOWN, AnyArgument, NotKnown, Opaque
@@ -14,7 +15,6 @@ from urdfctl.source.xacro.blame import Blame
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.leftovers import unused_arguments
 from urdfctl.source.xacro.unknown import UnknownExpander
-from urdfctl.startup.hints import Any
 
 _TOLD = {
     ProblemKind.XML_SYNTAX,

@@ -10,9 +10,8 @@ from urdfctl.source.dom import Element
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.gate import is_file
 from urdfctl.source.problem import Problem, ProblemKind
-from urdfctl.startup.patterns import lazy_pattern
 
-_WORD = lazy_pattern(r"([A-Za-z0-9]+)")
+_WORD = re.compile(r"([A-Za-z0-9]+)")
 _FORMS = frozenset({"xacro", "urdf", "xml"})
 
 

@@ -11,12 +11,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain
 from types import BuiltinFunctionType, FunctionType, MethodDescriptorType
+from typing import Any
 
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.opaque import Opaque
 from urdfctl.source.xacro import guards
 from urdfctl.source.xacro.guards import LONGEST_VALUE, ForbiddenExpression
-from urdfctl.startup.hints import Any
 
 MOST_OF_EXPRESSION = 500_000
 MOST_OF_EXPANSION = 10_000_000

@@ -15,7 +15,7 @@ from importlib.machinery import SourceFileLoader
 from types import CodeType, ModuleType
 
 from urdfctl.errors import UserError
-from urdfctl.startup.xacro_imports import import_what_xacro_uses
+from urdfctl.source.xacro.stand_ins import import_what_xacro_uses
 
 KNOWN_VERSIONS = "2.1.0 and 2.1.1"
 REQUIRED = (

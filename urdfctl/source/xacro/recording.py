@@ -6,12 +6,12 @@ import re
 import sys
 from collections.abc import Iterator
 from types import FrameType, ModuleType
+from typing import Any
 
 from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.dom import Text as Characters
 from urdfctl.source.files import Files
 from urdfctl.source.span import Call, Place, SourceText
-from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 YamlKey = tuple[SourceText, tuple[str | int, ...]]

@@ -11,7 +11,8 @@ A test compares a private copy with the installed xacro: no other name may diffe
 
 from __future__ import annotations
 
-from urdfctl.startup.hints import Any
+from typing import Any
+
 from urdfctl.startup.records import NamedTuple
 
 

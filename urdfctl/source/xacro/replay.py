@@ -6,16 +6,15 @@ import math
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.xacro.recording import Recorder, Step, YamlKey
-from urdfctl.startup.hints import Any
-from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
-_NUMBER = lazy_pattern(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\w.])")
-_REFERENCE = lazy_pattern(r"&(?:(lt|gt|amp|quot|apos)|#(\d+)|#x([0-9a-fA-F]+));")
+_NUMBER = re.compile(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\w.])")
+_REFERENCE = re.compile(r"&(?:(lt|gt|amp|quot|apos)|#(\d+)|#x([0-9a-fA-F]+));")
 _NAMED = {"lt": "<", "gt": ">", "amp": "&", "quot": '"', "apos": "'"}
 _STEP = 0.1
 """By which part of itself a number is changed to see what depends on it."""

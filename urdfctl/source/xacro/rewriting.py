@@ -5,8 +5,7 @@ from __future__ import annotations
 import _ast as ast  # faster to import than ast
 from collections.abc import Callable, Mapping
 from functools import lru_cache
-
-from urdfctl.startup.hints import Any
+from typing import Any
 
 _GUARDED: dict[type[ast.operator], str] = {ast.Mult: "*", ast.Pow: "**", ast.LShift: "<<", ast.Mod: "%"}
 """Operators that can make much of little, and the names of their guards. The names are not valid in expressions."""

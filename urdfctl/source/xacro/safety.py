@@ -8,6 +8,7 @@ from collections.abc import Callable
 from functools import partial, reduce
 from operator import getitem
 from types import FunctionType, SimpleNamespace
+from typing import Any
 
 from urdfctl.source.files import Files
 from urdfctl.source.gate import matching
@@ -16,7 +17,6 @@ from urdfctl.source.xacro.expressions import GUARDS, compile_checked, plain_path
 from urdfctl.source.xacro.meter import Meter
 from urdfctl.source.xacro.replacements import replace
 from urdfctl.source.yaml_size import check_size
-from urdfctl.startup.hints import Any
 
 _PURE_BUILTINS = (
     "abs all any bool complex dict divmod enumerate filter float frozenset hash int isinstance issubclass "

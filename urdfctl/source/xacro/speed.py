@@ -6,12 +6,12 @@ import keyword
 import re
 from collections.abc import Callable
 from functools import lru_cache
+from typing import Any
 
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.xacro.macro_params import split_quickly
 from urdfctl.source.xacro.meter import Meter
 from urdfctl.source.xacro.replacements import replace
-from urdfctl.startup.hints import Any
 
 
 def install_speed(module: Any, meter: Meter, *, trust: bool) -> None:

@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import partial
 from types import FrameType
+from typing import Any
 
 from urdfctl.source.dom import Element
 from urdfctl.source.opaque import AnyArgument
 from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.xacro.recording import Condition, Recorder, Step, key_of
-from urdfctl.startup.hints import Any
 
 
 class TracingExpander(Expander):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from typing import Any
 
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.dom import Element
@@ -14,7 +15,6 @@ from urdfctl.source.xacro.errors import causes_of
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.xacro.expressions import ForbiddenExpression
-from urdfctl.startup.hints import Any
 
 _MOST_NESTED = 3
 """How often a macro may be open at the same time if the condition that ends its recursion may be unknown."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from typing import Any
 
 from urdfctl.source.xacro.guards import MissingVariable
 from urdfctl.source.xacro.meter import Meter
 from urdfctl.source.xacro.private_module import substitutions
 from urdfctl.source.xacro.replacements import replace
 from urdfctl.source.xacro.safety import evaluate_text
-from urdfctl.startup.hints import Any
 
 
 class Substitutions:

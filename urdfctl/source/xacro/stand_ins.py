@@ -6,8 +6,8 @@ They are given to the private copy of xacro only (source/xacro/private_module.py
 from __future__ import annotations
 
 from types import SimpleNamespace
+from typing import Any
 
-from urdfctl.startup.hints import Any
 from urdfctl.startup.lazy_modules import LazyModule
 
 
