@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum
-from typing import TYPE_CHECKING, TypedDict
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.diagnostic import Severity
@@ -13,7 +13,7 @@ from urdfctl.model.stage import Stage, StageDependsOn
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
-    from typing_extensions import NotRequired, Unpack
+    from typing_extensions import NotRequired, TypedDict, Unpack
 
 Written = Mapping[str, str]
 """An example as it is declared: files by name, the one to lint first. Under `options`, the options of lint that it
@@ -153,19 +153,21 @@ class Fault:
         return [_one_line(part) for part in inspect.cleandoc(self.function.__doc__ or "").split("\n\n")]
 
 
-class Declaration(TypedDict):
-    """The arguments that declare a fault of any kind, beside its code."""
+if TYPE_CHECKING:
 
-    severity: Severity
-    runtime: str
-    authority: str
-    bad: Sequence[Written]
-    good: Sequence[Written]
-    distros: NotRequired[Iterable[str]]
-    options: NotRequired[Iterable[str]]
-    stage: NotRequired[Stage | StageDependsOn]
-    because: NotRequired[str]
-    explains: NotRequired[tuple[Fault, ...]]
+    class Declaration(TypedDict):
+        """The arguments that declare a fault of any kind, beside its code."""
+
+        severity: Severity
+        runtime: str
+        authority: str
+        bad: Sequence[Written]
+        good: Sequence[Written]
+        distros: NotRequired[Iterable[str]]
+        options: NotRequired[Iterable[str]]
+        stage: NotRequired[Stage | StageDependsOn]
+        because: NotRequired[str]
+        explains: NotRequired[tuple[Fault, ...]]
 
 
 class FaultWithMessage(Fault):

@@ -12,7 +12,6 @@ import os
 import sys
 import time
 from collections.abc import Iterable, Iterator, Sequence
-from hashlib import blake2b
 from itertools import chain
 from operator import sub
 from typing import Any
@@ -57,12 +56,15 @@ class RunCache:
         elsewhere = any(self._settings.environ.get(name) for name in ELSEWHERE)
         if folder is None or elsewhere:
             return None
-        return os.path.join(
-            folder, f"{blake2b(self._asked.encode('utf-8', 'surrogatepass'), digest_size=16).hexdigest()}.json"
-        )
+        from hashlib import blake2b
+
+        name = blake2b(self._asked.encode("utf-8", "surrogatepass"), digest_size=16).hexdigest()
+        return os.path.join(folder, f"{name}.json")
 
     def _fingerprint(self, before: int | None = None) -> str | None:
         """A hash of all that the run could read; None if that is too much, or if something changed after `before`."""
+        from hashlib import blake2b
+
         named = [os.path.abspath(path) for path in self._paths or (os.curdir,)]
         inside = [os.path.join(path, "robot") if os.path.isdir(path) else path for path in named]
         roots = {*named, *(workspace_of(path, self._settings.workspace) for path in inside)}

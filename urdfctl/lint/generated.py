@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Iterable
-from hashlib import blake2b
 
 from urdfctl.lint.results import TargetResult
 from urdfctl.source.dom import COMMENT, Element, Text
@@ -20,6 +19,8 @@ def twin_digest(path: str, root: Element | None) -> str | None:
     others = [stem + other for other in (_ENDINGS[:2] if ending == ".urdf" else _ENDINGS[2:])]
     if root is None or not ending or not any(map(is_file, others)):
         return None
+    from hashlib import blake2b
+
     digest = blake2b(digest_size=16)
     pending = [root]
     while pending:
