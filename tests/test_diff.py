@@ -182,3 +182,9 @@ def test_what_cannot_be_compared_gets_one_line(repository: Folder, words: tuple[
     assert ran.returncode == 2
     assert ran.stderr.startswith(f"urdfctl: {said}")
     assert ran.stderr.count("\n") == 1
+
+
+def test_a_joint_in_a_link_is_compared_as_it_is_written(folder: Folder) -> None:
+    folder.write({"r.urdf": "<robot name='r'><link name='base'><joint name='j'/></link></robot>"})
+    ran = folder.run("diff", "r.urdf", "r.urdf")
+    assert (ran.returncode, ran.stderr) == (0, "")

@@ -77,8 +77,8 @@ def node_of(element: Element, shown: Callable[[str], str], part: str = "") -> No
         values[""] = text
     children = [node_of(child, shown, part) for child in element.elements()]
     present = {child.tag for child in children}
-    implied = _IMPLIED.get(tag, ()) if part in ("link", "joint") else ()
-    children += [Node(name, "", _DEFAULTS[(part, name)], ()) for name in implied if name not in present]
+    implied = (name for name in _IMPLIED.get(tag, ()) if (part, name) in _DEFAULTS and name not in present)
+    children += [Node(name, "", _DEFAULTS[(part, name)], ()) for name in implied]
     key = given.get("name") or given.get("reference") or ""
     return Node(tag, "" if tag in _BY_CONTENT else plain(key), values, merged(children))
 
