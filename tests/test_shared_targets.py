@@ -2,26 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
 from folder import Folder
 
 from urdfctl.config.settings import Settings
-from urdfctl.diagnostic import Finding, Severity
-from urdfctl.lint.memory import RuleMemory
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load import known
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
-from urdfctl.model.project import Project
-from urdfctl.rule import Rule, rule
-from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.same import is_same
 from urdfctl.source.span import Place, SourceText
-from urdfctl.startup.per_object import once_per_object
 
 ROBOT = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -61,8 +54,8 @@ def write(folder: Folder, launches: dict[str, str]) -> None:
 
 def test_launch_files_with_the_same_robot_expand_it_once(folder: Folder, expanded: list[str]) -> None:
     write(folder, {f"{n}.launch": LAUNCH.format(tip="tip", spawned=name) for n, name in enumerate(("arm", "leg"))})
-    loader, memory = Loader(Settings()), RuleMemory()
-    together = [lint_target(loader, Target(f"{n}.launch"), Selection(), memory=memory).result for n in range(2)]
+    loader = Loader(Settings())
+    together = [lint_target(loader, Target(f"{n}.launch"), Selection()).result for n in range(2)]
     assert expanded == ["r.xacro"]
     alone = [lint_target(Loader(Settings()), Target(f"{n}.launch"), Selection()).result for n in range(2)]
     assert together == alone
@@ -101,63 +94,6 @@ def test_no_rule_runs_on_a_target_that_reads_nothing_in_focus(folder: Folder) ->
         result = lint_target(Loader(Settings()), Target("a.launch"), Selection(), focus=focus).result
         assert bool(result.outcome.diagnostics) == is_linted, focus
         assert len(result.files) == 3
-
-
-# -- what rules found before -----------------------------------------------------------------------------------------
-
-AT = Place(SourceText("a.urdf", b""), 0, end=0)
-PROBLEM = Problem(ProblemKind.BUDGET, AT, "too much")
-
-
-def counted(read: Any, code: str = "UC001") -> tuple[Rule, list[object]]:
-    """A rule that finds what `read` returns of a project, and the list of its calls."""
-    calls: list[object] = []
-
-    def check(project: Project) -> Iterator[Finding]:
-        calls.append(read(project))
-        yield Finding(AT, str(calls[-1]))
-
-    return rule(code, severity=Severity.ERROR, runtime="crashes", authority="x", bad=[], good=[])(check), calls
-
-
-@once_per_object
-def cached_simulator(project: Project) -> str | None:
-    return project.simulator
-
-
-@pytest.mark.parametrize(
-    ("read", "same", "other"),
-    [
-        (lambda p: p.distro, {"simulator": "gz"}, {"distro": "jazzy"}),
-        (lambda p: p.ros, {"simulator": "gz"}, {"distros": ("noetic",)}),
-        (cached_simulator, {"distro": "jazzy"}, {"simulator": "gz"}),
-        (lambda p: p.of_kind(ProblemKind.BUDGET), {"listed": (("j", AT),)}, {"problems": (PROBLEM,)}),
-        (lambda p: p.listed, {"listed": (("j", Place(AT.source, 0, end=0)),)}, {"listed": (("k", AT),)}),
-        (lambda p: p._replace(distro="x").distro, {}, {"path": "b.urdf"}),
-    ],
-)
-def test_a_rule_runs_again_only_if_what_it_read_is_different(
-    read: Any, same: dict[str, Any], other: dict[str, Any]
-) -> None:
-    checked, calls = counted(read)
-    project = Project(None, "a.urdf", distros=("jazzy",), listed=(("j", AT),), problems=())
-    memory = RuleMemory()
-    memory.finder(project)(checked)
-    assert [f.message for f in memory.finder(project._replace(**same))(checked)] == [str(calls[0])]
-    assert len(calls) == 1
-    memory.finder(project._replace(**other))(checked)
-    assert len(calls) == 2
-
-
-def test_a_cached_fact_counts_as_read_by_each_rule_that_uses_it() -> None:
-    (first, _), (second, calls) = counted(cached_simulator, "UC001"), counted(cached_simulator, "UC002")
-    project, memory = Project(None), RuleMemory()
-    find = memory.finder(project)
-    find(first)
-    find(second)
-    find = memory.finder(project._replace(simulator="gz"))
-    assert [finding.message for finding in find(second)] == ["gz"]
-    assert calls == [None, "gz"]
 
 
 def test_values_are_the_same_if_they_are_made_of_the_same_texts_and_places() -> None:

@@ -1,28 +1,12 @@
-"""The similarity of two names is that of difflib, which is slow to import."""
+"""The nearest name."""
 
 from __future__ import annotations
 
 import difflib
-import random
-import subprocess
-import sys
 
 import pytest
 
-from urdfctl.names import nearest, similarity
-
-
-@pytest.mark.parametrize("letters", ["ab_", "abcdefgh_1"])
-def test_two_names_are_as_similar_as_difflib_says(letters: str) -> None:
-    chance = random.Random(7)  # noqa: S311 (not for secrets)
-    for _ in range(2000):
-        name, other = ("".join(chance.choices(letters, k=chance.randrange(24))) for _ in range(2))
-        assert similarity(name, other) == difflib.SequenceMatcher(None, name, other).ratio(), (name, other)
-
-
-def test_long_names_are_as_similar_as_difflib_says() -> None:
-    name, other = "left_arm_" * 30, "right_arm_" * 30
-    assert similarity(name, other) == difflib.SequenceMatcher(None, name, other).ratio()
+from urdfctl.names import nearest
 
 
 def test_the_last_name_of_those_that_are_equally_similar_is_the_nearest() -> None:
@@ -30,14 +14,6 @@ def test_the_last_name_of_those_that_are_equally_similar_is_the_nearest() -> Non
     assert [nearest("wrist_joint", known)] == difflib.get_close_matches("wrist_joint", known, n=1, cutoff=0.8)
     assert nearest("wrist_joint", known) == "wrist_3_joint"
     assert nearest("gripper", known) is None
-
-
-def test_the_nearest_name_is_found_without_difflib() -> None:
-    program = (
-        "import sys; from urdfctl.names import nearest; nearest('elbo', ['elbow']); print('difflib' in sys.modules)"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert done.stdout == "False\n"
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import APPLIES, applies_to
 from urdfctl.diagnostic import Diagnostic, Finding, Note, diagnosed, excerpt_at, located
@@ -19,9 +18,6 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.suppressions import Suppressed
 
-if TYPE_CHECKING:
-    from urdfctl.lint.memory import RuleMemory
-
 
 def lint(
     project: Project,
@@ -29,19 +25,16 @@ def lint(
     selection: Selection,
     rules: Iterable[Rule] | None = None,
     reached: Callable[[SourceSpan], bool] = lambda _: True,
-    memory: RuleMemory | None = None,
 ) -> Outcome:
     """Return what the rules find in a project. After a rule that crashes, the others still run.
 
     sources: the texts whose suppression comments apply.
     rules: those of the families that concern the project, if None.
     reached: returns whether the robot includes a source span.
-    memory: what the rules found in projects before; None if there is one project.
     """
     suppressed = Suppressed(list(sources))
     diagnostics: list[Diagnostic] = []
     crashed = False
-    find = (lambda rule: rule.check(project)) if memory is None else memory.finder(project)
     for rule in rules_for(project) if rules is None else rules:
         if not (selection.admits(rule.code) and _applies(rule, project)):
             continue
@@ -49,7 +42,7 @@ def lint(
         try:
             diagnostics.extend(
                 _diagnostic(rule, project, finding, selection)
-                for finding in _known(find(rule), sources)
+                for finding in _known(rule.check(project), sources)
                 if not suppressed.covers(rule.code, finding.at)
             )
         except (OverBudget, MemoryError):

@@ -12,7 +12,6 @@ from typing import Any
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Finding, diagnosed
 from urdfctl.fault import Fault
-from urdfctl.lint.memory import RuleMemory
 from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import outcome_from_json, result_from_json, result_to_json
@@ -38,14 +37,12 @@ class Work(NamedTuple):
     """One target in a worker, with what it needs.
 
     details: what else the job needs, as plain data.
-    memory: what the rules found in the worker's other targets; None if there is one target.
     """
 
     loader: Loader
     target: Target
     selection: Selection
     details: Json
-    memory: RuleMemory | None = None
 
 
 WorkFunction = Callable[[Work], Json]
@@ -89,10 +86,9 @@ def run_on_targets(
         job_for(function, target, settings, selection=selection, details=its_details)
         for target, its_details in zip(targets, details or [{}] * len(targets), strict=True)
     ]
-    memory = RuleMemory() if len(jobs) > 1 else None
     return run_jobs(
         jobs,
-        partial(perform, function, workers.loader or Loader(settings), memory=memory),
+        partial(perform, function, workers.loader or Loader(settings)),
         Limits(settings.timeout, settings.memory, settings.environ),
         workers.parallel or processors(),
         function_name="urdfctl.lint.job:perform_alone",
@@ -135,11 +131,11 @@ def job_for(
     }
 
 
-def perform(function: WorkFunction, loader: Loader, job: Json, *, memory: RuleMemory | None = None) -> Json:
+def perform(function: WorkFunction, loader: Loader, job: Json) -> Json:
     """Do a job with what this process shares among its jobs."""
     target, selection = Target.from_json(job["target"]), Selection.from_json(job["selection"])
     with loader.reading_for(target.path):
-        return function(Work(loader, target, selection, job["details"], memory))
+        return function(Work(loader, target, selection, job["details"]))
 
 
 def perform_alone(job: Json) -> Json:
@@ -179,7 +175,7 @@ def lint_all(
 def lint_work(work: Work) -> Json:
     """Lint a target in a worker."""
     focus = work.details.get("focus", ())
-    return result_to_json(lint_target(work.loader, work.target, work.selection, focus=focus, memory=work.memory).result)
+    return result_to_json(lint_target(work.loader, work.target, work.selection, focus=focus).result)
 
 
 def launch_variants(

@@ -8,7 +8,6 @@ from functools import partial
 
 from urdfctl.config.settings import Settings
 from urdfctl.lint.job import WorkFunction, failed, job_for, lint_work, perform, variants_work
-from urdfctl.lint.memory import RuleMemory
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import result_from_json
@@ -45,7 +44,6 @@ class LiveLinter:
         self._is_outdated = is_outdated
         self._limits = Limits(settings.timeout, settings.memory, settings.environ)
         self._loader = Loader(settings, overlay)
-        self._memory = RuleMemory()
         self._results: dict[tuple[Target, Focus], TargetResult] = {}
         self._variants: dict[Target, list[Target]] = {}
         self.seconds: dict[Target, float] = {}
@@ -57,7 +55,6 @@ class LiveLinter:
         """
         changed = set(paths)
         self._loader = self._loader.with_overlay(overlay, changed)
-        self._memory = RuleMemory()
         self._variants.clear()
         kept = (pair for pair in self._results.items() if changed.isdisjoint(map(real_path, pair[1].files)))
         self._results = dict(kept)
@@ -89,5 +86,5 @@ class LiveLinter:
     def _result(self, function: WorkFunction, job: Json) -> Result:
         if self._is_outdated():
             raise Outdated
-        shared = partial(perform, function, self._loader, memory=self._memory)
+        shared = partial(perform, function, self._loader)
         return next(run_all_here([job], shared, self._limits))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
 from urdfctl.lint.engine import lint
 from urdfctl.lint.generated import twin_digest
@@ -20,9 +19,6 @@ from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.suppressions import Reach
 from urdfctl.startup.records import NamedTuple
-
-if TYPE_CHECKING:
-    from urdfctl.lint.memory import RuleMemory
 
 Run = Callable[..., Outcome]
 """Runs the rules on a project."""
@@ -43,12 +39,10 @@ def lint_target(
     selection: Selection,
     *,
     focus: Sequence[str] = (),
-    memory: RuleMemory | None = None,
 ) -> LintedTarget:
     """Return the target with the findings in it: in the robot, or in a file without one.
 
     focus: files and folders; if there are any and none of them is read for the target, no rule runs.
-    memory: what the rules found in other targets.
     """
     loaded = loader.load(target)
     project, root = loaded.project, loaded.root
@@ -56,7 +50,7 @@ def lint_target(
     launch_arguments = target.arguments if is_launch(target.path) else ()
 
     reached = Reach(root).contains if root is not None else _everywhere
-    run = partial(lint, sources=list(loaded.sources.values()), selection=selection, reached=reached, memory=memory)
+    run = partial(lint, sources=list(loaded.sources.values()), selection=selection, reached=reached)
     if focus and not among(loaded.sources, focus):
         outcome = Outcome([], [])
     elif target.by_elimination and project.controllers is not None:

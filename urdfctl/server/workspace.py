@@ -10,7 +10,6 @@ from urdfctl.config.file import config_for, package_folders_in, with_environ
 from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint.live import LiveLinter
-from urdfctl.lint.memory import RuleMemory
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.run import LintRequest, LintRun, find, judge, merge, plan
 from urdfctl.lint.selection import Selection, selection_with
@@ -230,7 +229,7 @@ class Workspace:
         real = os.path.realpath(path)
         targets = list(dict.fromkeys([self.target_with(path), *(target for target, _ in self._pairs_with(path))]))
         on_disk = text_on_disk(real)
-        loaders, texts, memory = [self._loader()], dict(self.texts), RuleMemory()
+        loaders, texts = [self._loader()], dict(self.texts)
 
         def lint(robot: int, text: bytes, seconds: float) -> Sequence[Diagnostic] | None:
             target = targets[robot]
@@ -241,7 +240,7 @@ class Workspace:
             loaders[:] = [tried]
             try:
                 with self._shown(shown), self._clock():
-                    linted = lint_target(tried, target, self._selection, memory=memory)
+                    linted = lint_target(tried, target, self._selection)
                     return self._reported(linted.result.outcome.diagnostics)
             except OverBudget:
                 return None

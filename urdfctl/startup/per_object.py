@@ -14,13 +14,6 @@ _Argument = TypeVar("_Argument")
 _Result = TypeVar("_Result")
 
 _MOST = 256
-_NONE: set[str] = set()
-
-
-class Noting:
-    """An argument that notes which of its parts are read, in `noted`. A cached result notes them again."""
-
-    noted: set[str]
 
 
 def once_per_object(function: Callable[[_Argument], _Result], most: int = _MOST) -> Callable[[_Argument], _Result]:
@@ -28,32 +21,18 @@ def once_per_object(function: Callable[[_Argument], _Result], most: int = _MOST)
 
     The arguments are compared by identity. They need not be hashable, and must not change.
     """
-    cache: dict[int, tuple[_Argument, _Result, set[str]]] = {}
+    cache: dict[int, tuple[_Argument, _Result]] = {}
 
     @wraps(function)
     def cached(argument: _Argument) -> _Result:
         entry = cache.get(id(argument))
         if entry is None:
-            result, noted = _noted(function, argument)
             if len(cache) >= most:
                 cache.clear()
-            entry = cache[id(argument)] = (argument, result, noted)
-        elif isinstance(argument, Noting):
-            argument.noted |= entry[2]
+            entry = cache[id(argument)] = (argument, function(argument))
         return entry[1]
 
     return cached
-
-
-def _noted(function: Callable[[_Argument], _Result], argument: _Argument) -> tuple[_Result, set[str]]:
-    """The result of a function, and the parts of its argument that it read, if that notes them."""
-    if not isinstance(argument, Noting):
-        return function(argument), _NONE
-    before, argument.noted = argument.noted, set()
-    result = function(argument)
-    noted = argument.noted
-    argument.noted = before | noted
-    return result, noted
 
 
 def once_for_the_last(function: Callable[[_Argument], _Result]) -> Callable[[_Argument], _Result]:

@@ -9,7 +9,6 @@ from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint.elimination import is_weakened
 from urdfctl.lint.engine import lint
-from urdfctl.lint.memory import RuleMemory
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import LintedTarget
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage
@@ -63,9 +62,9 @@ def _errors_by_distro(seen: LintedTarget) -> Iterator[tuple[str, Sequence[Diagno
         yield project.distro or project.distros[-1], known
         return
     weakened = {(each.code, each.at) for each in known if is_weakened(each)}
-    memory, sources = RuleMemory(), list(seen.sources.values())
+    sources = list(seen.sources.values())
     for distro in project.distros:
-        outcome = lint(project._replace(distro=distro, distros=(distro,)), sources, Selection(), memory=memory)
+        outcome = lint(project._replace(distro=distro, distros=(distro,)), sources, Selection())
         yield distro, [each for each in outcome.diagnostics if (each.code, each.at) not in weakened]
 
 
