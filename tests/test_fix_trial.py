@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 import pytest
 from folder import Folder
@@ -12,7 +13,7 @@ from urdfctl.config.settings import Settings
 from urdfctl.fix.edits import Splice, edited
 from urdfctl.fix.rounds import Wishes, fixed
 from urdfctl.fix.trial import TrialResult, trial_work
-from urdfctl.lint.job import job_for, perform_alone
+from urdfctl.lint.job import job_for, perform_alone, run_on_targets
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
@@ -192,3 +193,29 @@ def test_a_file_that_is_gone_since_it_was_linted_is_told_of(folder: Folder) -> N
     os.unlink("arm.xacro")
     [refused] = fixed(linted, SETTINGS, Wishes(unsafe=True), 1).refused
     assert "UC125 is not fixed: " in refused
+
+
+def test_many_fixes_of_a_rule_that_are_refused_for_one_reason_are_not_all_tried_alone(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each fix would give another link the name `world`; the good one after them is made all the same."""
+    links = '  <link naname="world"/>\n' * 100
+    hinge = MACRO[MACRO.index("    <joint") : MACRO.index("  </xacro:macro>")].replace("${name}", "a")
+    last = hinge.replace("${type}", "revolute") + '<link name="a_link"/>'
+    folder.write({"arm.urdf": f'<robot name="arm">\n  <link name="world"/>\n{links}{last}</robot>\n'})
+    target = Target("arm.urdf")
+    linted = lint_target(Loader(SETTINGS), target, Selection()).result
+    tried_on: list[int] = []
+
+    def counted(*arguments: Any, **named: Any) -> Any:
+        tried_on.append(1)
+        return run_on_targets(*arguments, **named)
+
+    monkeypatch.setattr("urdfctl.fix.rounds.run_on_targets", counted)
+    result = fixed([(target, linted)], SETTINGS, Wishes(unsafe=True), 1)
+    assert len(result.refused) == 100
+    assert {message.partition(": ")[2] for message in result.refused} == {
+        "UC155 is not fixed: the fix would cause UC110 (link 'world' is already defined; rename or remove one)"
+    }
+    assert b'lower="-1" upper="1"' in result.changes[0].after
+    assert len(tried_on) < 60

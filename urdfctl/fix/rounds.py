@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -21,6 +22,8 @@ from urdfctl.startup.records import NamedTuple
 
 MOST_ROUNDS = 20
 MOST_TRIALS = 400
+MOST_ALIKE = 10
+"""Fixes of one rule that are tried alone and refused for one kind of reason; more of them are refused together."""
 _CHANGED = "the file has changed since it was linted"
 
 
@@ -82,6 +85,11 @@ def fixed(
     return mending.result()
 
 
+def _kind_of(objection: str) -> str:
+    """An objection without the names in it."""
+    return objection.partition(" (")[0]
+
+
 class _Mending:
     """The state of one run of rounds."""
 
@@ -102,6 +110,7 @@ class _Mending:
         self.refused: dict[frozenset[Splice], str] = {}
         self.remarks: dict[str, None] = {}
         self.trials = 0
+        self.alike: Counter[tuple[str, str]] = Counter()
         self._read = [{os.path.realpath(file) for file in result.files} for result in self.linted]
 
     # -- suggestions ---------------------------------------------------------------------------------------------------
@@ -157,8 +166,8 @@ class _Mending:
             objections = self._try(kept, group)
             if not objections:
                 kept += group
-            elif len(group) == 1:
-                self._refuse(group[0], objections[0])
+            elif len(group) == 1 or self._is_like_others(group, objections[0]):
+                self._refuse_all(group, objections[0])
             else:
                 middle = len(group) // 2
                 pending += [group[middle:], group[:middle]]
@@ -220,6 +229,15 @@ class _Mending:
                 yield TrialResult((f"the fixed robot cannot be linted: {result.reason}",), frozenset(), None)
             else:
                 yield TrialResult.from_json(result)
+
+    def _is_like_others(self, group: Sequence[Suggestion], objection: str) -> bool:
+        """Return whether so many fixes like these were refused for such a reason that these are not tried alone."""
+        return all(self.alike[suggestion.finding.code, _kind_of(objection)] >= MOST_ALIKE for suggestion in group)
+
+    def _refuse_all(self, group: Sequence[Suggestion], objection: str) -> None:
+        for suggestion in group:
+            self.alike[suggestion.finding.code, _kind_of(objection)] += 1
+            self._refuse(suggestion, objection)
 
     def _refuse(self, suggestion: Suggestion, why: str) -> None:
         finding = suggestion.finding
