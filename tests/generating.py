@@ -14,9 +14,9 @@ from urdfctl.commands.app import app
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.generate.everything import Order, files
-from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import File, Options, Roles
-from urdfctl.generate.templates import Templates
+from urdfctl.generate.robot.facts import JointFacts, RobotFacts
+from urdfctl.generate.text.templates import Templates
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader

@@ -87,16 +87,16 @@ def _in_place() -> None:
 
 
 def _package() -> None:
+    from urdfctl.generate.files.writing import Writing, deliver
     from urdfctl.generate.options import File
-    from urdfctl.generate.writing import Writing, deliver
 
     writing = Writing("src/made", force=True, diff=False, check=False, into=None)
     deliver([File(name, "2") for name in ("config/c.yaml", "package.xml")], writing, many=True)
 
 
 def _one_file() -> None:
+    from urdfctl.generate.files.writing import Writing, deliver
     from urdfctl.generate.options import File
-    from urdfctl.generate.writing import Writing, deliver
 
     writing = Writing("config/deep/c.yaml", force=True, diff=False, check=False, into=None)
     deliver([File("c.yaml", "2")], writing, many=False)

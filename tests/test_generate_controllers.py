@@ -15,12 +15,12 @@ from sampling import examples, sample
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL
 from urdfctl.errors import UserError
-from urdfctl.generate.choice import chosen
-from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
-from urdfctl.generate.joint_list import joints_listed
+from urdfctl.generate.controllers.recipes import recipes
+from urdfctl.generate.controllers.values import NAMES
 from urdfctl.generate.options import Options, Roles
-from urdfctl.generate.recipes import recipes
-from urdfctl.generate.values import NAMES
+from urdfctl.generate.request.choice import chosen
+from urdfctl.generate.request.joint_list import joints_listed
+from urdfctl.generate.robot.facts import JointFacts, PartFacts, RobotFacts
 
 ARM = """<robot name="arm">
   <link name="base"/>

@@ -8,10 +8,10 @@ from generating import command
 
 from urdfctl.commands.generate.measuring import measure_work
 from urdfctl.config.settings import Settings
-from urdfctl.generate.coupling import Inverse, inverted
-from urdfctl.generate.drive_limits import drive_limit
-from urdfctl.generate.facts import JointFacts, Load
-from urdfctl.generate.gains import Loop, starting_gains
+from urdfctl.generate.controllers.gains import Loop, starting_gains
+from urdfctl.generate.robot.coupling import Inverse, inverted
+from urdfctl.generate.robot.drive_limits import drive_limit
+from urdfctl.generate.robot.facts import JointFacts, Load
 from urdfctl.lint.job import job_for, perform_alone
 from urdfctl.load.target import Target
 

@@ -9,7 +9,7 @@ from folder import Folder
 from generating import command
 
 from urdfctl.errors import UserError
-from urdfctl.generate.joint_list import joints_listed
+from urdfctl.generate.request.joint_list import joints_listed
 
 NAMES = ("elbow", "wrist")
 GOOD = {

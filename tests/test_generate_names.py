@@ -14,8 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sampling import examples
 
-from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import Options
+from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 
 XML = st.characters(exclude_categories=("Cs", "Cc"), exclude_characters="\ufffe\uffff")
 NAMES = st.one_of(

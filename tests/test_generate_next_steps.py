@@ -14,10 +14,10 @@ from generating import JOINTS, ROBOT, roles_of
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers import controllers
-from urdfctl.generate.next_steps import example_of
+from urdfctl.generate.controllers.creation import controllers
+from urdfctl.generate.controllers.recipes import recipes
+from urdfctl.generate.files.next_steps import example_of
 from urdfctl.generate.options import Options
-from urdfctl.generate.recipes import recipes
 
 SILENT = ("chained_filter_controller/ChainedFilter",)
 """Types that accept no command from outside."""

@@ -15,9 +15,9 @@ from sampling import sample
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL, ROS1
 from urdfctl.errors import UserError
-from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
+from urdfctl.generate.controllers.recipes import recipes
 from urdfctl.generate.options import Options, Roles
-from urdfctl.generate.recipes import recipes
+from urdfctl.generate.robot.facts import JointFacts, PartFacts, RobotFacts
 
 SIMULATORS = ("gz", "gazebo-classic", "mujoco", "none")
 REFUSED = (

@@ -9,7 +9,7 @@ import pytest
 
 from urdfctl.commands.generate.measuring import measure_work
 from urdfctl.config.settings import Settings
-from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
+from urdfctl.generate.robot.facts import JointFacts, PartFacts, RobotFacts
 from urdfctl.lint.job import job_for, perform_alone
 from urdfctl.load.target import Target
 

@@ -14,7 +14,7 @@ from generating import command
 from urdfctl import commands
 from urdfctl.errors import UserError
 from urdfctl.generate.options import File
-from urdfctl.generate.parse_again import checked
+from urdfctl.generate.text.parse_again import checked
 
 ROBOT = """<robot name="r">
   <link name="a"/><link name="b"/>

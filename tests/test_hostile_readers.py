@@ -18,8 +18,8 @@ from work import assert_linear
 
 from urdfctl.config.file import config_of
 from urdfctl.errors import UserError
-from urdfctl.generate.again import words_of_generated_file
-from urdfctl.generate.joint_list import joints_listed
+from urdfctl.generate.files.again import words_of_generated_file
+from urdfctl.generate.request.joint_list import joints_listed
 from urdfctl.source.problem import ReadError
 
 TEXTS = st.lists(st.sampled_from(WORDS) | st.text(max_size=5), max_size=25).map(

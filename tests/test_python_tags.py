@@ -136,7 +136,7 @@ def test_the_tag_in_a_file_of_tasks_is_an_error(tmp_path: Path) -> None:
 
 
 def test_the_tag_in_a_list_of_joints_is_an_error() -> None:
-    from urdfctl.generate.joint_list import joints_listed
+    from urdfctl.generate.request.joint_list import joints_listed
 
     with pytest.raises(UserError, match="could not determine a constructor for the tag"):
         joints_listed(f"- {TAG} ['true']\n", "j.yaml")

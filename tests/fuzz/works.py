@@ -19,7 +19,7 @@ from urdfctl.compare.snapshot import snapshot_work
 from urdfctl.compare.tree import Node
 from urdfctl.config.settings import Settings
 from urdfctl.expand.job import expand_work
-from urdfctl.generate.facts import RobotFacts
+from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.graph.html import html as graph_html
 from urdfctl.graph.job import graph_work
 from urdfctl.graph.parts import Graph

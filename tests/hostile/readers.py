@@ -12,8 +12,8 @@ from pathlib import Path
 
 from urdfctl.config.file import config_of
 from urdfctl.errors import UserError
-from urdfctl.generate.again import words_of_generated_file
-from urdfctl.generate.joint_list import joints_listed
+from urdfctl.generate.files.again import words_of_generated_file
+from urdfctl.generate.request.joint_list import joints_listed
 from urdfctl.logs.digest import digest
 from urdfctl.logs.reading import Lines
 from urdfctl.report.baseline import read_baseline

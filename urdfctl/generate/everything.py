@@ -8,26 +8,26 @@ from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.errors import UserError
-from urdfctl.generate.bringup import dependencies, launch_file, launch_name, package_files
-from urdfctl.generate.controllers import controllers
-from urdfctl.generate.controllers_file import controllers_file
-from urdfctl.generate.descriptions import (
+from urdfctl.generate.controllers.creation import controllers
+from urdfctl.generate.controllers.fit import check_fit
+from urdfctl.generate.controllers.parameters import Controller
+from urdfctl.generate.files.bringup import dependencies, launch_file, launch_name, package_files
+from urdfctl.generate.files.controllers_file import controllers_file
+from urdfctl.generate.files.descriptions import (
     OF_TRANSMISSIONS,
     component,
     simulator_plugin,
     transmissions,
     wanted_interfaces,
 )
-from urdfctl.generate.facts import JointFacts, RobotFacts
-from urdfctl.generate.fit import check_fit
-from urdfctl.generate.hardware import has_host, takes_namespace
-from urdfctl.generate.mjcf import MODEL, commanded, mjcf_file
-from urdfctl.generate.mounting import needs_world
-from urdfctl.generate.moveit import moveit_file
+from urdfctl.generate.files.hardware import has_host, takes_namespace
+from urdfctl.generate.files.mjcf import MODEL, commanded, mjcf_file
+from urdfctl.generate.files.moveit import moveit_file
 from urdfctl.generate.options import File, Options
-from urdfctl.generate.parameters import Controller
-from urdfctl.generate.parse_again import checked
-from urdfctl.generate.templates import Templates
+from urdfctl.generate.robot.facts import JointFacts, RobotFacts
+from urdfctl.generate.robot.mounting import needs_world
+from urdfctl.generate.text.parse_again import checked
+from urdfctl.generate.text.templates import Templates
 from urdfctl.source.files import named_bytes
 from urdfctl.startup.records import NamedTuple
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
-from urdfctl.generate.hardware import hardware, host
+from urdfctl.generate.files.hardware import hardware, host
 from urdfctl.generate.options import Options
 from urdfctl.migrate.packages import OF_XML, Packages
 

@@ -6,7 +6,7 @@ import re
 
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.validators import requirement
-from urdfctl.generate.recipes import recipes
+from urdfctl.generate.controllers.recipes import recipes
 from urdfctl.rules.prose import as_markdown
 
 _UNITS = {

@@ -15,8 +15,8 @@ from urdfctl.commands.options import TargetOptions
 from urdfctl.commands.words import configured, settings_from
 from urdfctl.config.file import NAMES
 from urdfctl.errors import UserError
-from urdfctl.generate.facts import RobotFacts
-from urdfctl.generate.job import measure_robot
+from urdfctl.generate.robot.facts import RobotFacts
+from urdfctl.generate.robot.job import measure_robot
 from urdfctl.lint.planning import discovered
 from urdfctl.output.change import Change
 from urdfctl.output.journal import restore_unfinished

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urdfctl.commands.declaring import OUTPUT, Command, Options, argument, option
 from urdfctl.commands.running import run_words
-from urdfctl.generate.again import run_again
+from urdfctl.generate.files.again import run_again
 
 
 class CheckGeneratedOptions(Options):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from urdfctl.generate.job import measured_facts
+from urdfctl.generate.robot.job import measured_facts
 from urdfctl.lint.job import Work
 
 

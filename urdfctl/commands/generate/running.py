@@ -17,22 +17,22 @@ from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.discover.paths import check_description
 from urdfctl.errors import UserError
-from urdfctl.generate.again import words_of_generated_file
-from urdfctl.generate.cautions import cautions
-from urdfctl.generate.choice import chosen, stuck
-from urdfctl.generate.distro import known_distro, made_for_newest, simulator_of
+from urdfctl.generate.controllers.cautions import cautions
+from urdfctl.generate.controllers.parameters import Controller
+from urdfctl.generate.controllers.wanted import needs_joints, with_requests
 from urdfctl.generate.everything import Order, files
-from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
-from urdfctl.generate.job import measure_robot
-from urdfctl.generate.joint_list import joints_listed
-from urdfctl.generate.next_steps import steps_after
+from urdfctl.generate.files.again import words_of_generated_file
+from urdfctl.generate.files.next_steps import steps_after
+from urdfctl.generate.files.package import around_package
+from urdfctl.generate.files.writing import Writing, deliver
 from urdfctl.generate.options import File, Options, Roles
-from urdfctl.generate.package import around_package
-from urdfctl.generate.parameters import Controller
-from urdfctl.generate.scalars import xacro_text
-from urdfctl.generate.templates import Templates, template_names
-from urdfctl.generate.wanted import needs_joints, with_requests
-from urdfctl.generate.writing import Writing, deliver
+from urdfctl.generate.request.choice import chosen, stuck
+from urdfctl.generate.request.joint_list import joints_listed
+from urdfctl.generate.robot.distro import known_distro, made_for_newest, simulator_of
+from urdfctl.generate.robot.facts import NO_ROBOT, JointFacts, RobotFacts
+from urdfctl.generate.robot.job import measure_robot
+from urdfctl.generate.text.scalars import xacro_text
+from urdfctl.generate.text.templates import Templates, template_names
 from urdfctl.lint.planning import discovered
 from urdfctl.lint.results import Report
 from urdfctl.output.journal import restore_unfinished

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from urdfctl.generate.facts import JointFacts
-from urdfctl.generate.scalars import yaml_float
-from urdfctl.generate.survey import facts_of
-from urdfctl.generate.wheels import across, along, radius
+from urdfctl.generate.robot.facts import JointFacts
+from urdfctl.generate.robot.survey import facts_of
+from urdfctl.generate.robot.wheels import across, along, radius
+from urdfctl.generate.text.scalars import yaml_float
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import key_of, key_of_element
 from urdfctl.migrate.todo import todo_line

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.generate.bringup import gz_names
+from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.markup import attribute, content, elements, root_of

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.generate.bringup import gz_names
+from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.initial_positions import joints_with_position
 from urdfctl.migrate.classic.starting import EMPTY_WORLDS, OPTIONS, SPAWN, Option, create_options

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
-from urdfctl.generate.bringup import gz_names
+from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.launch_process import command_of, in_gz
 from urdfctl.migrate.classic.starting import (

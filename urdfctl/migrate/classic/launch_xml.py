@@ -6,8 +6,8 @@ import json
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.generate.bringup import gz_names
-from urdfctl.generate.scalars import xml_text
+from urdfctl.generate.files.bringup import gz_names
+from urdfctl.generate.text.scalars import xml_text
 from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.starting import (
     CLIENT,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
-from urdfctl.generate.bringup import gz_names
+from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.hardware import goes_to_gz, host_plugin, leaves_classic, simulated_by, system
 from urdfctl.migrate.markup import content, indent_of, lines_of, root_of
 from urdfctl.migrate.packages import Packages

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from urdfctl.catalog.moves import MANAGER
-from urdfctl.generate.bringup import takes_param_file
+from urdfctl.generate.files.bringup import takes_param_file
 from urdfctl.migrate.controller_files import installed_path, sections, sections_near
 from urdfctl.migrate.launch.actions import Action, Text, all_actions, is_literal, literal, parsed, plain
 from urdfctl.migrate.packages import Packages

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from urdfctl.generate.scalars import python_text
+from urdfctl.generate.text.scalars import python_text
 from urdfctl.migrate.launch.actions import Action, Condition, Text, all_actions, is_literal, plain
 from urdfctl.migrate.launch.expressions import Used, parts_of
 

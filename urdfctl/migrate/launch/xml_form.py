@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from urdfctl.generate.scalars import xml_comment, xml_text
+from urdfctl.generate.text.scalars import xml_comment, xml_text
 from urdfctl.migrate.launch.actions import Action, Text
 from urdfctl.migrate.launch.expressions import Used, parts_of
 

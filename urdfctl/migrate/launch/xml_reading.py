@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from itertools import takewhile
 
-from urdfctl.generate.scalars import xml_text
+from urdfctl.generate.text.scalars import xml_text
 from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, divided, words_of
 from urdfctl.migrate.launch.written import Written, as_xml
 from urdfctl.migrate.markup import root_of

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.diagnostic import Edit
-from urdfctl.generate.bringup import gz_names
+from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.hardware import host_plugin, started_by_launch_files, system
 from urdfctl.migrate.markup import child, children, content, end_of, indent_of, lines_of, merged, root_of, step_of
 from urdfctl.migrate.packages import Packages

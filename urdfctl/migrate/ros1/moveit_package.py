@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 
-from urdfctl.generate.scalars import python_text
+from urdfctl.generate.text.scalars import python_text
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.left_over import addressed_files

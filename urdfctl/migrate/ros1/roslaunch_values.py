@@ -6,7 +6,7 @@ import re
 import textwrap
 from collections.abc import Iterator
 
-from urdfctl.generate.scalars import yaml_text
+from urdfctl.generate.text.scalars import yaml_text
 from urdfctl.migrate.launch.actions import PartOfText, Text, is_literal, parsed, plain
 from urdfctl.migrate.markup import elements, written_in
 from urdfctl.source.dom import Element

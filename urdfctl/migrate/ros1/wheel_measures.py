@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from urdfctl.generate.facts import JointFacts
-from urdfctl.generate.scalars import yaml_float
-from urdfctl.generate.survey import facts_of
-from urdfctl.generate.wheels import Measure, across, radius
+from urdfctl.generate.robot.facts import JointFacts
+from urdfctl.generate.robot.survey import facts_of
+from urdfctl.generate.robot.wheels import Measure, across, radius
+from urdfctl.generate.text.scalars import yaml_float
 from urdfctl.migrate.packages import Packages
 
 

@@ -1,0 +1,1 @@
+"""From a request to controllers: which ones, for which joints, with which parameters (`recipes.yaml`)."""

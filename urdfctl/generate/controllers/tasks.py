@@ -1,0 +1,128 @@
+"""Decide which controllers to create for the joints, and what each of them commands and reads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from urdfctl.errors import UserError
+from urdfctl.generate.controllers.recipes import Kind
+from urdfctl.generate.controllers.values import Task
+from urdfctl.generate.options import Options
+from urdfctl.generate.request.choice import joint_named
+from urdfctl.generate.robot.facts import JointFacts, RobotFacts
+from urdfctl.generate.robot.wheels import driven_and_steered, sides
+
+_READ = ("position", "velocity")
+
+
+def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: RobotFacts) -> Iterator[Task]:
+    """Yield a task for each controller of a kind. Joints with different interfaces get different controllers.
+
+    UserError if the joints do not fit, or if a controller of the kind cannot command all requested interfaces.
+    """
+    if kind.roles:
+        yield _drive(kind, joints, options, robot)
+        return
+    if kind.short == "gpio":
+        joints = _gpios(options, robot)
+    by_interfaces: dict[tuple[str, ...], list[JointFacts]] = {}
+    common = next((names for joint in joints if (names := _offered(kind, joint, robot))), ())
+    for joint in joints:
+        there = _offered(kind, joint, robot) or common
+        by_interfaces.setdefault(_commanded(kind, joint, options, there), []).append(joint)
+    if not kind.interface:
+        by_interfaces = {options.interfaces or ("position",): list(joints)}
+    elif not by_interfaces:
+        by_interfaces[kind.interface,] = []
+    for interfaces, members in by_interfaces.items():
+        if kind.interface and len(interfaces) > 1 and not kind.several:
+            raise UserError(f"'{kind.name}' commands one interface per joint, not {', '.join(interfaces)}")
+        states = _read(kind, interfaces, members, options, robot)
+        yield Task(
+            kind=kind.short,
+            interfaces=interfaces,
+            joints=tuple(members),
+            robot=robot,
+            options=options,
+            states=states,
+            fit=kind.fit,
+        )
+
+
+def _offered(kind: Kind, joint: JointFacts, robot: RobotFacts) -> tuple[str, ...]:
+    """The interfaces of a joint that a kind can command."""
+    return tuple(name for name in robot.interfaces.get(joint.name, ()) if name in kind.fit or "any" in kind.fit)
+
+
+def _commanded(kind: Kind, joint: JointFacts, options: Options, there: tuple[str, ...]) -> tuple[str, ...]:
+    """The command interfaces of a joint: from the joint list, from the user, or those that it or another joint has."""
+    if joint.interface:
+        return (joint.interface,)
+    if options.interfaces:
+        return options.interfaces
+    fit, wanted = kind.fit, kind.interface or "position"
+    if not there or ("any" not in fit and wanted in there):
+        return (wanted,)
+    return there if "any" in fit and kind.several else there[:1]
+
+
+def _read(
+    kind: Kind, interfaces: Sequence[str], joints: Sequence[JointFacts], options: Options, robot: RobotFacts
+) -> tuple[str, ...]:
+    """The state interfaces to read: from the user, or those that all joints offer."""
+    if options.states is not None:
+        return options.states
+    if kind.short == "pid":
+        return ("velocity",) if interfaces[0] == "velocity" else ("position",)
+    offered = {part.name: part.states for part in robot.of_kind("joint")}
+    known = [offered[joint.name] for joint in joints if joint.name in offered]
+    return tuple(name for name in _READ if all(name in states for states in known)) or _READ
+
+
+def _gpios(options: Options, robot: RobotFacts) -> list[JointFacts]:
+    """The gpios that the user names, or the robot's gpios, as joints."""
+    named = [name.rpartition("/")[0] for name in (*options.interfaces, *(options.states or ())) if "/" in name]
+    names = named or [part.name for part in robot.of_kind("gpio")]
+    return [JointFacts(name) for name in dict.fromkeys(names or ["gpio"])]
+
+
+def _drive(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: RobotFacts) -> Task:
+    """The wheels by role: from the user, or determined by their positions."""
+    known = robot if robot.joints else None
+    roles = [role for role, _ in kind.roles]
+    by_role = {role: tuple(joint_named(known, name) for name in getattr(options.roles, role)) for role in roles}
+    guessed = sides(joints) if "left" in roles else driven_and_steered(joints)
+    for (role, count), guess in zip(kind.roles, guessed, strict=True):
+        by_role[role] = by_role[role] or tuple(guess)
+        _count(kind, role, count, by_role[role])
+    if "left" in by_role and len(by_role["left"]) != len(by_role["right"]):
+        left, right = len(by_role["left"]), len(by_role["right"])
+        raise UserError(f"{left} wheels on the left and {right} on the right: name them with --left and --right")
+    members = tuple(dict.fromkeys(joint for role in by_role.values() for joint in role))
+    passive = tuple(joint for joint in joints if joint not in members and kind.short.startswith("tricycle"))
+    rolling = [joint for role in ("left", "right", "traction") for joint in by_role.get(role, ())]
+    states = _read(kind, ("velocity",), rolling, options, robot)
+    of = [by_role.get(role, ()) for role in ("left", "right", "traction", "steering")]
+    return Task(
+        kind=kind.short,
+        interfaces=("velocity",),
+        joints=members,
+        robot=robot,
+        options=options,
+        states=states,
+        left=of[0],
+        right=of[1],
+        traction=of[2],
+        steering=of[3],
+        passive=passive,
+    )
+
+
+def _count(kind: Kind, role: str, count: int, members: Sequence[JointFacts]) -> None:
+    """UserError if a role does not have the required number of joints."""
+    if members and count in (0, len(members)):
+        return
+    wanted = f"{count} joint{'s' if count != 1 else ''}" if count else "joints"
+    names = ", ".join(joint.name for joint in members)
+    why = f"{len(members)} given: {names}" if members else "cannot be determined from the robot"
+    raise UserError(f"'{kind.name}' requires --{role} with {wanted}; {why}")

@@ -1,0 +1,39 @@
+"""Which controllers a generator writes: those of the options, of the joint list, or proposed from the robot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfctl.catalog.catalog import Catalog
+from urdfctl.generate.controllers.proposals import proposed, shown
+from urdfctl.generate.controllers.recipes import kind_of
+from urdfctl.generate.options import Options
+from urdfctl.generate.request.requests import of_list, requested
+from urdfctl.generate.robot.facts import JointFacts, RobotFacts
+
+_OF_CONTROLLERS = ("gen-controllers", "gen-launch", "gen-all")
+
+
+def with_requests(
+    options: Options, command: str, texts: Sequence[str], joints: Sequence[JointFacts], robot: RobotFacts | None
+) -> tuple[Options, str]:
+    """Return the options with the requested controllers, and a line about those that were proposed, or an empty one.
+
+    UserError if the requests are malformed or unclear.
+    """
+    asked = requested(texts)
+    if not asked and any(joint.controller or joint.controller_type for joint in joints):
+        default = options.types[0] if len(options.types) == 1 else None
+        return options._replace(requests=of_list(joints, default), types=()), ""
+    if asked or options.types or command not in _OF_CONTROLLERS or robot is None:
+        return options._replace(requests=asked), ""
+    found = proposed(robot, joints, options)
+    line = f"controllers proposed from the robot: {shown(found)}" if found else ""
+    return options._replace(requests=found), line
+
+
+def needs_joints(options: Options, catalog: Catalog) -> bool:
+    """Return whether one of the requested controllers commands joints, or none is requested."""
+    types = (*options.types, *(request.type for request in options.requests))
+    kinds = [kind_of(name, catalog, options) for name in types]
+    return not kinds or any(kind.interface and kind.short != "gpio" for kind in kinds)

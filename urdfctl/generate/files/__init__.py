@@ -1,0 +1,1 @@
+"""The generated files: descriptions, controllers.yaml, launch files, MuJoCo, MoveIt; and how they are written."""

@@ -1,0 +1,47 @@
+"""Generate files into a package that exists: its own package.xml and CMakeLists.txt are never overwritten."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+
+from urdfctl.generate.files.again import words_of_generated_file
+from urdfctl.generate.options import File
+from urdfctl.output.links import check_output
+from urdfctl.source.files import named_bytes
+from urdfctl.source.gate import exists
+
+_OWN = ("package.xml", "CMakeLists.txt")
+_DEPEND = re.compile(r"<(?:exec_|run_)?depend[^>]*>\s*([\w-]+)\s*</")
+_INSTALLED = re.compile(r"install\s*\(\s*DIRECTORY\s+([^)]*)")
+
+
+def around_package(files: Sequence[File], output: str) -> tuple[list[File], list[str]]:
+    """Return the files to write to a folder, and what to add to the package.xml and CMakeLists.txt that it has."""
+    kept, steps = [], []
+    for file in files:
+        path = os.path.join(output, file.name)
+        check_output(path)
+        if file.name not in _OWN or not exists(path) or words_of_generated_file(path):
+            kept.append(file)
+            continue
+        own = named_bytes(path).decode("utf-8", "replace")
+        step = _for_manifest(file.text, own) if file.name == _OWN[0] else _for_build(file.text, own)
+        steps += [step] if step else []
+    return kept, steps
+
+
+def _for_manifest(text: str, own: str) -> str:
+    there = {*_DEPEND.findall(own)}
+    missing = [name for name in _DEPEND.findall(text) if name not in there]
+    return (
+        "add to package.xml: " + " ".join(f"<exec_depend>{name}</exec_depend>" for name in missing) if missing else ""
+    )
+
+
+def _for_build(text: str, own: str) -> str:
+    there = {word for found in _INSTALLED.findall(own) for word in found.split()}
+    wanted = [word for found in _INSTALLED.findall(text) for word in found.split()]
+    folders = [word for word in wanted[: wanted.index("DESTINATION")] if not {word, f"{word}/"} & there]
+    return f"install in CMakeLists.txt: {' '.join(folders)}" if folders else ""

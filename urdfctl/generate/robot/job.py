@@ -1,0 +1,78 @@
+"""Read one robot in a limited worker, and return what the generators need to know about it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.generate.robot.facts import RobotFacts
+from urdfctl.generate.robot.mjcf_bodies import skeleton_of
+from urdfctl.generate.robot.survey import facts_of
+from urdfctl.lint.engine import lint
+from urdfctl.lint.job import Work, WorkFunction, run_on_one
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.serialising import outcome_to_json
+from urdfctl.load.description import expansion_of
+from urdfctl.load.distro import Beside, detect_distro
+from urdfctl.load.meshes import mesh_path
+from urdfctl.load.target import Target
+from urdfctl.model.geometry import Vector
+from urdfctl.model.project import Project
+from urdfctl.model.robot.build_robot import robot_of
+from urdfctl.source.packages import package_name
+from urdfctl.startup.records import NamedTuple
+
+
+class MeasuredRobot(NamedTuple):
+    """A robot as the generators see it.
+
+    facts: None if the robot cannot be read.
+    problems: why not, or what else was found while reading it.
+    crashed: True if urdfctl itself failed.
+    """
+
+    facts: RobotFacts | None
+    problems: tuple[Diagnostic, ...]
+    crashed: bool = False
+
+
+def measure_robot(path: str, arguments: Mapping[str, str], settings: Settings, measure: WorkFunction) -> MeasuredRobot:
+    """Return the facts of the robot in a file. `measure` gives them in a worker."""
+    target = Target(path, tuple(arguments.items()))
+    result, outcome = run_on_one(measure, target, settings)
+    if result is None:
+        return MeasuredRobot(None, tuple(outcome.diagnostics), outcome.crashed)
+    facts = RobotFacts.from_json(result["facts"]) if result["facts"] else None
+    return MeasuredRobot(facts, tuple(outcome.diagnostics))
+
+
+def measured_facts(work: Work, corners_of: Callable[[str], Sequence[Vector]]) -> dict[str, Any]:
+    """Return the facts of a robot as plain data. `corners_of` returns corners of the mesh in a file."""
+    path = os.path.abspath(work.target.path)
+    expander = work.loader.expander(path)
+    expansion = expansion_of(expander, path, dict(work.target.arguments))
+    root = expansion.document.documentElement if expansion.document is not None else None
+    outcome = lint(Project(None, path, problems=tuple(expansion.problems), complete=False), [], Selection(("UC0",)))
+    if root is None:
+        return {"facts": None, "outcome": outcome_to_json(outcome)}
+    robot = robot_of(root, whole=expansion.complete)
+    folder = expander.packages.own()
+    evidence = detect_distro(robot, Beside(folder), work.loader.settings)
+    find = partial(mesh_path, packages=expander.packages, robot_file=path)
+    facts = facts_of(robot, lambda address: corners_of(found) if (found := find(address)) else ())._replace(
+        file=work.target.path,
+        package=package_name(os.path.join(folder, "package.xml")) if folder else None,
+        package_path=os.path.relpath(path, folder).replace(os.sep, "/") if folder else None,
+        distro=evidence.distro,
+        distros=evidence.distros,
+        arguments={name: node.attrs.get("default", "") for name, node in expander.declared.items()},
+        ros=evidence.ros,
+        simulator=evidence.simulator,
+    )
+    if (work.loader.settings.simulator or evidence.simulator) == "mujoco":
+        facts = facts._replace(skeleton=skeleton_of(robot, facts.joints, find))
+    return {"facts": facts.to_json(), "outcome": outcome_to_json(outcome)}

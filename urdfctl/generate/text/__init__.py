@@ -1,0 +1,1 @@
+"""How values, parameters and templates become text."""
