@@ -11,9 +11,9 @@ from itertools import islice, zip_longest
 from pathlib import Path
 from typing import NamedTuple
 
-from urdfctl.server.completion import Item, items_at
-from urdfctl.server.question import Question
-from urdfctl.server.workspace import Checked, Wishes, Workspace
+from urdfctl.server.analysis.question import Question
+from urdfctl.server.analysis.workspace import Checked, Wishes, Workspace
+from urdfctl.server.features.completion import Item, items_at
 from urdfctl.source.span import SourceText
 
 _IN_XML = {

@@ -20,7 +20,7 @@ from urdfctl.lint.grouping import grouped
 from urdfctl.lint.live import Outdated
 from urdfctl.report.common import as_json, relative
 from urdfctl.report.json_report import finding
-from urdfctl.server.workspace import Checked, Wishes, Workspace
+from urdfctl.server.analysis.workspace import Checked, Wishes, Workspace
 
 _TEXTS = (".urdf", ".xacro", ".yaml", ".yml", ".launch", ".launch.py", ".launch.xml", ".srdf", ".xml")
 _MOST_BYTES = 200_000

@@ -14,9 +14,9 @@ from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import LintedTarget, lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
-from urdfctl.server.names import names_in
-from urdfctl.server.navigation import NamesAround, renamed
-from urdfctl.server.question import Question
+from urdfctl.server.analysis.names import names_in
+from urdfctl.server.analysis.question import Question
+from urdfctl.server.features.navigation import NamesAround, renamed
 from urdfctl.source.dom import COMMENT, Element, Text
 
 NEW = "renamed_here"

@@ -10,7 +10,7 @@ from urdfctl.catalog.compiled import files
 from urdfctl.catalog.distros import ALL, ROS1, spanned
 from urdfctl.catalog.store import plain
 from urdfctl.catalog.validators import NAMES
-from urdfctl.control.gazebo_ros1 import GAZEBO_INTERFACES
+from urdfctl.control.hardware.gazebo_ros1 import GAZEBO_INTERFACES
 from urdfctl.rules.transmissions import facts
 
 

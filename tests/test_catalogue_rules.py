@@ -12,8 +12,8 @@ from urdfctl.catalog.distros import ROS1, ROS2, generation
 from urdfctl.catalog.entries import ControllerType, Parameter
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.catalog.validators import problem
-from urdfctl.control.minimal import minimal_parameters
-from urdfctl.control.values import Values
+from urdfctl.control.parameters.minimal import minimal_parameters
+from urdfctl.control.parameters.values import Values
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.engine import lint
 from urdfctl.lint.selection import Selection

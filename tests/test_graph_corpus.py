@@ -12,7 +12,7 @@ from test_graph import SCHEMA
 
 from urdfctl.config.settings import Settings
 from urdfctl.control.chains import chained_claims
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import session_of
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.graph.build import graph_of

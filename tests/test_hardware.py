@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from control_session import ARM, POSITION, STATES, component, joint, session, transmission
 
-from urdfctl.control.hardware import Absence, Hardware, Kind
+from urdfctl.control.hardware.interfaces import Absence, Hardware, Kind
 
 
 def hardware(part: str, distro: str = "jazzy") -> Hardware:

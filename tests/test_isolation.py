@@ -19,7 +19,7 @@ from urdfctl.lint.job import job_for, lint_work
 from urdfctl.load.target import Target
 from urdfctl.run.fresh import run_all_fresh
 from urdfctl.run.limits import Limits
-from urdfctl.server.processes import pip_install, run_command
+from urdfctl.server.commands.processes import pip_install, run_command
 
 ROBOT = """<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:property name="length" value="${1 + 1}"/>

@@ -14,7 +14,7 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.errors import UserError
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.run import LintRequest, find, in_workers, judge, lint, merge, plan, report
-from urdfctl.server.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import Wishes, Workspace
 
 SHARED = """\
 <robot xmlns:xacro="http://www.ros.org/wiki/xacro">

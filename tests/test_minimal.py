@@ -11,10 +11,10 @@ from urdfctl.catalog.map_parameters import expected
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import claims, exports
-from urdfctl.control.gains import missing_gains
-from urdfctl.control.minimal import minimal_parameters
-from urdfctl.control.parameter_rules import breaches
-from urdfctl.control.values import Values
+from urdfctl.control.parameters.gains import missing_gains
+from urdfctl.control.parameters.minimal import minimal_parameters
+from urdfctl.control.parameters.rules import breaches
+from urdfctl.control.parameters.values import Values
 
 
 def controllers() -> dict[str, ControllerType]:

@@ -23,7 +23,7 @@ sys.modules[module.__name__] = module
 exec(compile(source.replace(line, line.replace("rolling", "meteor") + line), str(path), "exec"), module.__dict__)
 
 from urdfctl.rules import all_faults, faults_found_by
-from urdfctl.control.spawner_options import DISTROS as OPTIONS
+from urdfctl.control.parameters.spawner_options import DISTROS as OPTIONS
 
 rules = [rule.code for rule in all_faults() if "rolling" in rule.distros and "meteor" not in rule.distros]
 options = [option for option, distros in OPTIONS.items() if "rolling" in distros and "meteor" not in distros]

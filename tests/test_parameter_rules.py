@@ -7,7 +7,7 @@ import pytest
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.value_types import type_problem
-from urdfctl.control.parameter_rules import breaches
+from urdfctl.control.parameters.rules import breaches
 from urdfctl.source.opaque import UNKNOWN
 
 JTC = "joint_trajectory_controller/JointTrajectoryController"

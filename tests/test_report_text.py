@@ -17,7 +17,7 @@ from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json
 from urdfctl.output.printing import visible
 from urdfctl.report import concise, text
 from urdfctl.report.common import shown
-from urdfctl.report.wrapping import wrapped
+from urdfctl.report.text import wrapped
 from urdfctl.source.span import Place, SourceText
 
 

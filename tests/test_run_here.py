@@ -17,7 +17,7 @@ from sampling import sample
 
 from urdfctl.run.here import Clock, run_all_here
 from urdfctl.run.limits import Json, Limits, WorkerFailure
-from urdfctl.server.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import Wishes, Workspace
 from urdfctl.source.budget import OverBudget
 
 LIMITS = Limits(seconds=0.05, memory=1 << 30, environ={})
@@ -194,7 +194,7 @@ def test_where_there_are_no_processes_open_texts_are_linted(folder: Folder) -> N
     """The layer below the editor's server."""
     folder.write({"arm.urdf": '<robot name="arm"><link name="base"/></robot>'})
     code = (
-        "from urdfctl.server.workspace import Wishes, Workspace\n"
+        "from urdfctl.server.analysis.workspace import Wishes, Workspace\n"
         "here = Workspace(os.getcwd(), Wishes())\n"
         "here.changed('arm.urdf', b'<robot name=\"arm\"><lnk name=\"base\"/></robot>')\n"
         "print(sorted(found.message for all in here.check().findings.values() for found in all))\n"

@@ -20,7 +20,7 @@ from lxml import etree
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL, ROS2, generation
-from urdfctl.control.minimal import minimal_parameters
+from urdfctl.control.parameters.minimal import minimal_parameters
 from urdfctl.errors import UserError
 from urdfctl.schemas.checking import faults_in_controllers, faults_in_robot
 from urdfctl.schemas.controllers import controllers_schema

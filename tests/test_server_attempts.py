@@ -13,11 +13,11 @@ pytest.importorskip("pygls", reason="pygls is not installed")
 from folder import Folder
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
-from urdfctl.server.attempts import Attempts, harmless
-from urdfctl.server.completion import items_at
-from urdfctl.server.items import Item
-from urdfctl.server.question import Question
-from urdfctl.server.workspace import Wishes, Workspace
+from urdfctl.server.analysis.attempts import Attempts, harmless
+from urdfctl.server.analysis.items import Item
+from urdfctl.server.analysis.question import Question
+from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.features.completion import items_at
 from urdfctl.source.span import SourceText
 
 TEXT = "<a link='w'/>"

@@ -15,7 +15,7 @@ from live_replay import copied
 from test_server_names import CONTROLLERS, LAUNCH, MACROS, ROBOT, STARTS, URDF, XACRO, YAML, question
 
 from urdfctl.model.project import Project
-from urdfctl.server.completion import items_at
+from urdfctl.server.features.completion import items_at
 
 SAMPLES = CHECKOUT / "samples"
 STARTER = LAUNCH.replace("arguments=['turn']", "arguments=[|]")

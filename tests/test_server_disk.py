@@ -8,7 +8,7 @@ import pytest
 from editor import Editor, in_editor
 from folder import Folder
 
-from urdfctl.server.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import Wishes, Workspace
 
 MANIFEST = "<package><name>parts</name></package>"
 ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">

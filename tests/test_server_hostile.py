@@ -11,7 +11,7 @@ from folder import Folder
 from hostile.robots import HIDDEN, TRIED
 from sampling import sample
 
-from urdfctl.server import workspace
+from urdfctl.server.analysis import workspace
 
 WHERE = [types.Position(0, 0), types.Position(0, 30), types.Position(3, 7), types.Position(10_000, 10_000)]
 COMMANDS: dict[str, list[str]] = {

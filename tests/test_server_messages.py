@@ -29,8 +29,8 @@ from raw_editor import (
     ws,
 )
 
-from urdfctl.server.checking import Checking
-from urdfctl.server.workspace import Checked, Wishes, Workspace
+from urdfctl.server.analysis.checking import Checking
+from urdfctl.server.analysis.workspace import Checked, Wishes, Workspace
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from urdfctl.output.change import Change
 from urdfctl.output.patch import patch
-from urdfctl.server.patches import read_patch
+from urdfctl.server.commands.patches import read_patch
 
 LINES = [
     "a\n",

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pygls.workspace import PositionCodec
 
-from urdfctl.server.positions import Positions
+from urdfctl.server.protocol.positions import Positions
 
 UNITS = list(types.PositionEncodingKind)
 TEXTS = st.lists(st.sampled_from(["a", "é", "\u2028", "\f", "🤖", "\n", "\r\n", "\r"]), max_size=12).map("".join)

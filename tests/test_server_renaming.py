@@ -11,7 +11,7 @@ from renaming import differences
 from sampling import sample
 
 from urdfctl.load.target import Target
-from urdfctl.server.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import Wishes, Workspace
 
 SAMPLES = sorted((CHECKOUT / "samples").glob("*/urdf/*.xacro"))
 

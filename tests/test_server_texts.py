@@ -42,8 +42,8 @@ def test_a_text_is_changed_as_the_protocol_says(
     from pygls.protocol import default_converter
     from pygls.workspace import PositionCodec
 
-    from urdfctl.server.positions import Units
-    from urdfctl.server.texts import changed
+    from urdfctl.server.protocol.positions import Units
+    from urdfctl.server.protocol.texts import changed
 
     converter = default_converter()
     params = {"textDocument": {"uri": "a", "version": 2}, "contentChanges": changes}

@@ -10,12 +10,12 @@ from random import Random
 from seeds import ARM, OTHER_TEXTS
 
 from urdfctl.errors import UserError
-from urdfctl.server.completion import items_at
-from urdfctl.server.hover import hover
-from urdfctl.server.navigation import NamesAround, check_renamable, definitions, references, renamed
-from urdfctl.server.question import Question
-from urdfctl.server.symbols import hints_in, symbols_in
-from urdfctl.server.workspace import Wishes, Workspace
+from urdfctl.server.analysis.question import Question
+from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.features.completion import items_at
+from urdfctl.server.features.hover import hover
+from urdfctl.server.features.navigation import NamesAround, check_renamable, definitions, references, renamed
+from urdfctl.server.features.symbols import hints_in, symbols_in
 from urdfctl.source.span import SourceText
 
 _FOLDER = Path("edited")

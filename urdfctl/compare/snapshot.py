@@ -9,7 +9,7 @@ from typing import Any
 
 from urdfctl.compare.tree import Node, merged, node_of, plain
 from urdfctl.config.settings import Settings
-from urdfctl.control.given import given_values
+from urdfctl.control.parameters.given import given_values
 from urdfctl.errors import UserError
 from urdfctl.lint.job import Work, run_on_targets
 from urdfctl.load.loader import LoadedTarget

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import CHAINING, Configured, Session, before_slash
 from urdfctl.startup.records import NamedTuple
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from urdfctl.catalog.entries import ClaimRule, Condition, ControllerType
 from urdfctl.catalog.values import elements, is_known, is_list, is_set
-from urdfctl.control.values import Values
+from urdfctl.control.parameters.values import Values
 from urdfctl.startup.records import NamedTuple
 
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import Configured, Session
 from urdfctl.model.controllers import Value
 from urdfctl.startup.records import NamedTuple

@@ -14,10 +14,10 @@ from urdfctl.catalog.entries import ParameterRule
 from urdfctl.control.chains import Chained, chained_claims, circle, late
 from urdfctl.control.claims import Claim
 from urdfctl.control.conflicts import claimed_twice, conflicts
-from urdfctl.control.hardware import Absence, Kind
+from urdfctl.control.hardware.interfaces import Absence, Kind
 from urdfctl.control.inactive_hardware import inactive_hardware
 from urdfctl.control.needed_interfaces import nothing_to_claim
-from urdfctl.control.parameter_rules import breaches
+from urdfctl.control.parameters.rules import breaches
 from urdfctl.control.session import Configured, Session
 from urdfctl.model.stage import Stage
 from urdfctl.startup.records import NamedTuple

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware import Absence, Kind
+from urdfctl.control.hardware.interfaces import Absence, Kind
 from urdfctl.control.session import Configured, Session
 
 

@@ -9,9 +9,9 @@ from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, Claims, Exports, RobotFacts, claims, exports
-from urdfctl.control.given import given_values
-from urdfctl.control.hardware import Absence, Hardware, Kind
-from urdfctl.control.offered_hardware import hardware_of
+from urdfctl.control.hardware.interfaces import Absence, Hardware, Kind
+from urdfctl.control.hardware.offered import hardware_of
+from urdfctl.control.parameters.given import given_values
 from urdfctl.model.controllers import Controller
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware import Hardware
+from urdfctl.control.hardware.interfaces import Hardware
 
 _OF_JOINTS = ("position", "velocity", "acceleration", "effort")
 _OF_JOINTS_IN_ROS1 = ("JointInterface", "JointStateInterface")

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from urdfctl.control.chains import chained_claims
 from urdfctl.control.claims import Claim
 from urdfctl.control.groups import Groups
-from urdfctl.control.hardware import Absence, Kind
+from urdfctl.control.hardware.interfaces import Absence, Kind
 from urdfctl.control.session import Configured, Session, session_of
 from urdfctl.diagnostic import Diagnostic, Severity, located
 from urdfctl.graph.parts import Edge, Graph, Node

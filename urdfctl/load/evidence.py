@@ -61,7 +61,7 @@ def _distros_of_library(filename: str) -> tuple[str, ...]:
     """The distros that have a simulator plugin; none if that is unknown, or it comes with the simulator."""
     from urdfctl.catalog.catalog import CATALOG
     from urdfctl.catalog.hardware import library_of
-    from urdfctl.control.gazebo_plugins import LIBRARIES
+    from urdfctl.control.hardware.gazebo_plugins import LIBRARIES
 
     library = library_of(filename)
     known = CATALOG.distros_of_library(filename)
@@ -169,7 +169,7 @@ def items_of_launch(launch: Launch | None) -> Iterator[EvidenceItem]:
     is_ros2 = launch.ros == _ROS2_NUMBER
     yield EvidenceItem("launch file", "its launch file", ROS2 if is_ros2 else ROS1, 4 if is_ros2 else 3, launch.path)
     if is_ros2:
-        from urdfctl.control.spawner_options import DISTROS, INSTEAD
+        from urdfctl.control.parameters.spawner_options import DISTROS, INSTEAD
 
         options = {option.name for spawn in launch.spawns for option in spawn.options if spawn.program is not None}
         for name in sorted(options):

@@ -12,12 +12,12 @@ from urdfctl.output.printing import visible
 from urdfctl.report.common import about_missing_packages, counted, is_robot, relative, shown
 from urdfctl.report.concise import place
 from urdfctl.report.words import fix_in_words, notes
-from urdfctl.report.wrapping import wrapped
 from urdfctl.startup.records import NamedTuple
 
 WIDTH = 120
 """No line is wider, unless it begins with a longer path."""
 _NARROWEST = 60
+_INDENT = "    "
 _MOST_UNUSED = 3
 _COLOURS = {Severity.ERROR: "bold red", Severity.WARNING: "bold yellow", Severity.INFO: "bold cyan"}
 
@@ -188,3 +188,23 @@ def _details(report: Report) -> str:
     if target.library:
         partly = "; macros not called in these files"
     return f" ({distro}{source}{partly})" if distro else f" ({partly[2:]})" if partly else ""
+
+
+def wrapped(text: str, width: int, before: int = 0) -> str:
+    """Return a text in lines of at most `width` columns, further lines indented, with a newline at the end.
+
+    Names that are wider are cut: a finding must not disturb the layout of a terminal. before: how many columns of the
+    first line are taken.
+    """
+    if before + len(text) <= width:
+        return f"{text}\n"
+    lines: list[str] = []
+    rest, room = text, width - before
+    while len(rest) > room:
+        cut = rest.rfind(" ", 1, room + 1)
+        is_start = not rest[:cut].strip() if cut > 0 else True
+        if is_start:  # no space where the line could end
+            cut = 0 if lines == [] and before else room
+        lines.append(rest[:cut].rstrip())
+        rest, room = _INDENT + rest[cut:].lstrip(), width
+    return "\n".join([*lines, rest]) + "\n"

@@ -86,7 +86,7 @@ def _is_simulated(project: Project) -> bool:
 
 
 def _runs_in_gazebo(project: Project) -> bool:
-    from urdfctl.control.simulator_plugins import IN_GAZEBO, components, simulator_of
+    from urdfctl.control.hardware.simulator_plugins import IN_GAZEBO, components, simulator_of
 
     return any(simulator_of(project, control) in IN_GAZEBO for control in components(project))
 

@@ -11,18 +11,18 @@ from urdfctl.diagnostic import Location, located
 from urdfctl.errors import UserError
 from urdfctl.report.fault_explanation import fault_explanation
 from urdfctl.rules import all_faults
-from urdfctl.server.actions import EXPLAIN, FIX_ALL, actions_at, edit_of
-from urdfctl.server.completion import items_at
-from urdfctl.server.dialogue import show_page
-from urdfctl.server.hover import hover
-from urdfctl.server.items import Item
-from urdfctl.server.navigation import NamesAround, check_renamable, definitions, references, renamed
-from urdfctl.server.positions import Positions
-from urdfctl.server.question import Question
-from urdfctl.server.symbols import hints_in, symbols_in
-from urdfctl.server.uris import path_of
-from urdfctl.server.versions import previewed
-from urdfctl.server.window import Window
+from urdfctl.server.analysis.items import Item
+from urdfctl.server.analysis.question import Question
+from urdfctl.server.features.actions import EXPLAIN, FIX_ALL, actions_at, edit_of
+from urdfctl.server.features.completion import items_at
+from urdfctl.server.features.hover import hover
+from urdfctl.server.features.navigation import NamesAround, check_renamable, definitions, references, renamed
+from urdfctl.server.features.symbols import hints_in, symbols_in
+from urdfctl.server.protocol.dialogue import show_page
+from urdfctl.server.protocol.positions import Positions
+from urdfctl.server.protocol.uris import path_of
+from urdfctl.server.protocol.versions import previewed
+from urdfctl.server.protocol.window import Window
 
 _Placed = types.DefinitionParams | types.ReferenceParams | types.RenameParams | types.PrepareRenameParams
 _START = types.Position(0, 0)

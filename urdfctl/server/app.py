@@ -8,12 +8,12 @@ from functools import partial
 from lsprotocol import types
 
 from urdfctl.config.file import NAMES
+from urdfctl.server.analysis.workspace import Wishes, Workspace
 from urdfctl.server.answers import answer_questions
-from urdfctl.server.commands import answer_commands
-from urdfctl.server.lenses import answer_lenses
-from urdfctl.server.uris import path_of
-from urdfctl.server.window import Window
-from urdfctl.server.workspace import Wishes, Workspace
+from urdfctl.server.commands.calls import answer_commands
+from urdfctl.server.commands.lenses import answer_lenses
+from urdfctl.server.protocol.uris import path_of
+from urdfctl.server.protocol.window import Window
 
 WATCHED = "**/*.{urdf,xacro,yaml,yml,launch,xml,py,srdf,toml,txt}"
 

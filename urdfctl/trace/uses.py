@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from urdfctl.control.groups import Groups
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import session_of
 from urdfctl.diagnostic import located
 from urdfctl.model.project import Project

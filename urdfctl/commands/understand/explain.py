@@ -161,10 +161,10 @@ def _explain_log(stream: BinaryIO, options: ExplainOptions, *, pasted: bool = Fa
 
         messages, folder = checked(messages, options.folder, options.distro)
     if options.output_format == "json":
-        from urdfctl.report.log_json import render_log_json
+        from urdfctl.report.log_explanation.as_json import render_log_json
 
         return render_log_json(messages, complete=lines.complete, files=folder)
-    from urdfctl.report.log_text import render_log
+    from urdfctl.report.log_explanation.as_text import render_log
 
     return render_log(messages, pasted=pasted, complete=lines.complete, files=folder)
 

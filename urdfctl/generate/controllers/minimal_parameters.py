@@ -9,8 +9,8 @@ from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.values import elements
-from urdfctl.control.minimal import minimal_parameters
-from urdfctl.control.parameter_rules import breaches
+from urdfctl.control.parameters.minimal import minimal_parameters
+from urdfctl.control.parameters.rules import breaches
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.values import TODO, Task
 from urdfctl.generate.text.settings import Setting

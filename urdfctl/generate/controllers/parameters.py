@@ -10,8 +10,8 @@ from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import expected
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
-from urdfctl.control.parameter_rules import breaches
-from urdfctl.control.values import Values
+from urdfctl.control.parameters.rules import breaches
+from urdfctl.control.parameters.values import Values
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.minimal_parameters import checked, minimal_settings
 from urdfctl.generate.controllers.recipes import recipe_of

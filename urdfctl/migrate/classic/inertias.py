@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from urdfctl.control.simulator_plugins import sure_simulator
+from urdfctl.control.hardware.simulator_plugins import sure_simulator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.hardware import simulated_by
 from urdfctl.migrate.markup import attribute, element_at

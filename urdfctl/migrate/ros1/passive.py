@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import session_of
 from urdfctl.migrate.hardware import host_plugin
 from urdfctl.migrate.packages import Packages

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.control.chains import Chained, chained_claims
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import Configured, Session
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Iterator
 
 from urdfctl.catalog.distros import applies_to
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware import Absence, Kind
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.hardware.interfaces import Absence, Kind
+from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.control.session import Configured, Missing, Session, sessions
 from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.controllers import Controller

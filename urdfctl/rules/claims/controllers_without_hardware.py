@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.gazebo_ros1 import in_gazebo
+from urdfctl.control.hardware.gazebo_ros1 import in_gazebo
 from urdfctl.model.launch import Launch
 from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
 from urdfctl.rules.common import whole_robot_in

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation
-from urdfctl.control.gains import Fate, MissingGain, missing_gains
-from urdfctl.control.readers import Reader, controllers_in, in_each_distro
+from urdfctl.control.parameters.gains import Fate, MissingGain, missing_gains
+from urdfctl.control.parameters.readers import Reader, controllers_in, in_each_distro
 from urdfctl.model.controllers import Controller
 from urdfctl.rule import Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import Configured, Missing, Session
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate, place_of

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.gazebo_ros1 import in_gazebo
-from urdfctl.control.hardware import Kind
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.hardware.gazebo_ros1 import in_gazebo
+from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.model.controllers import Parameter, Parameters
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.claims.common import seen

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.control import needed_interfaces
-from urdfctl.control.hardware import Absence
+from urdfctl.control.hardware.interfaces import Absence
 from urdfctl.control.session import Configured, Session
 from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfctl.control.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
-from urdfctl.control.hardware import Kind
-from urdfctl.control.hardware_ros1 import PREFIX
+from urdfctl.control.hardware.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
+from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.ros1 import PREFIX
 from urdfctl.control.session import Configured, Missing, Session
 from urdfctl.rule import Project, Severity
 from urdfctl.rules.claims.common import missing_of, severity_of

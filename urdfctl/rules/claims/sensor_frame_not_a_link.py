@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.readers import Reader, in_each_distro, robot_of
+from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
 from urdfctl.model.controllers import Kind
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import Names, replaced

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import Configured, Missing, Session
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note

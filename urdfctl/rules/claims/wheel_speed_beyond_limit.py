@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.distros import ROS1, since
 from urdfctl.control.claims import claims
-from urdfctl.control.readers import Reader, in_each_distro, robot_of
+from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
 from urdfctl.control.session import readable
 from urdfctl.model.robot import Joint
 from urdfctl.rule import Finding, Note, Project, Severity, rule

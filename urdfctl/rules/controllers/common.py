@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.model.controllers import Fault, FaultKind, Section
 from urdfctl.rule import Project
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.model.controllers import Kind, Value
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.hardware import Hardware
-from urdfctl.control.readers import Reader, in_each_distro, robot_of
+from urdfctl.control.hardware.interfaces import Hardware
+from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
 from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, Stage, rule

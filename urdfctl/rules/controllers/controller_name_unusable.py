@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.control.readers import controllers_in, is_of_ros2
+from urdfctl.control.parameters.readers import controllers_in, is_of_ros2
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.source.opaque import UNKNOWN
 

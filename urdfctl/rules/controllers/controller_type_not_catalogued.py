@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.controller_types import meant_by, typed
+from urdfctl.control.parameters.controller_types import meant_by, typed
 from urdfctl.rule import Finding, Project, Severity, rule
 
 

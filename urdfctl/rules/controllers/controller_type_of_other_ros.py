@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation
-from urdfctl.control.controller_types import Typed, instead_of, typed
+from urdfctl.control.parameters.controller_types import Typed, instead_of, typed
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.controller_types import Typed, meant_by, typed
+from urdfctl.control.parameters.controller_types import Typed, meant_by, typed
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
 

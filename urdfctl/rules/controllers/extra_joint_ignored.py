@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.readers import controllers_in, type_of
+from urdfctl.control.parameters.readers import controllers_in, type_of
 from urdfctl.diagnostic import Edit
 from urdfctl.model.controllers import Kind, Parameter, Value
 from urdfctl.rule import Finding, Fix, Project, Severity, rule

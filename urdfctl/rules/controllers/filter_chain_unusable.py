@@ -9,8 +9,8 @@ from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.entries import Parameter as Known
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
-from urdfctl.control.given import plain
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.given import plain
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.model.controllers import Kind, Parameter
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Project, Severity, Stage, rule

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.map_parameters import expanded
-from urdfctl.control.readers import Reader
+from urdfctl.control.parameters.readers import Reader
 from urdfctl.model.controllers import Kind, Parameter, Parameters
 from urdfctl.startup.records import NamedTuple
 

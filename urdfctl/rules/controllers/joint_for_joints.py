@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.model.controllers import Kind, Parameter, Value
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.controllers.parameters import missing, number_slips, slips, unread

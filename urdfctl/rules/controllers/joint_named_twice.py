@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.controllers.joints import Named, named
 from urdfctl.rules.controllers.parameters import is_ros1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.model.controllers import Controller
 from urdfctl.names import is_slip
 from urdfctl.rule import Finding, Project, Severity, rule

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.source.span import Place

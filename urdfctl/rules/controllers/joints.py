@@ -7,9 +7,9 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, claims
-from urdfctl.control.hardware import Hardware, fixed_joints
-from urdfctl.control.offered_hardware import hardware_of
-from urdfctl.control.readers import Reader
+from urdfctl.control.hardware.interfaces import Hardware, fixed_joints
+from urdfctl.control.hardware.offered import hardware_of
+from urdfctl.control.parameters.readers import Reader
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Note, Project, Severity
 from urdfctl.rules.common import Names

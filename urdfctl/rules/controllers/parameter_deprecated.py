@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import known_as, replacement_of
 

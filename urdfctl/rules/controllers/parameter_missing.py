@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.control.readers import Reader, controllers_in, in_each_distro
+from urdfctl.control.parameters.readers import Reader, controllers_in, in_each_distro
 from urdfctl.model.controllers import Controller, Controllers, FaultKind
 from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import in_words

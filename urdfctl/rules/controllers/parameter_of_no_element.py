@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.values import elements, is_known
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ALL, in_words
 from urdfctl.catalog.entries import FormerParameter
 from urdfctl.catalog.map_parameters import matching
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import known_as, replacement_of
 

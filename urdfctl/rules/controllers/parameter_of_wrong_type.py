@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.value_types import type_problem
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.model.controllers import Kind, Value
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import is_ros1, known_as

@@ -8,7 +8,7 @@ from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import shown, type_problem
 from urdfctl.catalog.values import is_list
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.model.controllers import Kind, Value
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.map_parameters import matching
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.model.controllers import Parameter
 from urdfctl.rule import Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import replaced

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.readers import Reader, controllers_in, in_each_distro, readers_of
+from urdfctl.control.parameters.readers import Reader, controllers_in, in_each_distro, readers_of
 from urdfctl.model.controllers import Value
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import known_as

@@ -10,8 +10,8 @@ from urdfctl.catalog.entries import FormerParameter, Parameter
 from urdfctl.catalog.map_parameters import expected, matching, prefixes
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
-from urdfctl.control.parameter_rules import breaches
-from urdfctl.control.readers import Reader, readers_of
+from urdfctl.control.parameters.readers import Reader, readers_of
+from urdfctl.control.parameters.rules import breaches
 from urdfctl.model.controllers import Controller, Kind
 from urdfctl.model.controllers import Parameter as Given
 from urdfctl.names import nearest

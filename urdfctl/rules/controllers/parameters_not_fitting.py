@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.parameter_rules import breaches
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
+from urdfctl.control.parameters.rules import breaches
 from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.controllers.parameters import is_sound
 

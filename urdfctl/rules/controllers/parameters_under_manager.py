@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.rule import Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.controllers.parameters import OF_THE_SPAWNER, is_lacking

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.model.controllers import FaultKind, Key
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import replaced

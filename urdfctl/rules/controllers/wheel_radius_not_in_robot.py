@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import until
 from urdfctl.catalog.values import elements
-from urdfctl.control.readers import Reader, in_each_distro, robot_of
+from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
 from urdfctl.model.robot import Link, Robot
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known

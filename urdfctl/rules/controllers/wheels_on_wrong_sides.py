@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.values import elements
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
 
 _PAIRS = (("left_wheel", "right_wheel"), ("left_wheel_names", "right_wheel_names"))

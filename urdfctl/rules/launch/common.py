@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.simulator_plugins import control_plugins, namespace_of
+from urdfctl.control.hardware.simulator_plugins import control_plugins, namespace_of
 from urdfctl.model.launch import Launch, Node, Spawn
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_known

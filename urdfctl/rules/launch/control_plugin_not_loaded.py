@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.simulator_plugins import written_plugins
+from urdfctl.control.hardware.simulator_plugins import written_plugins
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.launch.common import hosts_no_manager, is_sure, launch_of

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.simulator_plugins import control_plugins, namespace_of
+from urdfctl.control.hardware.simulator_plugins import control_plugins, namespace_of
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.launch.common import launch_of

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import MAINTAINED
-from urdfctl.control.simulator_plugins import components
+from urdfctl.control.hardware.simulator_plugins import components
 from urdfctl.model.launch import Launch, Package
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_conditional

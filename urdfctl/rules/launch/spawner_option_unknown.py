@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, in_words
-from urdfctl.control.spawner_options import DISTROS, INSTEAD
+from urdfctl.control.parameters.spawner_options import DISTROS, INSTEAD
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, in_words
-from urdfctl.control.controller_types import typed_upstream
+from urdfctl.control.parameters.controller_types import typed_upstream
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.migration.common import severity_of_old
 

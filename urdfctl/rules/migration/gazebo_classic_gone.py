@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins, of_sensors, written_plugins
+from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, loaded_plugins, of_sensors, written_plugins
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.migration.facts import IN_GZ
 

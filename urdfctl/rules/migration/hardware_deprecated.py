@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, in_words
-from urdfctl.control.simulator_plugins import components
+from urdfctl.control.hardware.simulator_plugins import components
 from urdfctl.model.robot import Ros2Control
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, since
-from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins
+from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, loaded_plugins
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.migration.common import severity_of_old
 

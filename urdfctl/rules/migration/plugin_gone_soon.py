@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.simulator_plugins import loaded_plugins
+from urdfctl.control.hardware.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.migration.common import lacking
 from urdfctl.rules.migration.facts import IN_GZ

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.model.controllers import FaultKind
 from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched

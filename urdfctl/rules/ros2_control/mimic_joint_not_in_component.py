@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.simulator_plugins import IN_GAZEBO, components, simulator_of
+from urdfctl.control.hardware.simulator_plugins import IN_GAZEBO, components, simulator_of
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words, whole_robot_in
 

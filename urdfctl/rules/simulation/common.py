@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfctl.catalog.hardware import PluginChild
-from urdfctl.control.gazebo_plugins import BECAME
-from urdfctl.control.simulator_plugins import LoadedPlugin, control_plugins, loaded_plugins
+from urdfctl.control.hardware.gazebo_plugins import BECAME
+from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, control_plugins, loaded_plugins
 from urdfctl.model.robot import Tag
 from urdfctl.names import folded, is_slip
 from urdfctl.rule import Project

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.simulator_plugins import control_plugins
+from urdfctl.control.hardware.simulator_plugins import control_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.simulation.common import number

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.simulator_plugins import LoadedPlugin, control_plugins, namespace_of
+from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, control_plugins, namespace_of
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.simulator_plugins import loaded_plugins
+from urdfctl.control.hardware.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_all_there
 from urdfctl.rules.simulation.common import unread_settings, wheel_measures

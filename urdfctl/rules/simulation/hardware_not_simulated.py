@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.simulator_plugins import IN_GAZEBO, components, control_plugins
+from urdfctl.control.hardware.simulator_plugins import IN_GAZEBO, components, control_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_conditional, is_known, is_xacro
 

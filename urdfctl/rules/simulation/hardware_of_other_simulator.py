@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, since
-from urdfctl.control.simulator_plugins import IN_GAZEBO, components, simulator_of, started_simulator, written_plugins
+from urdfctl.control.hardware.simulator_plugins import (
+    IN_GAZEBO,
+    components,
+    simulator_of,
+    started_simulator,
+    written_plugins,
+)
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 
 

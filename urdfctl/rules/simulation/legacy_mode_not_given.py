@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.simulator_plugins import control_plugins
+from urdfctl.control.hardware.simulator_plugins import control_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_all_there
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation
 from urdfctl.catalog.hardware import library_of
-from urdfctl.control.gazebo_plugins import DRIVES, LIBRARIES
-from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins
+from urdfctl.control.hardware.gazebo_plugins import DRIVES, LIBRARIES
+from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, loaded_plugins
 from urdfctl.names import folded, is_slip
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.simulator_plugins import loaded_plugins
+from urdfctl.control.hardware.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
 from urdfctl.rules.simulation.common import default_joints, named_joints

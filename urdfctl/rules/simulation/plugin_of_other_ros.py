@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1, in_words, since
-from urdfctl.control.gazebo_plugins import IN_PLACE, LIBRARIES
-from urdfctl.control.simulator_plugins import LoadedPlugin, control_plugins, loaded_plugins, of_sensors
+from urdfctl.control.hardware.gazebo_plugins import IN_PLACE, LIBRARIES
+from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, control_plugins, loaded_plugins, of_sensors
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.simulation.common import ROS_2

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.hardware import PluginChild
-from urdfctl.control.simulator_plugins import loaded_plugins
+from urdfctl.control.hardware.simulator_plugins import loaded_plugins
 from urdfctl.model.robot import Tag
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known

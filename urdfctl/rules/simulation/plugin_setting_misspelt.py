@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.simulator_plugins import namespace_of
+from urdfctl.control.hardware.simulator_plugins import namespace_of
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import renamed
 from urdfctl.rules.simulation.common import Unread, unread_settings

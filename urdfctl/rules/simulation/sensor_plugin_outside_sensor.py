@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.gazebo_plugins import OF_SENSORS
-from urdfctl.control.simulator_plugins import loaded_plugins
+from urdfctl.control.hardware.gazebo_plugins import OF_SENSORS
+from urdfctl.control.hardware.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.simulator_plugins import control_plugins, namespace_of
+from urdfctl.control.hardware.simulator_plugins import control_plugins, namespace_of
 from urdfctl.model.launch import Launch
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.gazebo_ros1 import has_own_simulation
+from urdfctl.control.hardware.gazebo_ros1 import has_own_simulation
 from urdfctl.diagnostic import Edit, Severity
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Joint, Tag, Text, Transmission, TransmissionEnd

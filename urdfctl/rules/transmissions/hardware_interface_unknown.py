@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
+from urdfctl.control.hardware.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
 from urdfctl.model.robot import Text
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule

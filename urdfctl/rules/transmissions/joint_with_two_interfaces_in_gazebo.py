@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.gazebo_ros1 import in_gazebo
+from urdfctl.control.hardware.gazebo_ros1 import in_gazebo
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.transmissions.common import named_joints
 

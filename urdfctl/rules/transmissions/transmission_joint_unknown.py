@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.gazebo_ros1 import control_plugins, in_gazebo
+from urdfctl.control.hardware.gazebo_ros1 import control_plugins, in_gazebo
 from urdfctl.model.robot import Joint, Robot, Transmission, TransmissionEnd
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note, Project, Severity, rule

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.gazebo_ros1 import in_gazebo
+from urdfctl.control.hardware.gazebo_ros1 import in_gazebo
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.transmissions.common import read_transmissions
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.gazebo_ros1 import control_plugins
+from urdfctl.control.hardware.gazebo_ros1 import control_plugins
 from urdfctl.model.robot import Transmission
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole

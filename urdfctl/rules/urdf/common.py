@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.simulator_plugins import sure_simulator
+from urdfctl.control.hardware.simulator_plugins import sure_simulator
 from urdfctl.model.robot import Robot, Tag
 from urdfctl.names import enumerated
 from urdfctl.rule import Finding, Note, Project, Severity

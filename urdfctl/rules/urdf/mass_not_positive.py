@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.simulator_plugins import sure_simulator
+from urdfctl.control.hardware.simulator_plugins import sure_simulator
 from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import label, whole_robot_in
 from urdfctl.rules.urdf.bodies import LEAST_MASS, inertial_of, vanishing

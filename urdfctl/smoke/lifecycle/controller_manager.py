@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.catalog.distros import generation, since
 from urdfctl.control.chains import chained_claims
-from urdfctl.control.hardware import Absence
+from urdfctl.control.hardware.interfaces import Absence
 from urdfctl.control.lifecycle import Life, Reason, Stop, lives
 from urdfctl.control.session import Configured, Session, session_of
 from urdfctl.diagnostic import Diagnostic, Severity

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from functools import cache
 
 from urdfctl.catalog.values import is_set
-from urdfctl.control.gains import Fate, missing_gains
 from urdfctl.control.lifecycle import STAGES, stage_of_breach
-from urdfctl.control.parameter_rules import breaches
+from urdfctl.control.parameters.gains import Fate, missing_gains
+from urdfctl.control.parameters.rules import breaches
 from urdfctl.control.session import Configured
 from urdfctl.diagnostic import Diagnostic, Location
 from urdfctl.model.controllers import Controller, Manager, Parameters

@@ -6,7 +6,7 @@ ROS 2: controller_manager.cpp of jazzy. ROS 1: controller_manager.cpp and hardwa
 from __future__ import annotations
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.lifecycle import Reason, Stop
 from urdfctl.control.session import Configured
 from urdfctl.model.stage import Stage

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from urdfctl.control.hardware import Kind
+from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.results import Outcome
 from urdfctl.lint.target import LintedTarget

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import generation
-from urdfctl.control.gazebo_ros1 import in_gazebo
+from urdfctl.control.hardware.gazebo_ros1 import in_gazebo
 from urdfctl.diagnostic import Severity
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Ros2Control

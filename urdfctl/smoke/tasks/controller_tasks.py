@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 
 from urdfctl.catalog.values import elements, is_known
 from urdfctl.control.claims import Claim
+from urdfctl.control.parameters.values import Values
 from urdfctl.control.session import Configured
-from urdfctl.control.values import Values
 from urdfctl.smoke.tasks.task import FREE, ControllerTask, Drive, MotionFamily, PidGains
 from urdfctl.startup.records import NamedTuple
 

@@ -1,0 +1,1 @@
+"""The explanation of a log's messages, as text and as JSON."""

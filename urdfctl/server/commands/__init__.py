@@ -1,0 +1,1 @@
+"""The commands that an editor can call, and what they start."""
