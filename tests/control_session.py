@@ -9,8 +9,8 @@ from urdfctl.model.project import Project
 from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.rules.examples import completed
 from urdfctl.source.span import SourceText
-from urdfctl.source.xml import parse
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.xml.parsing import parse
+from urdfctl.source.yaml.tree import read_yaml
 
 POSITION = '<command_interface name="position"/>'
 VELOCITY = '<command_interface name="velocity"/>'

@@ -8,12 +8,12 @@ from pathlib import Path
 import plain_xacro
 
 from urdfctl.expand.xml_writer import write
-from urdfctl.source.dom import Element, Node
-from urdfctl.source.files import Files
-from urdfctl.source.packages import PackageIndex, Packages
+from urdfctl.source.disk.files import Files
 from urdfctl.source.problem import Problem
+from urdfctl.source.workspaces.packages import PackageIndex, Packages
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.expansion import Expander
+from urdfctl.source.xml.dom import Element, Node
 
 NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 

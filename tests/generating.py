@@ -21,7 +21,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
-from urdfctl.source.shown import forget_files
+from urdfctl.source.disk.shown import forget_files
 
 TEMPLATES = Templates()
 WHEELS = (

@@ -11,7 +11,7 @@ from typing import Any
 import xacro
 import xacro.substitution_args
 
-from urdfctl.source.packages import Packages
+from urdfctl.source.workspaces.packages import Packages
 
 
 def expand(path: str, packages: Packages, arguments: Mapping[str, str]) -> str:

@@ -17,7 +17,7 @@ from urdfctl.load.target import Target
 from urdfctl.server.analysis.names import names_in
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.features.navigation import NamesAround, renamed
-from urdfctl.source.dom import COMMENT, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Element, Text
 
 NEW = "renamed_here"
 

@@ -20,7 +20,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.project import Project
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.yaml.tree import read_yaml
 
 
 def known(distro: str, name: str) -> ControllerType:

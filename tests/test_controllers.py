@@ -7,7 +7,7 @@ import pytest
 from urdfctl.model.controllers import Controllers, FaultKind, Kind
 from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.yaml.tree import read_yaml
 
 
 def model(*texts: str, ros: int | None = None, started: tuple[str, ...] | None = None) -> Controllers:

@@ -12,7 +12,7 @@ import pytest
 from folder import CHECKOUT, Folder
 
 from urdfctl import __main__ as command
-from urdfctl.source.folders import delete_folder, walk
+from urdfctl.source.disk.folders import delete_folder, walk
 
 LEVELS = 1100
 """More than Python's stack has, and in a path that Linux allows."""

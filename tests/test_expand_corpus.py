@@ -13,9 +13,9 @@ from corpus import CORPUS, needs_corpus, roots
 from sampling import sample
 
 from urdfctl.expand.xml_writer import write
-from urdfctl.source.files import Files
-from urdfctl.source.packages import PackageIndex, Packages
+from urdfctl.source.disk.files import Files
 from urdfctl.source.problem import Problem
+from urdfctl.source.workspaces.packages import PackageIndex, Packages
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.expansion import Expander
 

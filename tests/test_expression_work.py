@@ -13,7 +13,7 @@ import xacro
 from expansion import expanded, laid_out, robot
 
 from urdfctl.source.problem import Problem, ProblemKind
-from urdfctl.source.xacro.meter import MOST_OF_EXPANSION, MOST_OF_EXPRESSION
+from urdfctl.source.xacro.expressions.meter import MOST_OF_EXPANSION, MOST_OF_EXPRESSION
 
 ONCE = "(lambda f: f(f, 40))"
 P = "('x' * 1000000)"

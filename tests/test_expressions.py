@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sampling import examples
 
-from urdfctl.source.xacro.expressions import compile_checked
-from urdfctl.source.xacro.macro_params import split_first
-from urdfctl.source.xacro.meter import Meter
+from urdfctl.source.xacro.expressions.compiling import compile_checked
+from urdfctl.source.xacro.expressions.meter import Meter
+from urdfctl.source.xacro.private.macro_params import split_first
 
 
 def split(function: object, text: str) -> object:

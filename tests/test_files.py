@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from urdfctl.errors import UserError
-from urdfctl.source.files import MAX_BYTES, FileProblem, Files, named_bytes
+from urdfctl.source.disk.files import MAX_BYTES, FileProblem, Files, named_bytes
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import Place, SourceText
 

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from urdfctl.source import gate
-from urdfctl.source.files import FileProblem, Files, first_bytes
+from urdfctl.source.disk import gate
+from urdfctl.source.disk.files import FileProblem, Files, first_bytes
 from urdfctl.source.problem import ProblemKind
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="links are made as POSIX makes them")

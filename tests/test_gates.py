@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 from folder import CHECKOUT
 
-GATES = ("urdfctl/output/", "urdfctl/source/files.py", "urdfctl/source/gate.py", "urdfctl/run/git.py")
+GATES = ("urdfctl/output/", "urdfctl/source/disk/files.py", "urdfctl/source/disk/gate.py", "urdfctl/run/git.py")
 """Where files are read and written for everybody else: within bounds, and through no link that leads out of them."""
 
 COUNTS = {
@@ -86,8 +86,8 @@ EXCEPTIONS = {
     "urdfctl/generate/controllers/recipes.py recipes open": OWN,
     "urdfctl/generate/text/templates.py _environment jinja2.FileSystemLoader": TEMPLATES,
     "urdfctl/generate/text/templates.py _environment.Users jinja2.FileSystemLoader": TEMPLATES,
-    "urdfctl/source/folders.py delete_folder os.rmdir": SCRATCH,
-    "urdfctl/source/folders.py delete_folder os.unlink": SCRATCH,
+    "urdfctl/source/disk/folders.py delete_folder os.rmdir": SCRATCH,
+    "urdfctl/source/disk/folders.py delete_folder os.unlink": SCRATCH,
     "urdfctl/lint/examples.py write_files open": SCRATCH,
     "urdfctl/lint/examples.py write_files os.makedirs": SCRATCH,
     "urdfctl/migrate/scratch.py Scratch._copy_settings os.makedirs": SCRATCH,
@@ -116,7 +116,7 @@ EXCEPTIONS = {
     "urdfctl/smoke/motion/engine_workers.py run_trial_job open": SCRATCH,
     "urdfctl/smoke/motion/progress.py kept open": SCRATCH,
     "urdfctl/startup/quick_imports.py _content os.open": OWN,
-    "urdfctl/source/xacro/stand_ins.py import_what_xacro_uses __import__": OWN,
+    "urdfctl/source/xacro/private/stand_ins.py import_what_xacro_uses __import__": OWN,
 }
 """Places that need no gate: file, function and what it uses; and why."""
 
@@ -192,7 +192,7 @@ def found() -> dict[str, list[str]]:
 
 
 def test_nobody_but_the_gates_opens_writes_or_starts_anything() -> None:
-    assert sorted(found().keys() - EXCEPTIONS.keys()) == [], "use urdfctl/output and urdfctl/source/files.py"
+    assert sorted(found().keys() - EXCEPTIONS.keys()) == [], "use urdfctl/output and urdfctl/source/disk/files.py"
 
 
 def test_each_exception_is_still_there() -> None:

@@ -15,7 +15,7 @@ from sampling import examples
 from work import assert_linear
 
 from urdfctl.discover.robots import discover_files
-from urdfctl.source.gitignore import GitIgnore, patterns_of
+from urdfctl.source.disk.gitignore import GitIgnore, patterns_of
 
 ROBOT = "<robot name='r'><link name='a'/><link name='b'/></robot>"
 needs_git = pytest.mark.skipif(shutil.which("git") is None, reason="git is not here")

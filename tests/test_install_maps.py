@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from urdfctl.source.files import FileProblem, Files
-from urdfctl.source.install_maps import read_install_map
+from urdfctl.source.disk.files import FileProblem, Files
+from urdfctl.source.workspaces.install_maps import read_install_map
 
 FILES = ["description/urdf/r.xacro", "config/c.yaml", "config/sub/d.yaml", "launch/l.py", "scripts/run", "top.xacro"]
 

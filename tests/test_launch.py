@@ -9,10 +9,10 @@ import pytest
 from urdfctl.model.launch import Launch, Spawn, joined
 from urdfctl.model.launch.build_launch import launch_of
 from urdfctl.model.launch.scope import Sources
-from urdfctl.source.dom import Document
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import SourceText
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.dom import Document
+from urdfctl.source.xml.parsing import parse
 
 
 def launch(inside: str, arguments: Mapping[str, str] | None = None, **files: str) -> Launch:

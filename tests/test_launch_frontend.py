@@ -9,8 +9,8 @@ from urdfctl.model.launch.ros2 import Sources, launch_of_ros2
 from urdfctl.source.launch.frontend import of_xml, of_yaml, words_of
 from urdfctl.source.launch.terms import Constant, Items, Term
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.xml import parse
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.xml.parsing import parse
+from urdfctl.source.yaml.tree import read_yaml
 
 
 def launch(text: str) -> Launch:

@@ -118,7 +118,7 @@ def test_a_plain_run_of_lint_loads_nothing_of_the_commands_that_show_a_robot(fol
         "urdfctl.trace",
         "urdfctl.compare",
         "urdfctl.graph",
-        "urdfctl.source.xacro.tracing",
+        "urdfctl.source.xacro.tracing.expansion",
         "urdfctl.report.pages",
     )
     assert [name for name in loaded if name.startswith(shown)] == []

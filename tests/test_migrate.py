@@ -19,15 +19,15 @@ from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.linting import Lint
+from urdfctl.migrate.options import Part, Wishes
 from urdfctl.migrate.packages import Linted, Packages
 from urdfctl.migrate.report import ReportLine, as_markdown
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
-from urdfctl.migrate.wishes import Part, Wishes
 from urdfctl.output.change import Change
 from urdfctl.output.journal import restore_unfinished
 from urdfctl.output.writing_all import write_all
-from urdfctl.source.gate import reading_within
+from urdfctl.source.disk.gate import reading_within
 from urdfctl.source.span import Place, SourceSpan
 
 MANIFEST = '<package format="3"><name>arm</name></package>\n'

@@ -15,9 +15,9 @@ from urdfctl.catalog.distros import ALL, ROS2
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.moves import MANAGER, Move, name_moves, parameter_moves
+from urdfctl.migrate.options import Wishes
 from urdfctl.migrate.steps import STEPS
 from urdfctl.migrate.table import rows, table
-from urdfctl.migrate.wishes import Wishes
 
 MANIFEST = '<package format="3"><name>arm</name><exec_depend>ros_ign_gazebo</exec_depend></package>\n'
 MANAGED = """\

@@ -16,10 +16,10 @@ from urdfctl.fault import Example
 from urdfctl.lint.examples import write_files
 from urdfctl.migrate.engine import migrate
 from urdfctl.migrate.linting import Lint
+from urdfctl.migrate.options import Wishes
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import Step
 from urdfctl.migrate.steps import STEPS
-from urdfctl.migrate.wishes import Wishes
 from urdfctl.rules.examples import completed
 
 EXAMPLES = {

@@ -13,7 +13,7 @@ from urdfctl.catalog.definitions import definition_of
 from urdfctl.catalog.reading import read_parameters
 from urdfctl.load.target import Target
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.yaml.tree import read_yaml
 
 
 def parameters(text: str) -> dict[str, Any]:

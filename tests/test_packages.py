@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from urdfctl.source.packages import PackageIndex, PackageNotFound, Packages, package_name
+from urdfctl.source.workspaces.packages import PackageIndex, PackageNotFound, Packages, package_name
 
 
 def package(folder: Path, name: str | None = None) -> str:

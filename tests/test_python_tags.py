@@ -12,7 +12,7 @@ from urdfctl.errors import UserError
 from urdfctl.load.target import Target
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.yaml.tree import read_yaml
 
 TAG = "!!python/object/apply:os.system"
 LINK = '<robot name="r">{}<link name="base"/></robot>'

@@ -10,7 +10,7 @@ from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.smoke.robot.description import hinges_of, mechanism_of, numbers_of
 from urdfctl.smoke.robot.mechanism import Hinge, Mechanism
 from urdfctl.source.span import SourceText
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.parsing import parse
 
 
 def read(inside: str) -> Mechanism | None:

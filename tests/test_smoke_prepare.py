@@ -15,7 +15,7 @@ from urdfctl.smoke.engines.urdf import EngineUrdf, engine_urdf, mechanism_urdf, 
 from urdfctl.smoke.robot.description import mechanism_of
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
 from urdfctl.source.span import SourceText
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.parsing import parse
 
 JOINT = Hinge("j", "revolute", parent="base", child="arm", pose=Pose(), axis=(0.0, 0.0, 1.0), lower=-1.0, upper=1.0)
 

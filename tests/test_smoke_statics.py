@@ -14,7 +14,7 @@ from urdfctl.smoke.robot.shapes import Shapes
 from urdfctl.smoke.statics.physics import static_troubles
 from urdfctl.smoke.tasks.task import ControllerTask, MotionFamily
 from urdfctl.source.span import SourceText
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.parsing import parse
 
 BODY = '<inertial><mass value="{mass}"/><inertia ixx="{xx}" ixy="0" ixz="0" iyy="{yy}" iyz="0" izz="{zz}"/></inertial>'
 BOX = '<collision><geometry><box size="0.02 0.3 0.02"/></geometry></collision>'

@@ -8,7 +8,7 @@ import pytest
 from robots import findings, whole
 
 from urdfctl.load.target import Target
-from urdfctl.source.install_maps import missing_sources
+from urdfctl.source.workspaces.install_maps import missing_sources
 
 _PYTHON = """
 from launch import LaunchDescription

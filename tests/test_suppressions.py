@@ -9,7 +9,7 @@ from work import assert_few_steps, assert_linear
 
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
 from urdfctl.source.suppressions import Reach, Suppressed, suppressions
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.parsing import parse
 
 
 def source(text: str) -> SourceText:

@@ -13,7 +13,7 @@ from watched import watched
 
 from urdfctl.compare.revisions import lay_out
 from urdfctl.errors import UserError
-from urdfctl.source.files import MAX_BYTES
+from urdfctl.source.disk.files import MAX_BYTES
 
 ROBOT = '<robot name="r"><link name="base"/></robot>\n'
 CANARY = "CANARY-5f1d"

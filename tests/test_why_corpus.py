@@ -12,13 +12,13 @@ from typing import Any
 from corpus import CORPUS, needs_corpus, roots
 from sampling import WHOLE
 
-from urdfctl.source.dom import Element
-from urdfctl.source.files import Files
-from urdfctl.source.packages import PackageIndex, Packages
+from urdfctl.source.disk.files import Files
 from urdfctl.source.span import Call, SourceSpan, SourceText
+from urdfctl.source.workspaces.packages import PackageIndex, Packages
 from urdfctl.source.xacro.expansion import Expander
-from urdfctl.source.xacro.replay import deciding_behind, numbers_behind
-from urdfctl.source.xacro.tracing import TracingExpander
+from urdfctl.source.xacro.tracing.expansion import TracingExpander
+from urdfctl.source.xacro.tracing.replay import deciding_behind, numbers_behind
+from urdfctl.source.xml.dom import Element
 
 ATTRIBUTES = 1000 if WHOLE else 40
 """How many attributes are tried."""

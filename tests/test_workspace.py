@@ -12,7 +12,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.workspaces.workspace import workspace_of
 
 PACKAGE = "<package><name>arm</name></package>"
 

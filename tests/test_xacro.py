@@ -14,12 +14,13 @@ from expansion import NAMESPACE, elements, expanded, laid_out, ours, robot, said
 from xacro_features import FAILURES, FEATURES
 
 from urdfctl.expand.xml_writer import write
-from urdfctl.source.files import Files
-from urdfctl.source.packages import PackageIndex, Packages
-from urdfctl.source.xacro import expansion, private_module, safety, speed, without_ros
+from urdfctl.source.disk.files import Files
+from urdfctl.source.workspaces.packages import PackageIndex, Packages
+from urdfctl.source.xacro import expansion
 from urdfctl.source.xacro.expansion import UNKNOWN, Expander
-from urdfctl.source.xacro.replacements import REPLACEMENTS, replace
-from urdfctl.source.xml import parse
+from urdfctl.source.xacro.private import private_module, safety, speed, without_ros
+from urdfctl.source.xacro.private.replacements import REPLACEMENTS, replace
+from urdfctl.source.xml.parsing import parse
 
 ARGUMENTS = {"given": "yes"}
 
@@ -320,8 +321,8 @@ def python(code: str, *arguments: str, **environ: str) -> subprocess.CompletedPr
 
 EXPAND = """
 import sys
-from urdfctl.source.files import Files
-from urdfctl.source.packages import PackageIndex, Packages
+from urdfctl.source.disk.files import Files
+from urdfctl.source.workspaces.packages import PackageIndex, Packages
 from urdfctl.source.xacro.expansion import Expander
 from urdfctl.expand.xml_writer import write
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from expansion import NAMESPACE, elements, expanded, laid_out, robot
 
-from urdfctl.source.dom import Element
 from urdfctl.source.span import Place
+from urdfctl.source.xml.dom import Element
 
 
 def robot_of(tmp_path: Path, body: str, others: Mapping[str, str] | None = None) -> list[Element]:

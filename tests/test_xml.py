@@ -14,11 +14,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from urdfctl.expand.xml_writer import write
-from urdfctl.source.dom import Cloning, Element, Text
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import SourceText
-from urdfctl.source.xacro.stand_ins import NotFoundErr
-from urdfctl.source.xml import parse
+from urdfctl.source.xacro.private.stand_ins import NotFoundErr
+from urdfctl.source.xml.dom import Cloning, Element, Text
+from urdfctl.source.xml.parsing import parse
 
 
 def tree(text: str | bytes) -> Element:

@@ -13,12 +13,12 @@ from hypothesis import strategies as st
 from sampling import sample
 from work import work
 
-from urdfctl.source import yaml as reader
-from urdfctl.source.kinds import Kind
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import Mapping, Node, Scalar, Sequence, YamlFile, read_yaml
-from urdfctl.source.yaml_types import typed_by_pyyaml, typed_by_rcl
+from urdfctl.source.yaml import tree as reader
+from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlFile, read_yaml
+from urdfctl.source.yaml.types import typed_by_pyyaml, typed_by_rcl
 
 
 @pytest.fixture(params=["C", "Python"], autouse=True)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import Mapping, Scalar, Sequence, read_yaml
-from urdfctl.source.yaml_replacing import with_replacements
+from urdfctl.source.yaml.replacing import with_replacements
+from urdfctl.source.yaml.tree import Mapping, Scalar, Sequence, read_yaml
 
 TEXT = b"<ns>/arm:\n  joints: [<ns>/a, b]\n  gains: <gains>\n"
 

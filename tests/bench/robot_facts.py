@@ -21,7 +21,7 @@ from urdfctl.load.target import Target
 from urdfctl.model.controllers import Controller
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
-from urdfctl.source.files import is_launch
+from urdfctl.source.disk.files import is_launch
 from urdfctl.source.opaque import UNKNOWN
 
 KINDS = ("interfaces", "types", "keys", "plugins", "sensors", "bridged", "spawned")

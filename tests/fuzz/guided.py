@@ -29,7 +29,7 @@ from readers import ANSWERS, READERS, Reader, of_package
 from seeds import trees
 
 from urdfctl.source.budget import OverBudget
-from urdfctl.source.shown import forget_files
+from urdfctl.source.disk.shown import forget_files
 
 MOST_BYTES = 6000
 MOST_SEEDS = 500

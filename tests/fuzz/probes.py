@@ -28,7 +28,7 @@ def install(packages: Iterable[str] = ("urdfctl",)) -> None:
     """Put probes into the modules of some packages that are imported from now on, and into the private xacro."""
     setattr(builtins, _NAME, REACHED)
     sys.meta_path.insert(0, _Finder(tuple(packages)))
-    from urdfctl.source.xacro import private_module
+    from urdfctl.source.xacro.private import private_module
 
     private_module._code = _code_of_xacro  # type: ignore[assignment]
     private_module.release = _release
@@ -39,7 +39,7 @@ def import_everything(package: str = "urdfctl") -> None:
     for module in walk_packages(import_module(package).__path__, f"{package}."):
         if not module.name.endswith("__main__"):
             import_module(module.name)
-    from urdfctl.source.xacro import private_module
+    from urdfctl.source.xacro.private import private_module
 
     loaded = private_module.load()
     private_module.substitutions(loaded)
@@ -74,7 +74,7 @@ _XACRO: dict[str, CodeType] = {}
 
 
 def _code_of_xacro(part: str) -> CodeType:
-    from urdfctl.source.xacro.private_module import _location
+    from urdfctl.source.xacro.private.private_module import _location
 
     if part not in _XACRO:
         path = Path(_location(), f"{part}.py")

@@ -26,8 +26,8 @@ from urdfctl.schemas.robot import ros2_control_schema, urdf_schema
 from urdfctl.smoke.robot.shapes import corners_of
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceText
-from urdfctl.source.xml import parse
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.xml.parsing import parse
+from urdfctl.source.yaml.tree import read_yaml
 from urdfctl.view.meshes import NotAMesh, merged, packed, read_mesh
 
 _MIGRATED = {name: PACKAGE[name] for name in ("package.xml", "CMakeLists.txt", CONTROLLERS)} | {ROBOT: ARM}

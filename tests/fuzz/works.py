@@ -34,11 +34,11 @@ from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.migrate.engine import migrate
+from urdfctl.migrate.options import Wishes
 from urdfctl.migrate.packages import Linted
 from urdfctl.migrate.report import as_json, as_markdown
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.steps import STEPS
-from urdfctl.migrate.wishes import Wishes
 from urdfctl.report import FORMATS, render
 from urdfctl.smoke.run import load_and_judge
 from urdfctl.trace.job import why_work

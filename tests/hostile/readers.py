@@ -17,15 +17,15 @@ from urdfctl.generate.request.joint_list import joints_listed
 from urdfctl.logs.digest import digest
 from urdfctl.logs.reading import Lines
 from urdfctl.report.baseline import read_baseline
-from urdfctl.source.gitignore import GitIgnore
-from urdfctl.source.install_maps import read_install_map
+from urdfctl.source.disk.gitignore import GitIgnore
 from urdfctl.source.launch.frontend import of_xml, of_yaml
 from urdfctl.source.launch.python import Surroundings, read_python
-from urdfctl.source.packages import package_name
 from urdfctl.source.span import SourceText
 from urdfctl.source.suppressions import suppressions
-from urdfctl.source.xml import parse
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.workspaces.install_maps import read_install_map
+from urdfctl.source.workspaces.packages import package_name
+from urdfctl.source.xml.parsing import parse
+from urdfctl.source.yaml.tree import read_yaml
 
 
 def read_launch_in_xml(data: bytes, _: Path) -> None:

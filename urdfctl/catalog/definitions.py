@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from urdfctl.catalog.validators import NAMES
-from urdfctl.source.kinds import Kind
-from urdfctl.source.yaml import Mapping as YamlMap
-from urdfctl.source.yaml import Node, Scalar, Sequence, YamlFile
-from urdfctl.source.yaml_types import typed_by_pyyaml
+from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.tree import Mapping as YamlMap
+from urdfctl.source.yaml.tree import Node, Scalar, Sequence, YamlFile
+from urdfctl.source.yaml.types import typed_by_pyyaml
 from urdfctl.startup.records import NamedTuple
 
 _TYPE = re.compile(r"((?:bool|int|double|string)(?:_array)?|none)(?:_fixed_(\d+))?")

@@ -15,11 +15,11 @@ from urdfctl.commands.words import configured, settings_from
 from urdfctl.errors import UserError
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.linting import Lint
+from urdfctl.migrate.options import Part, Wishes
 from urdfctl.migrate.report import as_json, as_markdown
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind
 from urdfctl.migrate.steps import STEPS
-from urdfctl.migrate.wishes import Part, Wishes
 from urdfctl.migrate.writing import write_changes, write_copy
 from urdfctl.names import did_you_mean
 from urdfctl.output.journal import restore_unfinished

@@ -9,9 +9,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from urdfctl.commands.declaring import Command, Options, Reads
 from urdfctl.config.file import package_folders_in
 from urdfctl.errors import UserError
-from urdfctl.source.gate import is_limited, reading_within
-from urdfctl.source.packages import package_around
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.disk.gate import is_limited, reading_within
+from urdfctl.source.workspaces.packages import package_around
+from urdfctl.source.workspaces.workspace import workspace_of
 
 _LINE = r"(?::\d+){1,2}\Z"
 

@@ -12,7 +12,7 @@ from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
-from urdfctl.source.gate import is_file
+from urdfctl.source.disk.gate import is_file
 
 if TYPE_CHECKING:
     from urdfctl.commands.options import ReadingOptions, StartOptions

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
 from urdfctl.run.git import Blobs, Entry, blobs_of, commit_of, entries_of, names_of_revisions
-from urdfctl.source.files import MAX_BYTES
+from urdfctl.source.disk.files import MAX_BYTES
 
 _NOT_READ = (
     ".stl",

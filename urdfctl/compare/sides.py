@@ -11,8 +11,8 @@ from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
 from urdfctl.output.scratch import scratch_folder
 from urdfctl.run.git import repository_of
-from urdfctl.source.packages import package_around
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.workspaces.packages import package_around
+from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
 HOW = "urdfctl diff A B; each is a file, a folder, or a revision such as HEAD~1:urdf/robot.xacro"

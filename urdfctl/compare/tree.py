@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from urdfctl.source.dom import COMMENT, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Element, Text
 from urdfctl.startup.records import NamedTuple
 
 _ZERO, _CLOSE = "0 0 0", 1e-9

@@ -7,9 +7,9 @@ from typing import Any
 
 from urdfctl.catalog.definitions import definition_of
 from urdfctl.errors import UserError
-from urdfctl.source.files import named_bytes
+from urdfctl.source.disk.files import named_bytes
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.yaml.tree import read_yaml
 
 Nodes = tuple[tuple[str, Any], ...]
 

@@ -11,10 +11,10 @@ from typing import Any
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.config.robots import ConfiguredRobot, robots_of
 from urdfctl.errors import UserError
-from urdfctl.source.files import first_bytes
-from urdfctl.source.gate import admit, admits, is_file
-from urdfctl.source.packages import ELSEWHERE
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.disk.gate import admit, admits, is_file
+from urdfctl.source.workspaces.packages import ELSEWHERE
+from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
 _PACKAGE_PATHS = "URDFCTL_PACKAGE_PATHS"

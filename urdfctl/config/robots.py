@@ -10,7 +10,7 @@ from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
-from urdfctl.source.gate import admits
+from urdfctl.source.disk.gate import admits
 from urdfctl.startup.records import NamedTuple
 
 MOST_VARIANTS = 200

@@ -8,9 +8,9 @@ from itertools import islice
 
 from urdfctl.discover.launch_files import is_launch_file, launch_roots, may_launch
 from urdfctl.discover.walk import files_below, text_of
-from urdfctl.source.gate import is_folder, names_in
-from urdfctl.source.packages import package_around, package_name
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.disk.gate import is_folder, names_in
+from urdfctl.source.workspaces.packages import package_around, package_name
+from urdfctl.source.workspaces.workspace import workspace_of
 
 _MAX_NEIGHBOURS = 60
 _MAX_LAUNCH_FILES = 200

@@ -14,9 +14,9 @@ from urdfctl.discover.launch_files import is_broken, is_controllers_file, is_lau
 from urdfctl.discover.walk import DESCRIPTIONS, files_below, text_of
 from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
-from urdfctl.source.files import is_launch, is_yaml
-from urdfctl.source.packages import package_around, package_name
-from urdfctl.source.shown import remembered
+from urdfctl.source.disk.files import is_launch, is_yaml
+from urdfctl.source.disk.shown import remembered
+from urdfctl.source.workspaces.packages import package_around, package_name
 
 _INCLUDE = rb"(?s)<(?:xacro:)?include\s[^<>]*?filename\s*=\s*[\"']([^\"']+)[\"']"
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"

@@ -13,10 +13,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from urdfctl.discover.robots import DiscoveredFiles, is_match
 from urdfctl.discover.walk import text_of
 from urdfctl.errors import UserError
-from urdfctl.source.files import folders_upwards
-from urdfctl.source.gate import is_file
-from urdfctl.source.packages import package_around, package_name
-from urdfctl.source.shown import remembered
+from urdfctl.source.disk.files import folders_upwards
+from urdfctl.source.disk.gate import is_file
+from urdfctl.source.disk.shown import remembered
+from urdfctl.source.workspaces.packages import package_around, package_name
 from urdfctl.startup.records import NamedTuple
 
 _MOST = 1000

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfctl.source.files import start_of
-from urdfctl.source.gate import size_of, walk
-from urdfctl.source.gitignore import GitIgnore
-from urdfctl.source.shown import open_text
+from urdfctl.source.disk.files import start_of
+from urdfctl.source.disk.gate import size_of, walk
+from urdfctl.source.disk.gitignore import GitIgnore
+from urdfctl.source.disk.shown import open_text
 
 DESCRIPTIONS = (".urdf", ".xacro")
 LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py", ".launch.yaml", ".launch.yml")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from urdfctl.source.dom import CDATA, COMMENT, TEXT, Document, DocumentType, Element, Instruction, Node, Text
+from urdfctl.source.xml.dom import CDATA, COMMENT, TEXT, Document, DocumentType, Element, Instruction, Node, Text
 
 Escape = Callable[[str], str]
 

@@ -12,15 +12,15 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 from urdfctl.fix.edits import Shift, Splice
-from urdfctl.source.dom import COMMENT, Element, Text
-from urdfctl.source.files import is_yaml
+from urdfctl.source.disk.files import is_yaml
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import Call, SourceText
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.dom import COMMENT, Element, Text
+from urdfctl.source.xml.parsing import parse
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
-    from urdfctl.source import yaml
+    from urdfctl.source.yaml import tree as yaml
 
 Files = Mapping[str, "EditedFile"]
 """The edited files, by the path that places use."""
@@ -59,7 +59,7 @@ def _elements_touched(source: SourceText, edits: list[Splice]) -> Iterator[tuple
 
 
 def _scalars_touched(source: SourceText, edits: list[Splice]) -> Iterator[tuple[int, Splice]]:
-    from urdfctl.source.yaml import Scalar
+    from urdfctl.source.yaml.tree import Scalar
 
     for node, _ in _nodes(source):
         if isinstance(node, Scalar):
@@ -82,8 +82,8 @@ def _end(element: Element) -> int:
 
 def _nodes(source: SourceText) -> Iterator[tuple[yaml.Node, int]]:
     """The nodes of a YAML file in order, each with the number of its parent node, -1 for none."""
-    from urdfctl.source.yaml import Mapping as Map
-    from urdfctl.source.yaml import Scalar, read_yaml
+    from urdfctl.source.yaml.tree import Mapping as Map
+    from urdfctl.source.yaml.tree import Scalar, read_yaml
 
     pending: list[tuple[yaml.Node, int]] = [(document, -1) for document in reversed(read_yaml(source).documents)]
     number = -1
@@ -192,7 +192,7 @@ def _content(element: Element) -> object:
 
 
 def _yaml(source: SourceText, state: _Before | _After) -> Iterator[_Part]:
-    from urdfctl.source.yaml import Scalar
+    from urdfctl.source.yaml.tree import Scalar
 
     numbers: list[int] = []
     number = -1

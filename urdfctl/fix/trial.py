@@ -14,7 +14,7 @@ from urdfctl.lint.job import Work
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.serialising import result_from_json, result_to_json
 from urdfctl.lint.target import LintedTarget, lint_target
-from urdfctl.source.dom import Element
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 Chain = tuple[Step, ...]

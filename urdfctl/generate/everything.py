@@ -28,7 +28,7 @@ from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.generate.robot.mounting import needs_world
 from urdfctl.generate.text.parse_again import checked
 from urdfctl.generate.text.templates import Templates
-from urdfctl.source.files import named_bytes
+from urdfctl.source.disk.files import named_bytes
 from urdfctl.startup.records import NamedTuple
 
 

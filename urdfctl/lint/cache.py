@@ -22,9 +22,9 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.lint.serialising import result_from_json, result_to_json
 from urdfctl.load.target import Target
 from urdfctl.output.cache_folder import cache_folder
-from urdfctl.source.gate import admits
-from urdfctl.source.packages import ELSEWHERE
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.disk.gate import admits
+from urdfctl.source.workspaces.packages import ELSEWHERE
+from urdfctl.source.workspaces.workspace import workspace_of
 
 STORE_FROM = 0.5
 """Seconds, of the clock or of all processors together, that a run has to take to be worth storing."""

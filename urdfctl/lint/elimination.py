@@ -12,8 +12,8 @@ from urdfctl.lint.planning import Origin, PlannedTarget
 from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
-from urdfctl.source.packages import package_around
 from urdfctl.source.span import SourceText
+from urdfctl.source.workspaces.packages import package_around
 
 
 def pairs_by_elimination(

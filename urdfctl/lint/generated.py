@@ -6,8 +6,8 @@ import os
 from collections.abc import Collection, Iterable
 
 from urdfctl.lint.results import TargetResult
-from urdfctl.source.dom import COMMENT, Element, Text
-from urdfctl.source.gate import is_file
+from urdfctl.source.disk.gate import is_file
+from urdfctl.source.xml.dom import COMMENT, Element, Text
 
 _ENDINGS = (".urdf.xacro", ".xacro", ".urdf")
 

@@ -21,9 +21,9 @@ from urdfctl.load.target import Target
 from urdfctl.rules import all_faults
 from urdfctl.run.limits import Json, Limits, Result, WorkerFailure, processors
 from urdfctl.run.pool import Division, run_jobs
-from urdfctl.source.files import is_launch
+from urdfctl.source.disk.files import is_launch
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.xacro import private_module
+from urdfctl.source.xacro.private import private_module
 from urdfctl.startup.records import NamedTuple
 
 _INDEX_FROM = 4

@@ -15,7 +15,7 @@ from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.run.here import run_all_here
 from urdfctl.run.limits import Json, Limits, Result
-from urdfctl.source.shown import real_path
+from urdfctl.source.disk.shown import real_path
 
 Focus = tuple[str, ...]
 _now = getattr(time, "thread_time", time.monotonic)  # a browser has no threads

@@ -14,7 +14,7 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.discover.robots import DiscoveredFiles, discover_files
 from urdfctl.lint.results import TargetResult, among
 from urdfctl.load.target import Target
-from urdfctl.source.files import is_launch
+from urdfctl.source.disk.files import is_launch
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

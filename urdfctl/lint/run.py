@@ -25,7 +25,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.names import did_you_mean
-from urdfctl.source.files import is_launch
+from urdfctl.source.disk.files import is_launch
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

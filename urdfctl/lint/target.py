@@ -13,11 +13,11 @@ from urdfctl.load.bringup import bringup_of
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
-from urdfctl.source.dom import Element
-from urdfctl.source.files import is_launch
+from urdfctl.source.disk.files import is_launch
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.suppressions import Reach
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 Run = Callable[..., Outcome]

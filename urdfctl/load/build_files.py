@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 
-from urdfctl.source.files import FileProblem, Files
-from urdfctl.source.gate import is_file
-from urdfctl.source.packages import Packages
+from urdfctl.source.disk.files import FileProblem, Files
+from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import Place
+from urdfctl.source.workspaces.packages import Packages
 
 
 def absent_sources(packages: Packages, files: Files) -> tuple[tuple[str, Place], ...]:
@@ -16,7 +16,7 @@ def absent_sources(packages: Packages, files: Files) -> tuple[tuple[str, Place],
     path = os.path.join(folder, "CMakeLists.txt") if folder else ""
     if not folder or not is_file(path):
         return ()
-    from urdfctl.source.install_maps import missing_sources
+    from urdfctl.source.workspaces.install_maps import missing_sources
 
     try:
         source = files.glance(path)

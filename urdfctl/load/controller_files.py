@@ -12,13 +12,13 @@ from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.controllers.controller_forms import form_of
 from urdfctl.model.launch import InlineParameters, Launch, ParameterLoad
 from urdfctl.model.robot import Robot
-from urdfctl.source.dom import Document
-from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.yaml import Mapping, Node, Scalar, Sequence, YamlFile, read_yaml
-from urdfctl.source.yaml_replacing import with_replacements
+from urdfctl.source.xml.dom import Document
+from urdfctl.source.yaml.replacing import with_replacements
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlFile, read_yaml
 from urdfctl.startup.records import NamedTuple
 
 _MOST_BYTES_WITH_TABS = 1 << 20

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from urdfctl.model.robot.build_robot import TOP_LEVEL
-from urdfctl.source.dom import Document
-from urdfctl.source.files import FileProblem
+from urdfctl.source.disk.files import FileProblem
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.expanded import HARMLESS, Expansion
 from urdfctl.source.xacro.expansion import Expander
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.dom import Document
+from urdfctl.source.xml.parsing import parse
 from urdfctl.startup.records import NamedTuple
 
 MakeExpander = Callable[[type[Expander]], Expander]
@@ -56,7 +56,7 @@ def _read(source: SourceText, expander: Expander) -> tuple[Document | None, list
         return parse(source, expander.cloning, declarations=expander.trust), []
     except ReadError as error:
         problem = error.problem
-    from urdfctl.source.xml_mistakes import LATE_DECLARATION
+    from urdfctl.source.xml.mistakes import LATE_DECLARATION
 
     if problem.subject != LATE_DECLARATION:
         return None, [problem]

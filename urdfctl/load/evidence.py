@@ -7,12 +7,11 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from urdfctl.catalog.distros import ALL, ROS2, since, until
-from urdfctl.load.package_distros import distros_of_package
+from urdfctl.catalog.distros import ALL, ROS2, since, spanned, until
 from urdfctl.model.project import EvidenceItem
 from urdfctl.model.robot import Robot
-from urdfctl.source.files import first_bytes
-from urdfctl.source.gate import names_in
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.disk.gate import names_in
 from urdfctl.source.span import SourceText
 
 if TYPE_CHECKING:
@@ -35,6 +34,28 @@ _DEPENDENCY = re.compile(
 _FOUND_BY_CMAKE = r"(?im)^[^#\n]*\bfind_package\s*\(\s*(ament_cmake\w*|catkin)\b"
 _BUILD_SYSTEM = r"<(?:build_type|buildtool_depend)[^<>]*>\s*(ament|catkin)"
 _ROS2_NUMBER = 2
+
+_ROS1_ONLY = (
+    "roscpp rospy roslaunch roslib rosbuild gazebo_ros_control ros_control ros_controllers message_generation "
+    "message_runtime dynamic_reconfigure nodelet tf actionlib"
+)
+_ROS2_ONLY = (
+    "rclcpp rclpy rclcpp_lifecycle rclcpp_components launch launch_ros ros2launch ros2run "
+    "ament_index_python ament_index_cpp ament_lint_auto ros2_control ros2_controllers ros2controlcli "
+    "joint_state_broadcaster rosidl_default_generators rosidl_default_runtime tf2_ros_py "
+    "generate_parameter_library nav2_bringup"
+)
+_SPANS_OF_PACKAGES = {
+    **dict.fromkeys(_ROS1_ONLY.split(), "indigo..noetic"),
+    **dict.fromkeys(_ROS2_ONLY.split(), "foxy.."),
+    **dict.fromkeys(
+        "ros_gz ros_gz_sim ros_gz_bridge ros_gz_image ros_gz_interfaces gz_ros2_control".split(), "humble.."
+    ),
+    **dict.fromkeys("ros_ign ros_ign_gazebo ros_ign_bridge ros_ign_image".split(), "melodic..noetic, foxy..iron"),
+    "gazebo_ros2_control": "foxy..iron",
+    "ign_ros2_control": "foxy..jazzy",
+}
+"""Packages that only some distros have, so that who depends on them says what distro it is for."""
 
 
 def items_of_robot(robot: Robot | None) -> Iterator[EvidenceItem]:
@@ -111,7 +132,7 @@ def items_of_package(folder: str | None) -> Iterator[EvidenceItem]:
 def _of_dependencies(names: Iterable[str], manifest: str) -> Iterator[EvidenceItem]:
     """What dependencies say that only some distros have."""
     for name in names:
-        distros = distros_of_package(name)
+        distros = _distros_of_package(name)
         if distros:
             yield EvidenceItem("dependencies", f"the dependency '{name}'", distros, 3, manifest)
 
@@ -176,7 +197,7 @@ def items_of_launch(launch: Launch | None) -> Iterator[EvidenceItem]:
             if name in DISTROS and name not in INSTEAD:  # a removed option is a fault rather
                 yield EvidenceItem("spawner", f"the spawner's option '{name}'", DISTROS[name], 2, launch.path)
     for name in sorted({word.text for word in launch.packages}):
-        distros = distros_of_package(name)
+        distros = _distros_of_package(name)
         if distros:
             yield EvidenceItem("launched packages", f"the package '{name}'", distros, 2, launch.path)
 
@@ -204,3 +225,9 @@ def items_of_headers(sources: Iterable[SourceText]) -> Iterator[EvidenceItem]:
         distro = made[1].decode() if made else ""
         if distro in ALL:
             yield EvidenceItem("headers", "the header of a generated file", (distro,), EXPLICIT, source.path)
+
+
+def _distros_of_package(name: str) -> tuple[str, ...]:
+    """Return the distros of both generations that have a package; none if all do, or that is unknown."""
+    span = _SPANS_OF_PACKAGES.get(name)
+    return (*spanned(span, 1), *spanned(span, 2)) if span else ()

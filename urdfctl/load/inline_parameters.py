@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from urdfctl.model.launch import InlineParameters
-from urdfctl.source.yaml import Entry, Mapping, Scalar, YamlFile, read_yaml_in
+from urdfctl.source.yaml.tree import Entry, Mapping, Scalar, YamlFile, read_yaml_in
 
 _CDATA = re.compile(rb"<!\[CDATA\[|\]\]>")
 

@@ -11,13 +11,13 @@ from urdfctl.load.expanding import expanded
 from urdfctl.load.meshes import mesh_finder
 from urdfctl.model.robot import Robot
 from urdfctl.model.robot.build_robot import robot_of
-from urdfctl.source.dom import Element
-from urdfctl.source.files import Files
-from urdfctl.source.packages import Packages
+from urdfctl.source.disk.files import Files
 from urdfctl.source.same import is_same
 from urdfctl.source.span import Place
+from urdfctl.source.workspaces.packages import Packages
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.influence import Influence
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

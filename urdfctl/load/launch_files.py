@@ -13,21 +13,21 @@ from urdfctl.model.launch.build_launch import is_of_ros2, launch_of
 from urdfctl.model.launch.package import package_around
 from urdfctl.model.launch.scope import Sources
 from urdfctl.names import is_slip, nearest
-from urdfctl.source.dom import Document, Element
-from urdfctl.source.files import FileProblem, Files
-from urdfctl.source.gate import is_file, names_in
+from urdfctl.source.disk.files import FileProblem, Files
+from urdfctl.source.disk.gate import is_file, names_in
 from urdfctl.source.launch.terms import Term
 from urdfctl.source.lengths import TOO_LONG
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.source.packages import PackageNotFound, Packages
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.xml import parse
+from urdfctl.source.workspaces.packages import PackageNotFound, Packages
+from urdfctl.source.xml.dom import Document, Element
+from urdfctl.source.xml.parsing import parse
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
-    from urdfctl.source.yaml import YamlFile
+    from urdfctl.source.yaml.tree import YamlFile
 
 _MOST_BYTES = 1 << 18
 _MOST_LOADS = 200
@@ -236,7 +236,7 @@ class _Reader:
     def yaml(self, path: str) -> Term | None:
         """What a launch file in Python loads from a YAML file; None where it cannot be read."""
         from urdfctl.source.launch.yaml_terms import term_of_yaml
-        from urdfctl.source.yaml import read_yaml
+        from urdfctl.source.yaml.tree import read_yaml
 
         self._loads += 1
         source = self._source(self.packages.source_of(path)) if self._loads <= _MOST_LOADS else None
@@ -259,7 +259,7 @@ class _Reader:
 
     def _launch_in_yaml(self, source: SourceText) -> Term | None:
         from urdfctl.source.launch.frontend import of_yaml
-        from urdfctl.source.yaml import read_yaml
+        from urdfctl.source.yaml.tree import read_yaml
 
         file = self._read_by_python(read_yaml(source))
         if not file.readable and not re.search(_TEMPLATE, source.data):

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 
 from urdfctl.model.launch import Launch
-from urdfctl.source.gate import matching
+from urdfctl.source.disk.gate import matching
 from urdfctl.startup.records import NamedTuple
 
 _MARK = "\ue001"

@@ -16,15 +16,15 @@ from urdfctl.load.open_decisions import decisions_in, unread
 from urdfctl.load.target import Target
 from urdfctl.model.project import NO_OWN_TYPES, Evidence, OwnTypes, Project
 from urdfctl.model.robot import Robot
-from urdfctl.source.dom import Document, Element
-from urdfctl.source.files import Files, is_launch, is_yaml
-from urdfctl.source.gate import is_file, reading_within
+from urdfctl.source.disk.files import Files, is_launch, is_yaml
+from urdfctl.source.disk.gate import is_file, reading_within
 from urdfctl.source.opaque import is_known
-from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.todo import todos_in
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.workspaces.packages import PackageIndex, Packages
+from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.source.xacro.expansion import Expander
+from urdfctl.source.xml.dom import Document, Element
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

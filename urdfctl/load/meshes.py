@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 from urdfctl.model.robot import MeshFile
 from urdfctl.names import nearest
-from urdfctl.source.gate import admits, is_file, names_in
-from urdfctl.source.packages import PackageNotFound, Packages
+from urdfctl.source.disk.gate import admits, is_file, names_in
+from urdfctl.source.workspaces.packages import PackageNotFound, Packages
 
 
 def mesh_finder(packages: Packages, robot_file: str) -> Callable[[str], MeshFile | None]:

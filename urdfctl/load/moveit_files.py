@@ -19,11 +19,11 @@ from urdfctl.model.moveit.build_moveit import (
     unlisted_controllers,
 )
 from urdfctl.model.moveit.build_semantic import semantic_of
-from urdfctl.source.files import FileProblem, Files
-from urdfctl.source.gate import is_file, names_in
+from urdfctl.source.disk.files import FileProblem, Files
+from urdfctl.source.disk.gate import is_file, names_in
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.expansion import Expander
-from urdfctl.source.yaml import YamlFile, read_yaml
+from urdfctl.source.yaml.tree import YamlFile, read_yaml
 
 _ROS_2 = 2
 _CONTROLLERS, _OF_MOVEIT = "ros2_controllers.yaml", "moveit_controllers.yaml"

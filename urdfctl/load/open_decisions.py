@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Iterator
 
-from urdfctl.source.files import first_bytes, start_of
-from urdfctl.source.gate import walk
+from urdfctl.source.disk.files import first_bytes, start_of
+from urdfctl.source.disk.gate import walk
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.todo import has_todos, todos_in
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.definitions import Definition, definition_of
 from urdfctl.model.project import OwnTypes
-from urdfctl.source.files import FileProblem, Files
-from urdfctl.source.plugin_exports import ExportedClass, definition_files, exported_classes, sources_of_class
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.disk.files import FileProblem, Files
+from urdfctl.source.workspaces.plugin_exports import ExportedClass, definition_files, exported_classes, sources_of_class
+from urdfctl.source.yaml.tree import read_yaml
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
 from urdfctl.fix.edits import Shift, Splice, Taken, clash, edited
 from urdfctl.migrate.acceptance import Before, Objection, objections
-from urdfctl.migrate.line_ends import with_line_ends_of
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
 from urdfctl.migrate.todo import with_todos
@@ -149,7 +149,7 @@ class Attempt:
                     self.packages.scratch.write(path, None)
                     yield path
             for path, text in proposal.created:
-                data = with_line_ends_of(replaced.get(path, b""), text).encode("utf-8", "surrogateescape")
+                data = _with_line_ends_of(replaced.get(path, b""), text).encode("utf-8", "surrogateescape")
                 if not os.path.lexists(path) and bytes_of(path) != data:
                     self.packages.scratch.write(path, data)
                     yield path
@@ -162,7 +162,7 @@ class Attempt:
 
 def _splice(edit: Edit) -> Splice:
     span = edit.span
-    text = with_line_ends_of(span.source.data, edit.text)
+    text = _with_line_ends_of(span.source.data, edit.text)
     return Splice(os.path.realpath(span.file), span.start, span.end, text)
 
 
@@ -179,3 +179,9 @@ def _splices(proposal: Proposal) -> list[Splice]:
         else:
             joined.append(splice)
     return joined
+
+
+def _with_line_ends_of(data: bytes, text: str) -> str:
+    """Return a text with CRLF at the ends of its lines if most lines of a file end so."""
+    is_crlf = 2 * data.count(b"\r\n") > data.count(b"\n")
+    return re.sub(r"(?<!\r)\n", "\r\n", text) if is_crlf and "\n" in text else text

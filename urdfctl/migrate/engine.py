@@ -13,15 +13,15 @@ from urdfctl.migrate.attempt import Attempt, Key, Noted
 from urdfctl.migrate.fixes import fixes_of_lint
 from urdfctl.migrate.installs import installs_for_launch_files
 from urdfctl.migrate.memory import Memory
+from urdfctl.migrate.options import Wishes
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind, Step
 from urdfctl.migrate.todo import without_punctuation
 from urdfctl.migrate.trials import Trials
-from urdfctl.migrate.wishes import Wishes
 from urdfctl.output.change import Change, bytes_of
-from urdfctl.source.gate import is_file
+from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import SourceText
 from urdfctl.source.todo import todos_in
 from urdfctl.startup.records import NamedTuple

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator
 
 from urdfctl.diagnostic import Diagnostic, Edit
 from urdfctl.fix.trial import splices_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Linted, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
-from urdfctl.migrate.wishes import Part
 from urdfctl.rules import fault_of
 from urdfctl.source.span import Place, SourceSpan
 

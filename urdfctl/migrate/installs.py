@@ -7,11 +7,11 @@ import re
 from collections.abc import Callable, Iterator
 
 from urdfctl.diagnostic import Diagnostic, Edit
-from urdfctl.migrate.install_rules import install_rule
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Linted, Packages
+from urdfctl.migrate.shared.install_rules import install_rule
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.gate import is_file, is_folder
+from urdfctl.source.disk.gate import is_file, is_folder
 from urdfctl.source.span import SourceSpan, SourceText
 
 _CODE = "UC615"

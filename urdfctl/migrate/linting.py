@@ -12,7 +12,7 @@ from urdfctl.load.target import Target
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.packages import Linted
 from urdfctl.migrate.scratch import Scratch
-from urdfctl.source.files import is_launch, is_yaml
+from urdfctl.source.disk.files import is_launch, is_yaml
 from urdfctl.startup.records import NamedTuple
 
 _MOST_STATES = 4

@@ -12,11 +12,11 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.migrate.memory import Memory
+from urdfctl.migrate.options import Wishes
 from urdfctl.migrate.scratch import Scratch, Written
-from urdfctl.migrate.wishes import Wishes
 from urdfctl.source.budget import OverBudget
-from urdfctl.source.files import MAX_BYTES, first_bytes
-from urdfctl.source.gate import exists
+from urdfctl.source.disk.files import MAX_BYTES, first_bytes
+from urdfctl.source.disk.gate import exists
 from urdfctl.source.span import SourceText
 
 Value = TypeVar("Value")

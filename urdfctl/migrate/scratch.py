@@ -10,12 +10,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from urdfctl.errors import UserError
 from urdfctl.output.change import Change, bytes_of
 from urdfctl.output.scratch import scratch_folder
-from urdfctl.source.files import folders_upwards
-from urdfctl.source.folders import delete_folder
-from urdfctl.source.gate import is_file, walk
-from urdfctl.source.gitignore import GitIgnore
-from urdfctl.source.packages import package_around, package_folders, package_name
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.disk.files import folders_upwards
+from urdfctl.source.disk.folders import delete_folder
+from urdfctl.source.disk.gate import is_file, walk
+from urdfctl.source.disk.gitignore import GitIgnore
+from urdfctl.source.workspaces.packages import package_around, package_folders, package_name
+from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
 _PRUNED = frozenset({".git", "build", "install", "log", "devel", "node_modules", "__pycache__"})

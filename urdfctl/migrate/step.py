@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from urdfctl.diagnostic import Edit
 from urdfctl.fault import Example, Written, example_of
-from urdfctl.migrate.wishes import Part
+from urdfctl.migrate.options import Part
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 

@@ -7,8 +7,8 @@ from itertools import groupby
 from textwrap import wrap
 
 from urdfctl.catalog.distros import generation
+from urdfctl.migrate.options import Wishes
 from urdfctl.migrate.step import Row, Step
-from urdfctl.migrate.wishes import Wishes
 
 _WIDTH = 120
 

@@ -15,7 +15,7 @@ from urdfctl.output.scratch import scratch_folder
 from urdfctl.output.temporary import new_folder
 from urdfctl.output.writing import is_device, write_file
 from urdfctl.output.writing_all import write_all
-from urdfctl.source.folders import walk
+from urdfctl.source.disk.folders import walk
 
 Report = tuple[str, bytes]
 """The path of the report, and its content."""

@@ -7,8 +7,8 @@ import os
 from collections.abc import Iterator
 
 from urdfctl.errors import UserError
-from urdfctl.source.files import folders_upwards
-from urdfctl.source.workspace import workspace_around
+from urdfctl.source.disk.files import folders_upwards
+from urdfctl.source.workspaces.workspace import workspace_around
 
 
 def destination(path: str) -> str:

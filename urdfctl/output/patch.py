@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.output.change import Change
-from urdfctl.source.files import folders_upwards
+from urdfctl.source.disk.files import folders_upwards
 
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t", "\r": "\\r"}
 

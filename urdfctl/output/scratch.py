@@ -5,8 +5,8 @@ from __future__ import annotations
 import tempfile
 
 from urdfctl.output.temporary import END, prefix, remove_leftovers
-from urdfctl.source.folders import delete_folder
-from urdfctl.source.gate import admit
+from urdfctl.source.disk.folders import delete_folder
+from urdfctl.source.disk.gate import admit
 
 
 class ScratchFolder(tempfile.TemporaryDirectory[str]):

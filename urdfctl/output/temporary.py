@@ -17,7 +17,7 @@ from zlib import crc32
 
 from urdfctl.output.change import rights_of
 from urdfctl.output.processes import is_running, start_of
-from urdfctl.source.folders import delete_folder
+from urdfctl.source.disk.folders import delete_folder
 
 _NAME = re.compile(r"\.urdfctl-(?P<machine>[0-9a-f]{8})-(?P<process>[0-9]+)-(?P<start>[0-9]+)-\w{8}\.tmp")
 

@@ -12,7 +12,7 @@ from urdfctl.output.change import Change, bytes_of, rights_of
 from urdfctl.output.journal import journal, remove_empty
 from urdfctl.output.links import destination
 from urdfctl.output.temporary import new_folder, remove_leftovers, temporary_beside, write_beside
-from urdfctl.source.files import folders_upwards
+from urdfctl.source.disk.files import folders_upwards
 
 
 def write_all(changes: Sequence[Change]) -> list[str]:

@@ -14,8 +14,8 @@ from urdfctl.lint.selection import Selection
 from urdfctl.output.printing import print_message
 from urdfctl.output.writing import write_file
 from urdfctl.report.fingerprint import mark, message_from, path_from
-from urdfctl.source.files import first_bytes
-from urdfctl.source.gate import exists
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.disk.gate import exists
 from urdfctl.startup.records import NamedTuple
 
 _VERSION = 1

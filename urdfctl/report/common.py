@@ -8,7 +8,7 @@ import re
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
 from urdfctl.lint.results import Report, TargetResult
 from urdfctl.output.printing import INVISIBLE
-from urdfctl.source.files import is_launch, is_yaml
+from urdfctl.source.disk.files import is_launch, is_yaml
 
 
 def about_missing_packages(names: tuple[str, ...]) -> str:

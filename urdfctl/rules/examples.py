@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from urdfctl.fault import Example
-from urdfctl.source.files import is_launch, is_yaml
+from urdfctl.source.disk.files import is_launch, is_yaml
 from urdfctl.startup.records import NamedTuple
 
 _LINK = """\

@@ -11,14 +11,14 @@ from urdfctl.catalog.distros import generation
 from urdfctl.errors import UserError
 from urdfctl.schemas.controllers import controllers_schema
 from urdfctl.schemas.parameters import ROS_TYPE
-from urdfctl.source.dom import Element
-from urdfctl.source.kinds import Kind
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.xml import parse
-from urdfctl.source.yaml import Mapping as YamlMap
-from urdfctl.source.yaml import Node, Scalar, Sequence, YamlFile, read_yaml
-from urdfctl.source.yaml_types import typed_by_pyyaml, typed_by_rcl
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.xml.parsing import parse
+from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.tree import Mapping as YamlMap
+from urdfctl.source.yaml.tree import Node, Scalar, Sequence, YamlFile, read_yaml
+from urdfctl.source.yaml.types import typed_by_pyyaml, typed_by_rcl
 from urdfctl.startup.records import NamedTuple
 
 _UNKNOWN = object()

@@ -8,7 +8,7 @@ from urdfctl.control.session import session_of
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
 from urdfctl.smoke.results import RobotResult
-from urdfctl.source.files import is_launch
+from urdfctl.source.disk.files import is_launch
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 

@@ -21,7 +21,7 @@ from urdfctl.smoke.results import ROBOT, ControllerResult, RobotResult, Trouble,
 from urdfctl.smoke.robot import Mechanism
 from urdfctl.smoke.statics import StaticCheck, as_not_started, with_troubles
 from urdfctl.smoke.tasks import MOTION, Drive
-from urdfctl.source.packages import Packages
+from urdfctl.source.workspaces.packages import Packages
 
 MOST_BODIES = 800
 """A robot with more links than this is not simulated: pybullet takes minutes for a chain of a thousand links."""

@@ -6,8 +6,8 @@ import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 
-from urdfctl.source.dom import Element
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 _GUARD = rb"""<!--.*?(?:-->|\Z)|<(/?)xacro:(?:macro|if|unless)\b(?:[^<>"']|"[^"<]*"|'[^'<]*')*>"""

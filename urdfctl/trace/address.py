@@ -13,8 +13,8 @@ from collections.abc import Iterator
 
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean, enumerated
-from urdfctl.source.dom import COMMENT, Element, Text
-from urdfctl.source.files import named_bytes
+from urdfctl.source.disk.files import named_bytes
+from urdfctl.source.xml.dom import COMMENT, Element, Text
 from urdfctl.startup.records import NamedTuple
 
 _LINE = r"(.+?):(\d+)(?::(\d+))?"

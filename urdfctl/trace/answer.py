@@ -9,8 +9,8 @@ from urdfctl.diagnostic import located
 from urdfctl.model.launch import Launch
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.source.xacro.recording import Recorder, Step
-from urdfctl.source.xacro.replay import (
+from urdfctl.source.xacro.tracing.recording import Recorder, Step
+from urdfctl.source.xacro.tracing.replay import (
     candidates,
     deciding_behind,
     depends,

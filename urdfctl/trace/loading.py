@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from urdfctl.config.settings import Settings
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
-from urdfctl.source.dom import Element
 from urdfctl.source.xacro.expansion import Expander
-from urdfctl.source.xacro.recording import Recorder
-from urdfctl.source.xacro.tracing import TracingExpander
+from urdfctl.source.xacro.tracing.expansion import TracingExpander
+from urdfctl.source.xacro.tracing.recording import Recorder
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 

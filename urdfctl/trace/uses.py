@@ -10,8 +10,8 @@ from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import session_of
 from urdfctl.diagnostic import located
 from urdfctl.model.project import Project
-from urdfctl.source.dom import Element
 from urdfctl.source.span import Place
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 from urdfctl.trace.address import parts_of
 

@@ -13,12 +13,12 @@ from urdfctl.graph.parts import Graph
 from urdfctl.model.geometry import Pose
 from urdfctl.model.robot import Link, Robot, Tag
 from urdfctl.smoke.robot import Hinge, hinges_of, numbers_of, origin_of
-from urdfctl.source.files import FileProblem
+from urdfctl.source.disk.files import FileProblem
 from urdfctl.view.joints import Wiring, described
 from urdfctl.view.meshes import NotAMesh, Surface, merged, packed, read_mesh
 
 if TYPE_CHECKING:
-    from urdfctl.source.files import Files
+    from urdfctl.source.disk.files import Files
 
 MOST_TRIANGLES = 500_000
 """A page has at most this many triangles: about 10 MB. The meshes of a robot with more are simplified."""

@@ -19,11 +19,11 @@ from urdfctl.graph.build import graph_of
 from urdfctl.graph.svg import svg
 from urdfctl.graph.text_formats import dot, mermaid
 from urdfctl.graph.view import collapsed
-from urdfctl.source.gitignore import patterns_of
+from urdfctl.source.disk.gitignore import patterns_of
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceText
 from urdfctl.source.suppressions import suppressions
-from urdfctl.source.yaml import read_yaml
+from urdfctl.source.yaml.tree import read_yaml
 
 QUOTES = "'a" * 4001
 

@@ -15,7 +15,7 @@ from urdfctl.output.printing import print_text, visible
 from urdfctl.report.common import shown
 from urdfctl.schemas.controllers import controllers_schema
 from urdfctl.schemas.robot import ros2_control_schema, urdf_schema
-from urdfctl.source.files import FileProblem, Files, is_yaml
+from urdfctl.source.disk.files import FileProblem, Files, is_yaml
 
 if TYPE_CHECKING:
     from urdfctl.schemas.checking import Fault

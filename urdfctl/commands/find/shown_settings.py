@@ -11,7 +11,7 @@ from urdfctl.config.file import Config, config_of
 from urdfctl.config.robots import ConfiguredRobot
 from urdfctl.diagnostic import Severity
 from urdfctl.lint.run import LintRequest
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
 _WIDTH = 40

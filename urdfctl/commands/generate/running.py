@@ -39,10 +39,10 @@ from urdfctl.output.journal import restore_unfinished
 from urdfctl.output.links import check_output
 from urdfctl.output.printing import print_message, print_messages, print_text
 from urdfctl.report.text import render
-from urdfctl.source.files import MAX_BYTES, named_bytes
-from urdfctl.source.gate import admit, admits
-from urdfctl.source.packages import package_name
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.disk.files import MAX_BYTES, named_bytes
+from urdfctl.source.disk.gate import admit, admits
+from urdfctl.source.workspaces.packages import package_name
+from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
 _LISTS = (".txt", ".csv", ".tsv", ".yaml", ".yml", ".json", ".list")

@@ -17,7 +17,7 @@ from urdfctl.names import did_you_mean
 from urdfctl.output.links import check_output
 from urdfctl.output.printing import print_text
 from urdfctl.output.writing import write_file
-from urdfctl.source.gate import opened
+from urdfctl.source.disk.gate import opened
 
 _DESCRIPTIONS = (".urdf", ".xacro", ".yaml", ".yml", ".launch", ".launch.py", ".sdf", ".world")
 _NOTHING = (

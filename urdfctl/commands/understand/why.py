@@ -16,7 +16,7 @@ from urdfctl.load.target import Target
 from urdfctl.output.printing import print_text
 from urdfctl.output.writing import write_file
 from urdfctl.report.common import as_json, shown
-from urdfctl.source.packages import package_around
+from urdfctl.source.workspaces.packages import package_around
 from urdfctl.trace.address import HOW, Line, line_named
 from urdfctl.trace.job import why
 from urdfctl.trace.text import render

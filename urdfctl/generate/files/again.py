@@ -12,9 +12,9 @@ from itertools import takewhile
 from urdfctl.discover.robots import check_readable
 from urdfctl.errors import UserError
 from urdfctl.output.printing import print_message
-from urdfctl.source.files import first_bytes, folders_upwards
-from urdfctl.source.gate import admits, exists, reading_within, walk
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.disk.files import first_bytes, folders_upwards
+from urdfctl.source.disk.gate import admits, exists, reading_within, walk
+from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
 _COMMAND = re.compile(r"made by urdfctl (gen-[a-z0-9-]+|convert)(.*?)(?: -->)?$")

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from urdfctl.generate.files.again import words_of_generated_file
 from urdfctl.generate.options import File
 from urdfctl.output.links import check_output
-from urdfctl.source.files import named_bytes
-from urdfctl.source.gate import exists
+from urdfctl.source.disk.files import named_bytes
+from urdfctl.source.disk.gate import exists
 
 _OWN = ("package.xml", "CMakeLists.txt")
 _DEPEND = re.compile(r"<(?:exec_|run_)?depend[^>]*>\s*([\w-]+)\s*</")

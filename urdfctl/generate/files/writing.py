@@ -15,7 +15,7 @@ from urdfctl.output.printing import print_message, print_text
 from urdfctl.output.writing import encoded, would_overwrite, write_file
 from urdfctl.output.writing_all import write_all, write_folder
 from urdfctl.report.common import relative_message
-from urdfctl.source.files import MAX_BYTES, first_bytes, named_bytes
+from urdfctl.source.disk.files import MAX_BYTES, first_bytes, named_bytes
 from urdfctl.startup.records import NamedTuple
 
 

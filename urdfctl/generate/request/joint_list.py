@@ -73,7 +73,7 @@ def _tree(text: str, source: str) -> Any:
     import yaml
 
     from urdfctl.source.budget import OverBudget
-    from urdfctl.source.yaml_size import check_size
+    from urdfctl.source.yaml.size import check_size
 
     try:
         check_size(text.encode("utf-8", "surrogateescape"))

@@ -23,7 +23,7 @@ from urdfctl.load.target import Target
 from urdfctl.model.geometry import Vector
 from urdfctl.model.project import Project
 from urdfctl.model.robot.build_robot import robot_of
-from urdfctl.source.packages import package_name
+from urdfctl.source.workspaces.packages import package_name
 from urdfctl.startup.records import NamedTuple
 
 

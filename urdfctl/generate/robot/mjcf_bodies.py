@@ -14,8 +14,8 @@ from urdfctl.generate.robot.frames import axis_of, geometries_of, number_of, ori
 from urdfctl.generate.text.scalars import xml_text
 from urdfctl.model.geometry import Pose, Rotation, Vector, product, transposed
 from urdfctl.model.robot import Geometry, Joint, Link, Robot, Tag
-from urdfctl.source.files import first_bytes
-from urdfctl.source.gate import admits, size_of
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.disk.gate import admits, size_of
 from urdfctl.startup.records import NamedTuple
 
 MeshPath = Callable[[str], str | None]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from urdfctl.errors import UserError
 from urdfctl.generate.text.scalars import json_text, one_line, python_text, xacro_text, xml_comment, xml_text, yaml_text
 from urdfctl.report.template_folder import own_folder
-from urdfctl.source.files import MAX_BYTES, first_bytes
+from urdfctl.source.disk.files import MAX_BYTES, first_bytes
 
 if TYPE_CHECKING:
     import jinja2

@@ -8,11 +8,11 @@ from urdfctl.generate.robot.facts import JointFacts
 from urdfctl.generate.robot.survey import facts_of
 from urdfctl.generate.robot.wheels import across, along, radius
 from urdfctl.generate.text.scalars import yaml_float
+from urdfctl.migrate.edits.places import key_of, key_of_element
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import key_of, key_of_element
 from urdfctl.migrate.todo import todo_line
 from urdfctl.model.robot import Plugin
-from urdfctl.source.dom import Element
+from urdfctl.source.xml.dom import Element
 
 _REAR = ("rear_left_joint", "rear_right_joint")
 _STEERING = ("left_steering_joint", "right_steering_joint")

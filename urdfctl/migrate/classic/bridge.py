@@ -8,17 +8,17 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
-from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
-from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
-from urdfctl.migrate.markup import attribute, content, elements, root_of
+from urdfctl.migrate.edits.markup import attribute, content, elements, root_of
+from urdfctl.migrate.edits.places import written_elements
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import OF_XML, Packages
-from urdfctl.migrate.places import written_elements
+from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
+from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.gate import exists
+from urdfctl.source.disk.gate import exists
 from urdfctl.source.opaque import is_known
-from urdfctl.source.packages import package_around
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.workspaces.packages import package_around
 from urdfctl.startup.records import NamedTuple
 
 _AUTHORITY = "ros_gz_bridge README: config_file"

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import ancestors, attribute, indent_of, indented, root_of, span_of, step_of
+from urdfctl.migrate.edits.markup import ancestors, attribute, indent_of, indented, root_of, span_of, step_of
 from urdfctl.migrate.packages import Packages
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.xml.dom import Element
 
 CHOICE = "use_gazebo_classic"
 """The xacro argument that chooses Gazebo Classic."""

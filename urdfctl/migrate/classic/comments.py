@@ -7,10 +7,10 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
+from urdfctl.migrate.edits.tokens import XML
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.tokens import XML
-from urdfctl.migrate.wishes import Part
 from urdfctl.rules.launch.description_read_as_yaml import description_read_as_yaml
 from urdfctl.rules.ros2_control.comment_breaks_parameter import comment_breaks_parameter
 from urdfctl.source.span import Place, SourceSpan, SourceText

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import appended, child, content, indent_of, indented, step_of
-from urdfctl.source.dom import Element
+from urdfctl.migrate.edits.markup import appended, child, content, indent_of, indented, step_of
+from urdfctl.source.xml.dom import Element
 
 _NEAR = ("min_depth", "pointCloudCutoff")
 _FAR = ("max_depth", "pointCloudCutoffMax")

@@ -7,16 +7,16 @@ import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
-from urdfctl.migrate.markup import child, content, end_of, root_of, step_of
+from urdfctl.migrate.edits.markup import child, content, end_of, root_of, step_of
+from urdfctl.migrate.edits.tokens import HOOKS, tokens_in
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.tokens import HOOKS, tokens_in
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
-from urdfctl.source.files import is_launch
-from urdfctl.source.gate import is_folder, walk
+from urdfctl.source.disk.files import is_launch
+from urdfctl.source.disk.gate import is_folder, walk
 from urdfctl.source.span import Place, SourceSpan
+from urdfctl.source.xml.dom import Element
 
 _VARIABLES = "gz-sim tutorials/resources.md: GZ_SIM_RESOURCE_PATH, GZ_SIM_SYSTEM_PLUGIN_PATH"
 _EXPORT = "ros_gz_sim README, gazebo_ros gazebo_ros_paths.py: <gazebo_ros gazebo_model_path> in package.xml"

@@ -6,16 +6,16 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.control.hardware.simulator_plugins import sure_simulator
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.hardware import simulated_by
-from urdfctl.migrate.markup import attribute, element_at
+from urdfctl.migrate.edits.markup import attribute, element_at
+from urdfctl.migrate.edits.places import ElementKey, key_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import ElementKey, key_of
+from urdfctl.migrate.shared.hardware import simulated_by
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
 from urdfctl.rules.urdf.inertia import Moments, moments_of, principal_moments
 from urdfctl.rules.urdf.numbers import MOMENTS
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "gz-math MassMatrix3::IsValid(), sdformat src/Link.cc: 'A link named ... has invalid inertia.'"
 _TOLERANCE = 1e-6

@@ -6,14 +6,14 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.hardware import goes_to_gz
-from urdfctl.migrate.markup import attribute, children, end_of, indent_of, step_of
+from urdfctl.migrate.edits.markup import attribute, children, end_of, indent_of, step_of
+from urdfctl.migrate.edits.places import written_elements
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import written_elements
+from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "gz_ros2_control doc/index.rst: initial_value of a state interface"
 _OPTION = re.compile(rb"(?<![\w-])-J[\"'\s,]+(?:\w+::)?(\w+)[\"'\s,]+([-+]?\d[\d.eE+-]*)(?![\w.])")

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.generate.files.bringup import gz_names
-from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.initial_positions import joints_with_position
 from urdfctl.migrate.classic.starting import EMPTY_WORLDS, OPTIONS, SPAWN, Option, create_options
-from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.launch.actions import Action, PartOfText, Text, is_literal, joined, literal, parsed, plain
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.bridge_file import bridge_file_of
+from urdfctl.migrate.shared.install_rules import BRIDGE_FILE
 from urdfctl.startup.records import NamedTuple
 
 CLASSIC_PACKAGE = "gazebo_ros"

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator, Sequence
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
 
 _PROGRAMS = {"gazebo": (), "gzserver": ("-s",), "gzclient": ("-g",)}
 """The programs of Gazebo Classic, with the options of gz that do the same."""

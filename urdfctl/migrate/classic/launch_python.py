@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
-from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.launch_process import command_of, in_gz
 from urdfctl.migrate.classic.starting import (
     ARGUMENTS,
@@ -25,15 +24,16 @@ from urdfctl.migrate.classic.starting import (
     is_empty_world,
     undecided,
 )
-from urdfctl.migrate.hardware import goes_to_gz, leaves_classic, simulated_by
-from urdfctl.migrate.install_rules import BRIDGE_FILE
+from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.shared.bridge_file import bridge_file_of
+from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic, simulated_by
+from urdfctl.migrate.shared.install_rules import BRIDGE_FILE
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.packages import package_around, package_name
 from urdfctl.source.span import Place, SourceSpan
+from urdfctl.source.workspaces.packages import package_around, package_name
 
 _CLASSIC = re.compile(rb"gazebo_ros|['\"](?:gazebo|gzserver|gzclient)['\"]")
 _AUTHORITY = "ros_gz_sim README; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"

@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
 from urdfctl.generate.text.scalars import xml_text
-from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.starting import (
     CLIENT,
     FILES,
@@ -19,18 +18,19 @@ from urdfctl.migrate.classic.starting import (
     is_empty_world,
     undecided,
 )
-from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
-from urdfctl.migrate.install_rules import BRIDGE_FILE
-from urdfctl.migrate.markup import attribute, children, elements, end_of, indent_of, removal, root_of, step_of
+from urdfctl.migrate.edits.markup import attribute, children, elements, end_of, indent_of, removal, root_of, step_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.bridge_file import bridge_file_of
+from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
+from urdfctl.migrate.shared.install_rules import BRIDGE_FILE
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
 from urdfctl.model.launch.build_launch import is_of_ros2
-from urdfctl.source.dom import Element
 from urdfctl.source.span import Place, SourceSpan, SourceText
-from urdfctl.source.yaml import Mapping as Map
-from urdfctl.source.yaml import Node, Scalar, read_yaml
-from urdfctl.source.yaml import Sequence as List
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.yaml.tree import Mapping as Map
+from urdfctl.source.yaml.tree import Node, Scalar, read_yaml
+from urdfctl.source.yaml.tree import Sequence as List
 
 _AUTHORITY = "ros_gz_sim README; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _XML = (".launch.xml", "_launch.xml", ".launch")

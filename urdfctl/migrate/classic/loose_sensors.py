@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.systems import in_namespace, library_of
-from urdfctl.migrate.hardware import goes_to_gz
-from urdfctl.migrate.markup import attribute, child, content, parent_of, step_of
+from urdfctl.migrate.edits.markup import attribute, child, content, parent_of, step_of
+from urdfctl.migrate.edits.places import plugin_elements
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import plugin_elements
+from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "hector_gazebo_plugins, gazebo_plugins (ROS 1): <bodyName>, <topicName>, <updateRate>; gz-sensors"
 LOOSE: Mapping[str, tuple[str, str]] = {

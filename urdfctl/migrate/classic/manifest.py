@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
-from urdfctl.migrate.hardware import goes_to_gz, host_plugin, leaves_classic, simulated_by, system
-from urdfctl.migrate.markup import content, indent_of, lines_of, root_of
+from urdfctl.migrate.edits.markup import content, indent_of, lines_of, root_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.hardware import goes_to_gz, host_plugin, leaves_classic, simulated_by, system
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
 
 _AUTHORITY = "rosdistro#41224; ros_gz README"
 _CONTROL = "gazebo_ros2_control"

@@ -7,8 +7,7 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.sdf import sdf_elements
-from urdfctl.migrate.hardware import goes_to_gz
-from urdfctl.migrate.markup import (
+from urdfctl.migrate.edits.markup import (
     child,
     content,
     elements,
@@ -20,10 +19,11 @@ from urdfctl.migrate.markup import (
     span_of,
     step_of,
 )
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
-from urdfctl.migrate.wishes import Part
 
 _AUTHORITY = (
     "gz-sim tutorials/migration_sdf: material scripts are not supported; gazebo media/materials/scripts/gazebo.material"

@@ -6,16 +6,16 @@ from collections.abc import Callable, Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.launch_actions import gz_for, is_spawner, starts_classic
-from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.launch.actions import all_actions
 from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.python_reading import read_python
 from urdfctl.migrate.launch.written import Written, as_python, as_xml
 from urdfctl.migrate.launch.xml_reading import read_xml
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
 from urdfctl.migrate.todo import todo_line
-from urdfctl.migrate.wishes import Part
 from urdfctl.source.span import Place, SourceSpan, SourceText
 
 _AUTHORITY = "ros_gz_sim README; ros2_control#1694: spawners pass the parameters of their controllers on"

@@ -13,16 +13,7 @@ from urdfctl.migrate.classic.loose_sensors import LOOSE
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.sensors import SENSORS
 from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, dropped_settings, flush, library_of, system_text
-from urdfctl.migrate.hardware import (
-    HARDWARE_OPTION,
-    goes_to_gz,
-    host_plugin,
-    leaves_classic,
-    simulated_by,
-    system_plugin,
-    without_hardware,
-)
-from urdfctl.migrate.markup import (
+from urdfctl.migrate.edits.markup import (
     ancestors,
     attribute,
     child,
@@ -35,13 +26,22 @@ from urdfctl.migrate.markup import (
     step_of,
     with_attribute,
 )
+from urdfctl.migrate.edits.places import place_of, plugin_elements
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import OF_XML, Packages
-from urdfctl.migrate.places import place_of, plugin_elements
+from urdfctl.migrate.shared.hardware import (
+    HARDWARE_OPTION,
+    goes_to_gz,
+    host_plugin,
+    leaves_classic,
+    simulated_by,
+    system_plugin,
+    without_hardware,
+)
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you, todo_line
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.xml.dom import Element
 
 CONTROL = "gazebo_ros2_control"
 _OF_ROS1 = "gazebo_ros_control"

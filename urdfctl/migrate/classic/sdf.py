@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfctl.migrate.markup import elements, root_of
+from urdfctl.migrate.edits.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
-from urdfctl.source.dom import Element
-from urdfctl.source.packages import package_name
+from urdfctl.source.workspaces.packages import package_name
+from urdfctl.source.xml.dom import Element
 
 OF_SDF = (".sdf", ".world")
 _MAY_BE_SDF = (*OF_SDF, ".xacro")

@@ -8,12 +8,12 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.classic.choice import CHOICE
-from urdfctl.migrate.hardware import goes_to_gz
-from urdfctl.migrate.markup import MACRO, ancestors, elements, root_of, step_of
+from urdfctl.migrate.edits.markup import MACRO, ancestors, elements, root_of, step_of
+from urdfctl.migrate.edits.tokens import XML
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.tokens import XML
-from urdfctl.migrate.wishes import Part
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import SourceSpan
 

@@ -9,8 +9,7 @@ from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.depth import DEPTH_RANGE, depth_range
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.systems import in_namespace, library_of, relative_topic
-from urdfctl.migrate.hardware import goes_to_gz
-from urdfctl.migrate.markup import (
+from urdfctl.migrate.edits.markup import (
     appended,
     attribute,
     child,
@@ -25,11 +24,12 @@ from urdfctl.migrate.markup import (
     span_of,
     step_of,
 )
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 _AUTHORITY = "gz-sensors; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"

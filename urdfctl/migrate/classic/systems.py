@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.migrate.markup import child, children, content, indented, span_of
-from urdfctl.source.dom import COMMENT, Element, Text
+from urdfctl.migrate.edits.markup import child, children, content, indented, span_of
+from urdfctl.source.xml.dom import COMMENT, Element, Text
 from urdfctl.startup.records import NamedTuple
 
 

@@ -7,13 +7,13 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.sdf import own_models, sdf_elements
 from urdfctl.migrate.classic.systems import library_of
-from urdfctl.migrate.hardware import goes_to_gz
-from urdfctl.migrate.markup import attribute, content, indent_of, parent_of, removal, span_of
+from urdfctl.migrate.edits.markup import attribute, content, indent_of, parent_of, removal, span_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you, todo_line
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "gazebosim.org, Migrating Gazebo Classic ROS 2 packages: worlds"
 _PLUGINS = "gz-sim server.config: a world that names a plugin gets none of the default systems"

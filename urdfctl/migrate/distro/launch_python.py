@@ -8,12 +8,12 @@ from itertools import takewhile
 
 from urdfctl.catalog.moves import MANAGER
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import Section, installed_path, sections, sections_near
+from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.shared.controller_files import Section, installed_path, sections, sections_near
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
-from urdfctl.migrate.wishes import Part
 
 AUTHORITY_OF_TOPIC = "ros2_control#1358, #1410: the robot description is read from the topic robot_description"
 AUTHORITY_OF_FILE = "ros2_control#1694: parameters given to the controller manager alone do not reach its controllers"

@@ -8,14 +8,14 @@ from itertools import takewhile
 
 from urdfctl.catalog.moves import MANAGER
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import Section, installed_path, sections, sections_near
 from urdfctl.migrate.distro.launch_python import AUTHORITY_OF_FILE, AUTHORITY_OF_OPTIONS, AUTHORITY_OF_TOPIC
+from urdfctl.migrate.edits.xml_edits import elements_of, removed
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.controller_files import Section, installed_path, sections, sections_near
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.migrate.xml_edits import elements_of, removed
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.xml.dom import Element
 
 _ENDINGS = (".launch.xml", "_launch.xml", ".launch")
 

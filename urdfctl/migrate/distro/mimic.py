@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from xml.sax.saxutils import quoteattr
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import child
+from urdfctl.migrate.edits.markup import child
+from urdfctl.migrate.edits.tokens import XML
+from urdfctl.migrate.edits.xml_edits import elements_of, inserted, removed, words_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
-from urdfctl.migrate.tokens import XML
-from urdfctl.migrate.wishes import Part
-from urdfctl.migrate.xml_edits import elements_of, inserted, removed, words_of
-from urdfctl.source.dom import Element
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "ros2_control doc/migration.rst of jazzy, #1256: mimic joints are those of the URDF, and are not commanded"
 _PARAMETERS = ("mimic", "multiplier", "offset")

@@ -7,15 +7,15 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.store import moves_data
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import type_names
+from urdfctl.migrate.edits.python_edits import PythonFile, text_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.python_edits import PythonFile, text_of
+from urdfctl.migrate.shared.controller_files import type_names
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.files import is_yaml
+from urdfctl.source.disk.files import is_yaml
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.source.yaml import Entry as YamlEntry
-from urdfctl.source.yaml import Mapping, Node, Scalar, Sequence, read_yaml
+from urdfctl.source.yaml.tree import Entry as YamlEntry
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, read_yaml
 from urdfctl.startup.records import NamedTuple
 
 _PLUGIN, _ADAPTERS = "planning_plugin", "request_adapters"

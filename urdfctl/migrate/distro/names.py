@@ -9,13 +9,13 @@ from collections.abc import Iterator
 from urdfctl.catalog.moves import Names, name_moves
 from urdfctl.diagnostic import Edit
 from urdfctl.fault import Written
+from urdfctl.migrate.edits.tokens import HOOKS, XML, elements_in, tokens_in
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.tokens import HOOKS, XML, elements_in, tokens_in
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.files import is_launch
-from urdfctl.source.packages import package_name
+from urdfctl.source.disk.files import is_launch
 from urdfctl.source.span import Place, SourceSpan, SourceText
+from urdfctl.source.workspaces.packages import package_name
 
 _READ = (*XML, *HOOKS, ".yaml", ".yml", ".py")
 

@@ -11,13 +11,13 @@ from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.moves import MANAGER, Move, When, as_yaml, in_words, parameter_moves
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import Section, sections
+from urdfctl.migrate.edits.yaml_edits import MapEdits, Path, deepest, leaves
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.controller_files import Section, sections
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
-from urdfctl.migrate.wishes import Part
-from urdfctl.migrate.yaml_edits import MapEdits, Path, deepest, leaves
-from urdfctl.source.yaml import Scalar
+from urdfctl.source.yaml.tree import Scalar
 
 _PLAIN_NAME = r"[a-z_][\w.<>]*"
 _CATALOGUE = "ros2_controllers: the parameters that the distro's branch declares"

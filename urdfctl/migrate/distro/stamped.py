@@ -6,13 +6,13 @@ import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import Section, sections, type_names
+from urdfctl.migrate.edits.tokens import tokens_in
+from urdfctl.migrate.edits.yaml_edits import MapEdits
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.controller_files import Section, sections, type_names
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.tokens import tokens_in
-from urdfctl.migrate.wishes import Part
-from urdfctl.migrate.yaml_edits import MapEdits
-from urdfctl.source.files import is_launch
+from urdfctl.source.disk.files import is_launch
 from urdfctl.source.span import Place, SourceSpan
 
 SINCE = "jazzy"

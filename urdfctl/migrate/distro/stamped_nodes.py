@@ -6,16 +6,16 @@ import ast
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import sections
 from urdfctl.migrate.distro.stamped import PARAMETERS, SINCE, drives
-from urdfctl.migrate.markup import indent_of, step_of
+from urdfctl.migrate.edits.markup import indent_of, step_of
+from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.edits.xml_edits import elements_of, inserted
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.shared.controller_files import sections
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.migrate.xml_edits import elements_of, inserted
-from urdfctl.source.dom import Element
 from urdfctl.source.span import Place, SourceSpan
+from urdfctl.source.xml.dom import Element
 
 _PROGRAMS: Mapping[tuple[str, str], str] = {
     ("twist_mux", "twist_mux"): "twist_mux",

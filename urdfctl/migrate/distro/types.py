@@ -9,14 +9,14 @@ from urdfctl.catalog.distros import ROS2, generation
 from urdfctl.catalog.entries import Replacement
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import Section, TypeName, sections, type_names
+from urdfctl.migrate.edits.xml_edits import elements_of, span_of, words_of
+from urdfctl.migrate.edits.yaml_edits import MapEdits, leaves
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.controller_files import Section, TypeName, sections, type_names
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.migrate.xml_edits import elements_of, span_of, words_of
-from urdfctl.migrate.yaml_edits import MapEdits, leaves
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "ros2_controllers doc/migration.rst: removed types and their successors"
 

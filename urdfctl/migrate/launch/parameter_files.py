@@ -6,9 +6,9 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from urdfctl.catalog.moves import MANAGER
 from urdfctl.generate.files.bringup import takes_param_file
-from urdfctl.migrate.controller_files import installed_path, sections, sections_near
 from urdfctl.migrate.launch.actions import Action, Text, all_actions, is_literal, literal, parsed, plain
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.controller_files import installed_path, sections, sections_near
 from urdfctl.source.span import SourceText
 
 _OPTION = "--param-file"

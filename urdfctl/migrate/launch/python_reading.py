@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
+from urdfctl.migrate.edits.python_edits import called, keyword
 from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, joined, literal, plain
 from urdfctl.migrate.launch.written import Written, as_python
-from urdfctl.migrate.python_edits import called, keyword
 from urdfctl.source.span import SourceText
 
 _KINDS = {

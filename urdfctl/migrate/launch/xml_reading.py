@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from itertools import takewhile
 
 from urdfctl.generate.text.scalars import xml_text
+from urdfctl.migrate.edits.markup import root_of
 from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, divided, words_of
 from urdfctl.migrate.launch.written import Written, as_xml
-from urdfctl.migrate.markup import root_of
-from urdfctl.source.dom import COMMENT, Element, Node
-from urdfctl.source.dom import Text as Characters
 from urdfctl.source.span import SourceText
 from urdfctl.source.todo import MARK
+from urdfctl.source.xml.dom import COMMENT, Element, Node
+from urdfctl.source.xml.dom import Text as Characters
 
 _SUBSTITUTION = r"\$\((var|find-pkg-share|env|dirname|eval)\s*([^()]*(?:\([^()]*\)[^()]*)*)\)"
 _KINDS = {"arg": "argument", "let": "let", "set_parameter": "set_parameter", "include": "include", "node": "node"}

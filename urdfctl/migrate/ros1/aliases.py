@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.controller_map import controller_maps
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.source.yaml import Mapping, Node, Sequence, YamlFile, read_yaml
+from urdfctl.source.yaml.tree import Mapping, Node, Sequence, YamlFile, read_yaml
 from urdfctl.startup.records import NamedTuple
 
 _AUTHORITY = "rcl rcl_yaml_param_parser/src/parse.c: 'Will not support aliasing'"

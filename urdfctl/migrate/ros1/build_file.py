@@ -7,9 +7,9 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
+from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.step import Entry, EntryKind, Proposal
-from urdfctl.source.gate import is_folder, names_in
+from urdfctl.source.disk.gate import is_folder, names_in
 from urdfctl.source.span import SourceSpan, SourceText
 
 _AUTHORITY = "docs.ros.org, Migrating packages from ROS 1 to ROS 2"

@@ -9,7 +9,7 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.systems import comments_above, library_of
-from urdfctl.migrate.markup import (
+from urdfctl.migrate.edits.markup import (
     attribute,
     child,
     content,
@@ -20,12 +20,12 @@ from urdfctl.migrate.markup import (
     span_of,
     step_of,
 )
+from urdfctl.migrate.edits.places import plugin_elements
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import plugin_elements
 from urdfctl.migrate.ros1.classic_settings import OF_SENSOR, SUCCESSORS, Successor, snake_case
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "gazebo_plugins (ros2 branch): the header files of the plugins"
 _SILENT = ("robotNamespace", "alwaysOn", "always_on", "legacyMode", "rosDebugLevel", "legacyModeNS", "serviceName")

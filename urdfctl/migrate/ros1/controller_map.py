@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from urdfctl.migrate.packages import Packages
 from urdfctl.model.launch import ParameterLoad
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, read_yaml
+from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, read_yaml
 from urdfctl.startup.records import NamedTuple
 
 GAINS_OF_GAZEBO = "gazebo_ros_control"

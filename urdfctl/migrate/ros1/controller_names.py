@@ -6,16 +6,16 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import attribute, elements, root_of
+from urdfctl.migrate.edits.markup import attribute, elements, root_of
+from urdfctl.migrate.edits.yaml_edits import leaves
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.controller_map import controller_maps
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.migrate.yaml_edits import leaves
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
-from urdfctl.source.yaml import Mapping as Map
-from urdfctl.source.yaml import Node, Scalar, Sequence, read_yaml
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.yaml.tree import Mapping as Map
+from urdfctl.source.yaml.tree import Node, Scalar, Sequence, read_yaml
 
 _AUTHORITY = (
     "ros2_control controller_manager/src/controller_manager.cpp: the name before the first slash of an interface "

@@ -9,19 +9,19 @@ from urdfctl.catalog.catalog import Catalog, catalog_with
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.entries import ControllerType, Parameter
 from urdfctl.catalog.map_parameters import matching
+from urdfctl.migrate.edits.yaml_edits import MapEdits, Path, leaves
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.controller_map import Item
 from urdfctl.migrate.ros1.parameters import MECANUM, Change, changed, changes_of, pid_settings
 from urdfctl.migrate.ros1.wheel_measures import measured
 from urdfctl.migrate.step import Entry, EntryKind
 from urdfctl.migrate.todo import todo_line
-from urdfctl.migrate.yaml_edits import MapEdits, Path, leaves
-from urdfctl.source.kinds import Kind
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import Mapping as Map
-from urdfctl.source.yaml import Node, Scalar
-from urdfctl.source.yaml import Sequence as List
-from urdfctl.source.yaml_types import typed_by_rcl
+from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.tree import Mapping as Map
+from urdfctl.source.yaml.tree import Node, Scalar
+from urdfctl.source.yaml.tree import Sequence as List
+from urdfctl.source.yaml.types import typed_by_rcl
 from urdfctl.startup.records import NamedTuple
 
 _RENAMED = "ros2_controllers doc/migration.rst; the parameters that the distro's branch declares"

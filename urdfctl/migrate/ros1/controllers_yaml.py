@@ -6,20 +6,20 @@ import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.hardware import simulated_by
-from urdfctl.migrate.manager import BROADCASTER, RATE, manager_text
-from urdfctl.migrate.markup import attribute, child, content, elements, end_of, root_of
+from urdfctl.migrate.edits.markup import attribute, child, content, elements, end_of, root_of
+from urdfctl.migrate.edits.places import plugin_elements
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import plugin_elements
 from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, controller_maps, loads_of
 from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
 from urdfctl.migrate.ros1.joint_gains import reads_gains
 from urdfctl.migrate.ros1.joint_states import NEW_NAME, loads_declaration
+from urdfctl.migrate.shared.hardware import simulated_by
+from urdfctl.migrate.shared.manager import BROADCASTER, RATE, manager_text
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
-from urdfctl.migrate.wishes import Part
 from urdfctl.source.span import Place, SourceSpan, SourceText
-from urdfctl.source.yaml import Mapping, Node
+from urdfctl.source.yaml.tree import Mapping, Node
 
 _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
 _PID_GAINS = "gz_ros2_control src/gz_system.cpp: position_proportional_gain, one for all joints"

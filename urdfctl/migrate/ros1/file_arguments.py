@@ -7,11 +7,11 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.gate import is_file
+from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import Place, SourceSpan
 
 _AUTHORITY = "wiki.ros.org/roslaunch/XML/rosparam: subst_value; ros2_control reads parameter files as they are"

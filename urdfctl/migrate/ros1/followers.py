@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.migrate.hardware import system
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.shared.hardware import system
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Plugin, Robot
 

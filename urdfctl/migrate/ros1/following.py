@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from urdfctl.migrate.markup import step_of
+from urdfctl.migrate.edits.markup import step_of
+from urdfctl.migrate.edits.places import key_of_element
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import key_of_element
 from urdfctl.migrate.ros1.followers import followers_of
 from urdfctl.migrate.ros1.gathering import Component, Path, prefix_of
 from urdfctl.migrate.ros1.interfaces import states_of

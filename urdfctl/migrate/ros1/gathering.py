@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import (
+from urdfctl.migrate.edits.markup import (
     CONDITIONS,
     MACRO,
     ancestors,
@@ -29,12 +29,12 @@ from urdfctl.migrate.markup import (
     span_of,
     step_of,
 )
-from urdfctl.migrate.places import ElementKey, key_of_element
+from urdfctl.migrate.edits.places import ElementKey, key_of_element
 from urdfctl.migrate.ros1.parts import Converted, Unreadable
 from urdfctl.migrate.ros1.uses import unit_of
 from urdfctl.migrate.todo import todo_line
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 Path = tuple[int, tuple[ElementKey, ...]]

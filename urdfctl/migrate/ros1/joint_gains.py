@@ -6,17 +6,17 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.distros import between
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.hardware import simulated_by
-from urdfctl.migrate.markup import attribute, child, children, indent_of, lines_of
+from urdfctl.migrate.edits.markup import attribute, child, children, indent_of, lines_of
+from urdfctl.migrate.edits.places import written_elements
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import written_elements
 from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO
+from urdfctl.migrate.shared.hardware import simulated_by
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.source.yaml import Mapping as Map
-from urdfctl.source.yaml import Scalar, read_yaml
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.yaml.tree import Mapping as Map
+from urdfctl.source.yaml.tree import Scalar, read_yaml
 
 _AUTHORITY = "gazebo_ros2_control doc/index.rst: PID control joints; control_toolbox (ROS 1) Pid::initParam()"
 _PREFIXES = {"position": "pos", "velocity": "vel"}

@@ -9,24 +9,24 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.migrate.classic.launch_actions import gz_for
-from urdfctl.migrate.controller_files import type_names
-from urdfctl.migrate.hardware import simulated_by, started_by_launch_files
+from urdfctl.migrate.edits.markup import elements, root_of
 from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.written import Written, as_python, as_xml
-from urdfctl.migrate.markup import elements, root_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import Reading
 from urdfctl.migrate.ros1.roslaunch_nodes import Target
+from urdfctl.migrate.shared.controller_files import type_names
+from urdfctl.migrate.shared.hardware import simulated_by, started_by_launch_files
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
-from urdfctl.migrate.wishes import Part
 from urdfctl.model.launch.build_launch import is_of_ros2
-from urdfctl.source.dom import Element
-from urdfctl.source.files import is_yaml
-from urdfctl.source.gate import exists, matching
-from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.disk.files import is_yaml
+from urdfctl.source.disk.gate import exists, matching
+from urdfctl.source.workspaces.packages import package_around, package_name
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "docs.ros.org, Migrating launch files from ROS 1 to ROS 2"
 _MOVEIT = "moveit.picknik.ai, moveit_configs_utils: launch files are made by MoveItConfigsBuilder"

@@ -8,11 +8,11 @@ import re
 from collections.abc import Collection, Iterator
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import attribute, elements, root_of
+from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.packages import Packages
-from urdfctl.source.gate import matching
-from urdfctl.source.packages import package_name
+from urdfctl.source.disk.gate import matching
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.workspaces.packages import package_name
 
 _IN_PACKAGE = re.compile(r"\$\(find ([\w-]+)\)(/.*)")
 _ARGUMENT = re.compile(r"\$\((?:arg|eval|env|optenv) [^)]*\)")

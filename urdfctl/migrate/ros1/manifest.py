@@ -9,14 +9,14 @@ from collections.abc import Iterator, Mapping
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
-from urdfctl.migrate.hardware import host_plugin, started_by_launch_files, system
-from urdfctl.migrate.markup import child, children, content, end_of, indent_of, lines_of, merged, root_of, step_of
+from urdfctl.migrate.edits.markup import child, children, content, end_of, indent_of, lines_of, merged, root_of, step_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.build_file import ament_build_file
+from urdfctl.migrate.shared.hardware import host_plugin, started_by_launch_files, system
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "docs.ros.org, Migrating packages from ROS 1 to ROS 2"
 _FORMAT = "REP 149: package.xml format 3"

@@ -7,20 +7,20 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import elements, root_of
+from urdfctl.migrate.edits.markup import elements, root_of
+from urdfctl.migrate.edits.yaml_edits import MapEdits
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.left_over import renamed_parameters
 from urdfctl.migrate.ros1.moveit_package import is_of_moveit
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.migrate.yaml_edits import MapEdits
-from urdfctl.source.gate import exists
-from urdfctl.source.packages import package_around
+from urdfctl.source.disk.gate import exists
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.source.yaml import Entry as YamlEntry
-from urdfctl.source.yaml import Mapping as Map
-from urdfctl.source.yaml import Node, Scalar, read_yaml
-from urdfctl.source.yaml import Sequence as List
+from urdfctl.source.workspaces.packages import package_around
+from urdfctl.source.yaml.tree import Entry as YamlEntry
+from urdfctl.source.yaml.tree import Mapping as Map
+from urdfctl.source.yaml.tree import Node, Scalar, read_yaml
+from urdfctl.source.yaml.tree import Sequence as List
 
 CONTROLLERS_FILE = "moveit_controllers.yaml"
 _LIST = "controller_list"

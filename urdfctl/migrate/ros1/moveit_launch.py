@@ -6,14 +6,14 @@ import os
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.moveit_package import MARK, MOVE_GROUP, MoveitPackage, moveit_packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.gate import exists
-from urdfctl.source.packages import package_name
+from urdfctl.source.disk.gate import exists
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.todo import MARK as TODO
+from urdfctl.source.workspaces.packages import package_name
 
 _AUTHORITY = "moveit2 moveit_configs_utils launches.py; moveit.picknik.ai, MoveIt Setup Assistant"
 _NO_DESCRIPTION = "add .robot_description(file_path=...) with the robot's description"

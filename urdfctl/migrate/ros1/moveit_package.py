@@ -7,12 +7,12 @@ import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.generate.text.scalars import python_text
-from urdfctl.migrate.markup import elements, root_of
+from urdfctl.migrate.edits.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.left_over import addressed_files
-from urdfctl.source.dom import Element
-from urdfctl.source.gate import exists
-from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.disk.gate import exists
+from urdfctl.source.workspaces.packages import package_around, package_name
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 MARK = ".setup_assistant"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import attribute, elements, root_of
+from urdfctl.migrate.edits.markup import attribute, elements, root_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.launch_files import own_packages
 from urdfctl.migrate.ros1.left_over import addressed_files
@@ -13,10 +14,9 @@ from urdfctl.migrate.ros1.roslaunch_nodes import has_successor
 from urdfctl.migrate.ros1.roslaunch_values import given_by_name, root_around
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
-from urdfctl.source.yaml import Mapping, Node, Sequence, YamlFile, read_yaml
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.yaml.tree import Mapping, Node, Sequence, YamlFile, read_yaml
 
 _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
 _HEAD = "/**:\n  ros__parameters:\n"

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from urdfctl.migrate.markup import attribute, child, children, content
+from urdfctl.migrate.edits.markup import attribute, child, children, content
 from urdfctl.migrate.ros1.interfaces import command_names, commands_of, states_of
 from urdfctl.migrate.ros1.uses import Use
 from urdfctl.model.robot import Transmission
-from urdfctl.source.dom import Element
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 _SIMPLE = "transmission_interface/SimpleTransmission"

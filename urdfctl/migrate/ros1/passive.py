@@ -10,11 +10,11 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.control.hardware.interfaces import Kind
 from urdfctl.control.session import session_of
-from urdfctl.migrate.hardware import host_plugin
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.followers import followers_of
 from urdfctl.migrate.ros1.interfaces import commands_of
 from urdfctl.migrate.ros1.uses import Uses
+from urdfctl.migrate.shared.hardware import host_plugin
 from urdfctl.model.robot import Robot
 
 HELD = "gz_ros2_control and gazebo_ros2_control doc/index.rst: hold_joints, which is true by default"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
 from urdfctl.rules.reading.xacro_prefix_missing import xacro_prefix_missing
 
 _AUTHORITY = "wiki.ros.org/xacro: since noetic, tags without the prefix are not expanded"

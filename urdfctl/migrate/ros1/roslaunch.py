@@ -29,8 +29,8 @@ from urdfctl.migrate.ros1.roslaunch_values import (
     root_around,
     value_of,
 )
-from urdfctl.source.dom import COMMENT, Element
-from urdfctl.source.dom import Text as Characters
+from urdfctl.source.xml.dom import COMMENT, Element
+from urdfctl.source.xml.dom import Text as Characters
 
 _DESCRIPTION = "robot_description"
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")

@@ -19,7 +19,7 @@ from urdfctl.migrate.launch.actions import (
 )
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
 from urdfctl.migrate.ros1.roslaunch_values import parameters_of, unread_parameters_of
-from urdfctl.source.dom import Element
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 

@@ -7,11 +7,11 @@ import textwrap
 from collections.abc import Iterator
 
 from urdfctl.generate.text.scalars import yaml_text
+from urdfctl.migrate.edits.markup import elements, written_in
 from urdfctl.migrate.launch.actions import PartOfText, Text, is_literal, parsed, plain
-from urdfctl.migrate.markup import elements, written_in
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml import Mapping, Node, Scalar, Sequence, read_yaml
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, read_yaml
 
 _NUMBER = re.compile(r"[+-]?\d+(\.\d*)?([eE][+-]?\d+)?")
 _NO_STRING = re.compile(r"(?i)true|false|[+-]?\d+(\.\d*)?([eE][+-]?\d+)?")

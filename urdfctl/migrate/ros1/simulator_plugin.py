@@ -7,9 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.migrate.hardware import host_plugin, simulated_by
-from urdfctl.migrate.manager import BROADCASTER, RATE, manager_text
-from urdfctl.migrate.markup import (
+from urdfctl.migrate.edits.markup import (
     attribute,
     child,
     content,
@@ -25,19 +23,21 @@ from urdfctl.migrate.markup import (
     step_of,
     with_attribute,
 )
+from urdfctl.migrate.edits.places import ElementKey, key_of, key_of_element, plugin_elements
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import ElementKey, key_of, key_of_element, plugin_elements
 from urdfctl.migrate.ros1.controller_map import controller_maps
 from urdfctl.migrate.ros1.followers import is_mimic_plugin, mimic_plugins
+from urdfctl.migrate.shared.hardware import host_plugin, simulated_by
+from urdfctl.migrate.shared.manager import BROADCASTER, RATE, manager_text
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
-from urdfctl.migrate.wishes import Part
 from urdfctl.model.robot import Plugin
-from urdfctl.source.dom import Element
-from urdfctl.source.gate import exists
+from urdfctl.source.disk.gate import exists
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.source.packages import package_around, package_name
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.workspaces.packages import package_around, package_name
+from urdfctl.source.xml.dom import Element
 
 CONTROL = "libgazebo_ros_control.so"
 _SIM_TYPES = ("gazebo_ros_control/DefaultRobotHWSim", "")

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import attribute, elements, root_of
+from urdfctl.migrate.edits.markup import attribute, elements, root_of
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.wishes import Part
 from urdfctl.source.span import SourceSpan
 
 _NAME = r"(?:(?:is|for|use|with)_)?ros_?([12])"

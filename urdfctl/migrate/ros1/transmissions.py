@@ -6,20 +6,20 @@ from collections.abc import Iterator, Mapping
 from itertools import count
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.hardware import HARDWARE_OPTION, simulated_by, system_plugin, without_hardware
-from urdfctl.migrate.markup import attribute, element_at, step_of
+from urdfctl.migrate.edits.markup import attribute, element_at, step_of
+from urdfctl.migrate.edits.places import ElementKey, key_of_element, place_of, written_elements
+from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import ElementKey, key_of_element, place_of, written_elements
 from urdfctl.migrate.ros1.following import following, idle
 from urdfctl.migrate.ros1.gathering import Component, Gathering, label_of, prefix_of, written_component
 from urdfctl.migrate.ros1.parts import Converted, Unreadable, converted
 from urdfctl.migrate.ros1.passive import HELD, Passive
 from urdfctl.migrate.ros1.uses import Uses
+from urdfctl.migrate.shared.hardware import HARDWARE_OPTION, simulated_by, system_plugin, without_hardware
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
-from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceText
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "ros2_control hardware_interface/src/component_parser.cpp: <ros2_control> is a child of <robot>"
 _REDUCTIONS = "gazebo_ros_control DefaultRobotHWSim: <mechanicalReduction> is not read"

@@ -6,13 +6,13 @@ import os
 from collections.abc import Iterator
 
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.migrate.markup import MACRO, ancestors, element_at, elements, root_of
+from urdfctl.migrate.edits.markup import MACRO, ancestors, element_at, elements, root_of
+from urdfctl.migrate.edits.places import ElementKey, key_of
 from urdfctl.migrate.packages import OF_XML, Packages
-from urdfctl.migrate.places import ElementKey, key_of
 from urdfctl.model.robot import Robot, Transmission
-from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Call, Place
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 

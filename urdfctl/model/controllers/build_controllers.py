@@ -22,7 +22,7 @@ from urdfctl.model.controllers.controllers import (
 )
 from urdfctl.model.controllers.parameters import Kind, Parameters, Value
 from urdfctl.source.span import Place
-from urdfctl.source.yaml import YamlFile
+from urdfctl.source.yaml.tree import YamlFile
 from urdfctl.startup.records import NamedTuple
 
 _READ_OF_A_DECLARATION = frozenset({"type", "params_file", "fallback_controllers"})

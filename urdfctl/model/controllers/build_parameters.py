@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterable, Iterator
 from urdfctl.model.controllers.controllers import Fault, FaultKind, Key, Section
 from urdfctl.model.controllers.parameters import Kind, Parameter, Parameters, Value
 from urdfctl.source.span import Place
-from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, Sequence, YamlFile
-from urdfctl.source.yaml_types import Typed, is_literal, typed_by_pyyaml, typed_by_rcl
+from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, Sequence, YamlFile
+from urdfctl.source.yaml.types import Typed, is_literal, typed_by_pyyaml, typed_by_rcl
 from urdfctl.startup.records import NamedTuple
 
 PARAMETERS_KEY = "ros__parameters"

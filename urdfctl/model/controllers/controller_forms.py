@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from urdfctl.model.controllers.build_parameters import PARAMETERS_KEY
 from urdfctl.model.controllers.controllers import ControllersFile, Key
 from urdfctl.source.span import Place
-from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, YamlFile
+from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, YamlFile
 
 MANAGER = "controller_manager"
 OF_OTHER_STACKS = ("package", "module")

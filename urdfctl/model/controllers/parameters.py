@@ -6,8 +6,8 @@ from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice, takewhile
 
-from urdfctl.source.kinds import Kind
 from urdfctl.source.span import Place
+from urdfctl.source.yaml.kinds import Kind
 from urdfctl.startup.records import NamedTuple
 
 

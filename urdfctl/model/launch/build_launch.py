@@ -24,9 +24,9 @@ from urdfctl.model.launch.launch import (
 from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_environment
 from urdfctl.model.launch.xacro_command import of_command
 from urdfctl.model.moveit import MoveItFiles
-from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
+from urdfctl.source.xml.dom import Element
 
 _DESCRIPTION = "robot_description"
 _SEMANTIC = "_semantic"

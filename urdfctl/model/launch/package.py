@@ -8,11 +8,11 @@ from collections.abc import Callable, Iterator
 from functools import partial
 
 from urdfctl.model.robot import text_of
-from urdfctl.source.dom import Document, Element
-from urdfctl.source.files import first_bytes
-from urdfctl.source.gate import is_file
-from urdfctl.source.packages import PackageNotFound, Packages
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import Place
+from urdfctl.source.workspaces.packages import PackageNotFound, Packages
+from urdfctl.source.xml.dom import Document, Element
 from urdfctl.startup.records import NamedTuple
 
 

@@ -8,10 +8,10 @@ from collections import ChainMap
 from collections.abc import Callable, Iterable, Mapping
 
 from urdfctl.model.launch.launch import joined
-from urdfctl.source.dom import Document
 from urdfctl.source.lengths import Room
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
+from urdfctl.source.xml.dom import Document
 from urdfctl.startup.records import NamedTuple
 
 

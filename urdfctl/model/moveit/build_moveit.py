@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.model.controllers import Key, MoveItController, MoveItList
 from urdfctl.model.moveit.moveit import JointLimits, Pipeline, Solver
 from urdfctl.source.span import Place
-from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, Sequence, YamlFile
+from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, Sequence, YamlFile
 
 _MANAGER = "moveit_simple_controller_manager"
 _REQUIRED = ("type", "action_ns", "joints")

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.model.controllers import Key
 from urdfctl.model.moveit.moveit import Chain, EndEffector, Group, GroupState, Semantic, VirtualJoint
 from urdfctl.model.robot import Tag
-from urdfctl.source.dom import Element
+from urdfctl.source.xml.dom import Element
 
 
 def semantic_of(root: Element, path: str, *, complete: bool = True) -> Semantic | None:

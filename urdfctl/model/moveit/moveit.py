@@ -6,7 +6,7 @@ from urdfctl.model.controllers import FileReference, Key, MoveItController
 from urdfctl.model.robot import Tag
 from urdfctl.source.problem import Problem
 from urdfctl.source.span import Place
-from urdfctl.source.yaml import Mapping, Node, Scalar
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar
 from urdfctl.startup.records import NamedTuple
 
 

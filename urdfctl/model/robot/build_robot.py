@@ -20,8 +20,8 @@ from urdfctl.model.robot.robot import (
     Robot,
 )
 from urdfctl.model.robot.transmission import Transmission, TransmissionEnd
-from urdfctl.source import dom
 from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.xml import dom
 
 _READ_OF_AN_END = {"role", "hardwareInterface", "mechanicalReduction", "offset"}
 TOP_LEVEL = {"link", "joint", "transmission", "gazebo", "ros2_control"}

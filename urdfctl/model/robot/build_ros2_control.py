@@ -12,7 +12,7 @@ from urdfctl.model.robot.ros2_control import (
     Part,
     Ros2Control,
 )
-from urdfctl.source import dom
+from urdfctl.source.xml import dom
 
 _PARTS = {"joint", "sensor", "gpio"}
 _INTERFACES = {"command_interface": "command", "state_interface": "state"}

@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
-from urdfctl.source.dom import COMMENT, Element
-from urdfctl.source.dom import Text as Characters
 from urdfctl.source.span import Place
+from urdfctl.source.xml.dom import COMMENT, Element
+from urdfctl.source.xml.dom import Text as Characters
 from urdfctl.startup.records import NamedTuple
 
 _NUMBER = r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.moveit.samples import LIMITS, planned
-from urdfctl.source.kinds import Kind
-from urdfctl.source.yaml_types import typed_by_rcl
+from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.types import typed_by_rcl
 
 _NEEDED_BY = {
     "max_velocity": "has_velocity_limits",

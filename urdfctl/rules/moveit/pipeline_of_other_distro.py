@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import ROS2, applies_to, since, until
 from urdfctl.model.moveit import Pipeline
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.moveit.samples import planned
-from urdfctl.source.yaml import Scalar, Sequence
+from urdfctl.source.yaml.tree import Scalar, Sequence
 
 _NEW = since("jazzy")
 _OLD = tuple(distro for distro in until("iron") if distro in ROS2)

@@ -13,12 +13,12 @@ from urdfctl.catalog.map_parameters import matching
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.model.project import Project
 from urdfctl.server.analysis.xacro_names import ARGUMENT, xacro_names
-from urdfctl.source.dom import Element
-from urdfctl.source.files import is_yaml
+from urdfctl.source.disk.files import is_yaml
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.source.xml import parse
-from urdfctl.source.yaml import Mapping, Node, Scalar, Sequence, read_yaml
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.xml.parsing import parse
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, read_yaml
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 from urdfctl.trace.address import text_in

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.source.dom import Element
-from urdfctl.source.packages import Packages
 from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.source.workspaces.packages import Packages
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 

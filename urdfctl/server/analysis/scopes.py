@@ -11,11 +11,11 @@ from contextlib import suppress
 from functools import partial
 
 from urdfctl.server.analysis.xacro_names import ARGUMENT, MACRO, PARAMETER, PROPERTY
-from urdfctl.source.dom import Element
-from urdfctl.source.files import is_launch
+from urdfctl.source.disk.files import is_launch
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceText
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.xml.parsing import parse
 from urdfctl.startup.records import NamedTuple
 
 NUMBER, TRUTH, TEXT, MAP = "number", "truth", "text", "map"

@@ -6,7 +6,7 @@ import re
 
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.analysis.scopes import Scopes, macro_around
-from urdfctl.source.files import is_launch
+from urdfctl.source.disk.files import is_launch
 from urdfctl.source.span import SourceText
 from urdfctl.startup.records import NamedTuple
 

@@ -22,11 +22,11 @@ from urdfctl.run.limits import Limits
 from urdfctl.server.analysis.attempts import Attempts, Codes, codes_of
 from urdfctl.server.analysis.variants import Variant, variants_among
 from urdfctl.source.budget import OverBudget
-from urdfctl.source.files import MAX_BYTES, first_bytes
-from urdfctl.source.gate import admit, reading_within
-from urdfctl.source.packages import Packages, package_around
-from urdfctl.source.shown import as_shown, forget_files
-from urdfctl.source.workspace import workspace_of
+from urdfctl.source.disk.files import MAX_BYTES, first_bytes
+from urdfctl.source.disk.gate import admit, reading_within
+from urdfctl.source.disk.shown import as_shown, forget_files
+from urdfctl.source.workspaces.packages import Packages, package_around
+from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
 

@@ -6,10 +6,10 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 from contextlib import suppress
 
-from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.dom import COMMENT, Element
+from urdfctl.source.xml.parsing import parse
 
 MACRO, PARAMETER, PROPERTY, ARGUMENT = "macro", "parameter", "property", "argument"
 

@@ -10,7 +10,7 @@ from lsprotocol import types
 from urdfctl.errors import UserError
 from urdfctl.server.commands.patches import PatchedFile
 from urdfctl.server.protocol.uris import uri_of
-from urdfctl.source.files import MAX_BYTES, first_bytes
+from urdfctl.source.disk.files import MAX_BYTES, first_bytes
 
 _ANNOTATION = "migrate"
 

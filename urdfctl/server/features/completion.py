@@ -8,7 +8,7 @@ from urdfctl.server.analysis.question import Question
 from urdfctl.server.features.completion_xml import in_xml
 from urdfctl.server.features.completion_yaml import in_yaml
 from urdfctl.server.features.spawning import in_python
-from urdfctl.source.files import is_yaml
+from urdfctl.source.disk.files import is_yaml
 
 
 def items_at(question: Question, attempts: Attempts | None = None) -> list[Item]:

@@ -13,10 +13,10 @@ from urdfctl.control.session import session_of
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.server.analysis.names import JOINT, LINK, Name, names_in
 from urdfctl.server.analysis.question import Question
-from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import ReadError
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.xml.parsing import parse
 from urdfctl.startup.records import NamedTuple
 from urdfctl.trace.address import text_in
 

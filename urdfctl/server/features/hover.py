@@ -19,8 +19,8 @@ from urdfctl.server.features.about_names import described_name
 from urdfctl.server.features.about_parameters import described_parameter
 from urdfctl.server.features.fitting import INTERFACES, elements_at
 from urdfctl.server.features.navigation import NamesAround
-from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.xml.dom import Element
 from urdfctl.trace.uses import uses_of
 
 _MOST_VALUES = 6

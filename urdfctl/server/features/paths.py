@@ -8,9 +8,9 @@ from collections.abc import Iterator
 
 from urdfctl.server.analysis.items import Item
 from urdfctl.server.analysis.question import Question
-from urdfctl.source.files import first_bytes
-from urdfctl.source.gate import exists, walk
-from urdfctl.source.packages import PackageNotFound
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.disk.gate import exists, walk
+from urdfctl.source.workspaces.packages import PackageNotFound
 
 _MOST_FILES = 2000
 _HIDDEN = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__"})

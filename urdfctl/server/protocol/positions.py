@@ -11,7 +11,7 @@ from lsprotocol import types
 
 from urdfctl.diagnostic import Location
 from urdfctl.server.protocol.uris import uri_of
-from urdfctl.source.files import MAX_BYTES, first_bytes
+from urdfctl.source.disk.files import MAX_BYTES, first_bytes
 
 if TYPE_CHECKING:
     from pygls.workspace import PositionCodec

@@ -14,7 +14,7 @@ from pygls import uris
 from pygls.exceptions import JsonRpcInvalidParams
 
 from urdfctl.server.analysis.folders import folder_of
-from urdfctl.source.files import MAX_BYTES
+from urdfctl.source.disk.files import MAX_BYTES
 
 _CONTROLS = re.compile("[\x00-\x1f\x7f]")
 _FIELDS = frozenset({"uri", "root_uri"})

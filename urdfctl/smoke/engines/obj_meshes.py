@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from urdfctl.smoke.engines.engine import RobotRejected
 from urdfctl.smoke.engines.urdf import MOST_MESH_BYTES, quoted
-from urdfctl.source.files import first_bytes
+from urdfctl.source.disk.files import first_bytes
 
 _MESH = re.compile(r'(?i)(?<=<mesh filename=)"([^"]*\.obj)"')
 _KEPT = (b"v", b"vn", b"vt", b"f", b"g", b"o", b"s")

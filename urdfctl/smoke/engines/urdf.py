@@ -15,8 +15,8 @@ from urdfctl.model.geometry import Pose, Rotation, Vector, scaled
 from urdfctl.model.robot import Robot, Tag
 from urdfctl.smoke.matrices import eigenvalues
 from urdfctl.smoke.robot import Hinge, LinkBody, Mechanism
-from urdfctl.source.files import first_bytes
-from urdfctl.source.gate import size_of
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.disk.gate import size_of
 from urdfctl.startup.records import NamedTuple
 
 LEAST_MOVING = 1e-3

@@ -13,7 +13,7 @@ from urdfctl.model.geometry import Pose, Vector, dot, minus, plus, scaled, trans
 from urdfctl.model.robot import Robot, Tag
 from urdfctl.smoke.robot.description import numbers_of, origin_of
 from urdfctl.smoke.robot.mechanism import Mechanism
-from urdfctl.source.gate import opened, size_of
+from urdfctl.source.disk.gate import opened, size_of
 from urdfctl.startup.records import NamedTuple
 
 MOST_POINTS = 2000

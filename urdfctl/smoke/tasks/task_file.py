@@ -10,11 +10,11 @@ from typing import Any
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean, nearest_path
 from urdfctl.smoke.robot import Mechanism
-from urdfctl.source.files import first_bytes
+from urdfctl.source.disk.files import first_bytes
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.yaml import Mapping as YamlMap
-from urdfctl.source.yaml import Node, Scalar, Sequence, read_yaml
-from urdfctl.source.yaml_types import typed_by_pyyaml
+from urdfctl.source.yaml.tree import Mapping as YamlMap
+from urdfctl.source.yaml.tree import Node, Scalar, Sequence, read_yaml
+from urdfctl.source.yaml.types import typed_by_pyyaml
 from urdfctl.startup.records import NamedTuple
 
 MOST_SECONDS = 60.0

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
-from urdfctl.source.dom import Element
 from urdfctl.source.launch.terms import Called, Constant, Items, Missing, Table, Term
 from urdfctl.source.span import Place
-from urdfctl.source.yaml import Mapping as YamlMap
-from urdfctl.source.yaml import Node as YamlNode
-from urdfctl.source.yaml import Scalar, YamlFile
-from urdfctl.source.yaml import Sequence as YamlList
+from urdfctl.source.xml.dom import Element
+from urdfctl.source.yaml.tree import Mapping as YamlMap
+from urdfctl.source.yaml.tree import Node as YamlNode
+from urdfctl.source.yaml.tree import Scalar, YamlFile
+from urdfctl.source.yaml.tree import Sequence as YamlList
 from urdfctl.startup.records import NamedTuple
 
 _MOST_DEPTH = 30

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.source.launch.terms import MOST_ITEMS, Constant, Items, Missing, Plain, Table, Term
-from urdfctl.source.yaml import Mapping, Node, Scalar, YamlFile
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, YamlFile
 
 _DEEPEST = 12
 _PLAIN: dict[str, Plain] = {

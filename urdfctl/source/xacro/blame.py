@@ -5,9 +5,9 @@ from __future__ import annotations
 import sys
 from types import FrameType, TracebackType
 
-from urdfctl.source.dom import COMMENT, Element, Node, Text
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceText
+from urdfctl.source.xml.dom import COMMENT, Element, Node, Text
 from urdfctl.startup.records import NamedTuple
 
 

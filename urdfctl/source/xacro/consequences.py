@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from urdfctl.source.budget import MAX_PROBLEMS, OverBudget
-from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.xml.dom import Element
 
 _ABOUT_NAMES = {
     ProblemKind.UNDEFINED_NAME,

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 
 from urdfctl.names import nearest
 from urdfctl.source.budget import OUT_OF_MEMORY, OverBudget
-from urdfctl.source.files import FileProblem
-from urdfctl.source.packages import PackageNotFound, Packages
+from urdfctl.source.disk.files import FileProblem
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place
+from urdfctl.source.workspaces.packages import PackageNotFound, Packages
 from urdfctl.source.xacro.blame import Blame
-from urdfctl.source.xacro.guards import ForbiddenExpression, MissingVariable
+from urdfctl.source.xacro.expressions.guards import ForbiddenExpression, MissingVariable
 
 _EVALUATING = r"(?s)\s*when evaluating expression '(.*)'"
 _QUOTED = r"'([^']*)'"

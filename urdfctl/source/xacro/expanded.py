@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from urdfctl.source.dom import Document
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.xml.dom import Document
 from urdfctl.startup.records import NamedTuple
 
 HARMLESS = {

@@ -13,18 +13,17 @@ from types import ModuleType
 from typing import Any
 
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, OverBudget
-from urdfctl.source.dom import Cloning, Document, Element, Node, Text
-from urdfctl.source.files import FileProblem, Files
-from urdfctl.source.gate import is_folder
+from urdfctl.source.disk.files import FileProblem, Files
+from urdfctl.source.disk.gate import is_folder
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.source.packages import Packages
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Call, Place, SourceText
-from urdfctl.source.xacro import private_module
+from urdfctl.source.workspaces.packages import Packages
 from urdfctl.source.xacro.blame import Blame, blame_of, cut_out, node_being_evaluated
 from urdfctl.source.xacro.consequences import OF_FILES, OF_VALUES, Problems
 from urdfctl.source.xacro.errors import AbsentFile, failed_expression, judged, problem_of
 from urdfctl.source.xacro.expanded import Expansion
+from urdfctl.source.xacro.expressions.meter import Meter
 from urdfctl.source.xacro.influence import Definitions
 from urdfctl.source.xacro.leftovers import (
     empty_arguments,
@@ -35,14 +34,15 @@ from urdfctl.source.xacro.leftovers import (
     unused_arguments,
 )
 from urdfctl.source.xacro.macro_names import macro_of_other_file
-from urdfctl.source.xacro.meter import Meter
 from urdfctl.source.xacro.origin import suggested, traced
 from urdfctl.source.xacro.prefixes import add_prefixes, is_call, missing_prefixes
-from urdfctl.source.xacro.replacements import replace
-from urdfctl.source.xacro.safety import install_safety, install_yaml
-from urdfctl.source.xacro.speed import install_speed
-from urdfctl.source.xacro.without_ros import Substitutions
-from urdfctl.source.xml import parse
+from urdfctl.source.xacro.private import private_module
+from urdfctl.source.xacro.private.replacements import replace
+from urdfctl.source.xacro.private.safety import install_safety, install_yaml
+from urdfctl.source.xacro.private.speed import install_speed
+from urdfctl.source.xacro.private.without_ros import Substitutions
+from urdfctl.source.xml.dom import Cloning, Document, Element, Node, Text
+from urdfctl.source.xml.parsing import parse
 
 
 class Expander:

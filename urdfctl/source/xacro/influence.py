@@ -12,7 +12,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 from fnmatch import fnmatchcase
 
-from urdfctl.source.shown import current_folder
+from urdfctl.source.disk.shown import current_folder
 from urdfctl.source.span import Call, Place
 from urdfctl.startup.records import NamedTuple
 

@@ -7,11 +7,11 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from urdfctl.names import did_you_mean, nearest
-from urdfctl.source.dom import COMMENT, Document, Element, Text
-from urdfctl.source.gate import is_folder, matching
+from urdfctl.source.disk.gate import is_folder, matching
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.prefixes import ANYTHING_GOES, lacks_prefix, without_prefix
+from urdfctl.source.xml.dom import COMMENT, Document, Element, Text
 
 _ASKED = rb"\$\(\s*arg\s+([^\s()]+)|\barg\(\s*['\"]([^'\"]+)|\$\(\s*eval\b([^<>]*)"
 _BRACES = r"(?<!\$)\{\s*(\w+)\s*\}"

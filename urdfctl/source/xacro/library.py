@@ -7,7 +7,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from urdfctl.source.dom import Document, Element, Node
 from urdfctl.source.opaque import UNKNOWN, AnyArgument, NotKnown, Opaque
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import Call, Place
@@ -15,6 +14,7 @@ from urdfctl.source.xacro.blame import Blame
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.leftovers import unused_arguments
 from urdfctl.source.xacro.unknown import UnknownExpander
+from urdfctl.source.xml.dom import Document, Element, Node
 
 _TOLD = {
     ProblemKind.XML_SYNTAX,

@@ -6,10 +6,10 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfctl.source.dom import Element
-from urdfctl.source.files import FileProblem, Files
-from urdfctl.source.gate import is_file
+from urdfctl.source.disk.files import FileProblem, Files
+from urdfctl.source.disk.gate import is_file
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.xml.dom import Element
 
 _WORD = re.compile(r"([A-Za-z0-9]+)")
 _FORMS = frozenset({"xacro", "urdf", "xml"})

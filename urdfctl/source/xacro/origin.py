@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from urdfctl.names import nearest
-from urdfctl.source.dom import Element
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.xml.dom import Element
 
 _OF_TEXTS = {ProblemKind.UNDEFINED_NAME, ProblemKind.UNDEFINED_ARGUMENT, ProblemKind.EXPRESSION}
 

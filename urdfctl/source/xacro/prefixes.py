@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
-from urdfctl.source.dom import Cloning, Element
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import SourceText
-from urdfctl.source.xml import parse
+from urdfctl.source.xml.dom import Cloning, Element
+from urdfctl.source.xml.parsing import parse
 
 _DIRECTIVES = frozenset("arg attribute call element if include insert_block macro property unless".split())
 _NEEDED = {"include": "filename", "if": "value", "unless": "value"}

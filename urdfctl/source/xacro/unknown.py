@@ -8,13 +8,13 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from urdfctl.source.budget import OverBudget
-from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN, AnyArgument, NotKnown, Opaque
 from urdfctl.source.problem import Problem
 from urdfctl.source.xacro.errors import causes_of
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.expansion import Expander
-from urdfctl.source.xacro.expressions import ForbiddenExpression
+from urdfctl.source.xacro.expressions.compiling import ForbiddenExpression
+from urdfctl.source.xml.dom import Element
 
 _MOST_NESTED = 3
 """How often a macro may be open at the same time if the condition that ends its recursion may be unknown."""

@@ -13,7 +13,7 @@ from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch.ros2.texts import Content, Texts, table_of
 from urdfctl.model.launch.xacro_command import known_path
 from urdfctl.model.moveit import MoveItFiles
-from urdfctl.source.gate import names_in
+from urdfctl.source.disk.gate import names_in
 from urdfctl.source.launch.terms import Called, Constant, Items, Member, OneOf, Table, Term, outside
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place

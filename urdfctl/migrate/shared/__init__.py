@@ -1,0 +1,1 @@
+"""What several steps read and write: sections of controller files, plugins, rules of installation."""

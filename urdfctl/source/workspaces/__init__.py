@@ -1,0 +1,1 @@
+"""Packages, their workspace, and where they install their files, without ROS."""

@@ -1,0 +1,196 @@
+"""Where a source package installs its files: `$(find pkg)/urdf/x` may be `description/urdf/x` in the source tree.
+
+The install rules come from `install()` in CMakeLists.txt and from `data_files` in setup.py. Both files are parsed, and
+never run.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from bisect import bisect_right
+from collections.abc import Iterator
+from itertools import islice
+
+from urdfctl.source.disk import gate
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.workspaces.installed import Installed, below_share, installed
+
+_INSTALL = r"(?si)\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)"
+_PROJECT = r"(?i)\bproject\s*\(\s*([\w.-]+)"
+_ANY_INSTALL = r"(?si)\binstall\s*(\()([^)]*)\)"
+_NOT_PLAIN = (
+    r"(?i)\b(?:foreach|add_subdirectory|include|function|macro|execute_process|ament_auto_package|catkin_install_python"
+    r"|xacro_add_\w+|add_custom_command|add_custom_target|configure_file|install_\w+|\w+_install\w*|FetchContent_\w+"
+    r"|ExternalProject_\w+)\s*\(|\bfile\s*\(\s*(?:DOWNLOAD|GENERATE|CONFIGURE|WRITE|APPEND|RENAME|COPY|ARCHIVE_EXTRACT)\b"
+    r"|INSTALL_TO_SHARE|\bGLOB"
+)
+_COMMENT = r"#[^\n]*"
+_LOOP = r"(?si)\bforeach\s*\(\s*(\w+)\s+([^()]*)\)((?:(?!\bforeach\s*\().)*?)\bendforeach\s*\([^()]*\)"
+_BLOCK = r"(?i)\b(end)?(?:if|function|macro|while)\s*\("
+_SET = r"(?i)\bset\s*\(\s*(\w+)\s+([^()]*)\)"
+_MOST_ROUNDS = 200
+_MOST_RULES = 500
+_MOST_CHARACTERS = 1 << 16
+_PIECE = r'"([^"]*)"|(\S+)'
+_MOST_BYTES = 1 << 20
+
+
+class InstallMap:
+    """The install rules of one package."""
+
+    def __init__(
+        self, folder: str, rules: list[Installed], *, whole: bool = False, makes: bool = False, build: str = ""
+    ) -> None:
+        self.folder = folder
+        self._build = build
+        self.rules = rules
+        self.whole = whole
+        """Whether `rules` is known to be complete."""
+        self.makes = makes
+        """Whether the build may generate files that are not in the source tree."""
+
+    def installs(self, source: str) -> bool | None:
+        """Return whether a source file is installed, by its path relative to the package; None if unknown."""
+        if any(source == rule.source or source.startswith(rule.source.rstrip("/") + "/") for rule in self.rules):
+            return True
+        return False if self.whole else None
+
+    def makes_named(self, name: str) -> bool:
+        """Return whether the build may generate files, and CMakeLists.txt mentions one of this name."""
+        return self.makes and re.search(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", self._build) is not None
+
+    def source_of(self, relative: str) -> str | None:
+        """Return the existing source file that is installed at a path relative to share/<package>, if any."""
+        for target, source in self.rules:
+            if target and relative != target and not relative.startswith(target + "/"):
+                continue
+            rest = relative[len(target) :].lstrip("/")
+            candidate = os.path.normpath(os.path.join(self.folder, source, rest))
+            if gate.exists(candidate):
+                return candidate
+        return None
+
+
+def read_install_map(folder: str, package: str) -> InstallMap:
+    """Return the install rules of the package in a folder; no rules if it has no build files."""
+    cmake = _read(os.path.join(folder, "CMakeLists.txt"))
+    cmake = cmake[: cmake.rfind(")") + 1]  # without this, each unclosed call is searched to the end: quadratic time
+    cmake = _unrolled(cmake)
+    setup = _read(os.path.join(folder, "setup.py"))
+    rules = list(islice(_from_cmake(cmake, package), _MOST_RULES))
+    plain = _is_plain_cmake(cmake, package) if cmake else False
+    if setup:
+        from urdfctl.source.workspaces.setup_files import is_plain_setup, rules_of_setup
+
+        rules += islice(rules_of_setup(setup, folder, package), _MOST_RULES)
+        plain = plain if cmake else is_plain_setup(setup, package)
+    makes = bool(cmake) if not setup or cmake else "cmdclass" in setup
+    whole = plain and bool(cmake) != bool(setup) and len(rules) < _MOST_RULES
+    return InstallMap(folder, rules, whole=whole, makes=makes and not plain, build=cmake)
+
+
+def _read(path: str) -> str:
+    try:
+        return first_bytes(path, _MOST_BYTES).decode("utf-8", "replace").replace("\r\n", "\n")
+    except OSError:
+        return ""
+
+
+def missing_sources(text: str, folder: str, package: str) -> Iterator[tuple[str, int]]:
+    """Yield the files and folders that install() in a CMakeLists.txt names and that do not exist, with their offsets.
+
+    Only literal names outside conditions and functions count. Nothing is yielded if the build may make files.
+    """
+    plain = re.sub(_COMMENT, lambda comment: " " * len(comment.group()), text)
+    if re.search(_NOT_PLAIN, plain):
+        return
+    project = re.search(_PROJECT, plain)
+    name = project.group(1) if project else package
+    blocks, depths = _blocks(plain)
+    for call in re.finditer(_INSTALL, plain):
+        body = call.group(2)
+        depth = depths[bisect_right(blocks, call.start()) - 1]
+        if "DESTINATION" not in body or re.search(r"\bOPTIONAL\b", body) or depth > 0:
+            continue
+        for word in re.finditer(_PIECE, body.partition("DESTINATION")[0]):
+            written = word.group(1) or word.group(2) or ""
+            source = _substituted(written, name)
+            if source.isupper() and source.isalpha():
+                break
+            literal = source == written and bool(source) and not re.search(r"[*?$]|^/", source)
+            path = os.path.join(folder, source)
+            if literal and gate.admits(path) and not os.path.exists(path):
+                yield source, call.start(2) + word.start(1 if word.group(1) else 2)
+
+
+def _blocks(text: str) -> tuple[list[int], list[int]]:
+    """Where conditions and functions begin and end, and in how many of them the text is from there on."""
+    ends, depths = [0], [0]
+    for word in re.finditer(_BLOCK, text):
+        ends.append(word.end())
+        depths.append(depths[-1] + (-1 if word.group(1) else 1))
+    return ends, depths
+
+
+def _from_cmake(text: str, package: str) -> Iterator[Installed]:
+    text = re.sub(_COMMENT, "", text)
+    project = re.search(_PROJECT, text)
+    name = project.group(1) if project else package
+    for kind, body in re.findall(_INSTALL, text):
+        words = [quoted or bare for quoted, bare in re.findall(_PIECE, _substituted(body, name))]
+        if "DESTINATION" not in words[:-1]:
+            continue
+        keyword = words.index("DESTINATION")
+        target = below_share(words[keyword + 1], name)
+        if target is None:
+            continue
+        for source in words[:keyword]:
+            if source.isupper() and source.isalpha():
+                break
+            yield installed(kind.upper(), target, source)
+
+
+def _unrolled(text: str) -> str:
+    """A CMakeLists.txt with each `foreach` over known words replaced by its rounds."""
+    if "foreach" not in text.lower() or len(text) > _MOST_CHARACTERS:
+        return text
+    text = re.sub(_COMMENT, "", text)
+    lists = {name: words.split() for name, words in re.findall(_SET, text)}
+
+    def rounds(match: re.Match[str]) -> str:
+        variable, given, body = match.groups()
+        kind, *rest = given.split() or [""]
+        words = given.split()
+        if kind == "IN":
+            known = [lists.get(name) for name in rest[1:]] if rest[:1] == ["LISTS"] else [rest[1:]]
+            words = [word for part in known for word in part or ("$",)]
+        if len(words) * len(body) > _MOST_CHARACTERS or len(words) > _MOST_ROUNDS or kind == "RANGE":
+            return match.group()
+        if any("$" in word for word in words):
+            return match.group()
+        return "\n".join(body.replace(f"${{{variable}}}", word.strip('"')) for word in words)
+
+    return re.sub(_LOOP, rounds, text)
+
+
+def _is_plain_cmake(text: str, package: str) -> bool:
+    """Whether all install rules of a CMakeLists.txt are literal: without loops, macros and unknown variables."""
+    text = re.sub(_COMMENT, "", text)
+    if re.search(_NOT_PLAIN, text):
+        return False
+    return not any("${" in _substituted(body, package) for _, body in re.findall(_ANY_INSTALL, text))
+
+
+def _substituted(body: str, project: str) -> str:
+    for variable, value in (
+        ("${PROJECT_NAME}", project),
+        ("${CMAKE_PROJECT_NAME}", project),
+        ("${CMAKE_CURRENT_SOURCE_DIR}/", ""),
+        ("${CMAKE_CURRENT_LIST_DIR}/", ""),
+        ("${PROJECT_SOURCE_DIR}/", ""),
+        ("${CMAKE_INSTALL_PREFIX}/", ""),
+        ("${CATKIN_PACKAGE_SHARE_DESTINATION}", f"share/{project}"),
+    ):
+        body = body.replace(variable, value)
+    return body

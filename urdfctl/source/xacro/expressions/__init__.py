@@ -1,0 +1,1 @@
+"""Expressions in `${...}`: what is allowed, and how much work they may make."""

@@ -1,0 +1,1 @@
+"""A private copy of the installed xacro package, and all that is replaced in it."""

@@ -1,0 +1,96 @@
+"""A private copy of the installed xacro package, whose helpers can be replaced without an effect on other code.
+
+xacro keeps its state in module globals and looks up its helpers there at call time. So each expansion gets its own
+module object, which is never in `sys.modules` under xacro's name.
+"""
+
+from __future__ import annotations
+
+import builtins
+import itertools
+import os
+import sys
+from functools import lru_cache
+from importlib.machinery import SourceFileLoader
+from types import CodeType, ModuleType
+
+from urdfctl.errors import UserError
+from urdfctl.source.xacro.private.stand_ins import import_what_xacro_uses
+
+KNOWN_VERSIONS = "2.1.0 and 2.1.1"
+REQUIRED = (
+    "LEXER NameSpace QuickLexer Table XacroException YamlListWrapper ConstructUnits _empty_text_node "
+    "abs_filename_spec all_includes check_attrs create_global_symbols eval_all eval_extension eval_text "
+    "get_boolean_value grab_macro grab_property handle_macro_call init_stacks is_valid_name load_yaml "
+    "parse parse_macro_arg print_location process_doc process_include replace_node resolve_macro "
+    "safe_eval substitution_args_context"
+).split()
+_numbers = itertools.count()
+_PYTHONPATH = os.environ.get("PYTHONPATH", "")
+"""PYTHONPATH at the start of the run: workers load xacro with a reduced environment."""
+
+
+@lru_cache(1)
+def _location() -> str:
+    """Return the folder of the xacro package. The package of this installation comes before one in PYTHONPATH, because
+    a sourced ROS environment has its own, older xacro."""
+    foreign = {os.path.abspath(p) for p in _PYTHONPATH.split(os.pathsep) if p}
+    entries = [entry or os.curdir for entry in sys.path[0:]]
+    ours = [entry for entry in entries if os.path.abspath(entry) not in foreign]
+    for entry in ours + entries:
+        folder = os.path.join(entry, "xacro")
+        if os.path.isfile(os.path.join(folder, "__init__.py")) and os.path.isfile(os.path.join(folder, "xmlutils.py")):
+            return folder
+    raise UserError("the package xacro is not installed: pip install 'xacro>=2.1,<3'")
+
+
+@lru_cache(3)
+def _code(part: str) -> CodeType:
+    loader = SourceFileLoader(f"xacro.{part}", os.path.join(_location(), f"{part}.py"))
+    code = loader.get_code(f"xacro.{part}")
+    if code is None:  # pragma: no cover (a source file always has code)
+        raise UserError(f"the package xacro at {_location()} cannot be loaded")
+    return code
+
+
+def load() -> ModuleType:
+    """Return a new private xacro module. UserError if the installed version is not supported."""
+    name = f"_urdfctl_xacro_{next(_numbers)}"
+    command_line = ModuleType(f"{name}.cli")  # never used here, and optparse is slow to import
+    command_line.process_args = None  # type: ignore[attr-defined]
+    sys.modules[command_line.__name__] = command_line
+    module = ModuleType(name)
+    module.__package__, module.__path__ = name, [_location()]
+    module.__file__ = os.path.join(_location(), "__init__.py")
+    sys.modules[name] = module
+    _part(f"{name}.xmlutils")
+    _run(module, "__init__")
+    missing = [needed for needed in REQUIRED if not hasattr(module, needed)]
+    if missing:
+        where = f"the package xacro at {_location()}"
+        raise UserError(f"{where} is of an unknown version (no '{missing[0]}'); known are {KNOWN_VERSIONS}")
+    return module
+
+
+def substitutions(module: ModuleType) -> ModuleType:
+    """Return the module of a private xacro that resolves `$(...)`."""
+    return _part(f"{module.__name__}.substitution_args")
+
+
+def _part(name: str) -> ModuleType:
+    """Return a module of a private xacro. It has no relative imports."""
+    made = ModuleType(name)
+    sys.modules[name] = made
+    _run(made, name.rpartition(".")[2])
+    return made
+
+
+def _run(module: ModuleType, part: str) -> None:
+    module.__dict__["__builtins__"] = {**vars(builtins), "__import__": import_what_xacro_uses}
+    exec(_code(part), module.__dict__)  # noqa: S102 (the installed package's own code)
+
+
+def release(module: ModuleType) -> None:
+    """Forget a private xacro. Another thread, of an editor's server, may import modules meanwhile."""
+    for name in [n for n in list(sys.modules) if n == module.__name__ or n.startswith(module.__name__ + ".")]:
+        del sys.modules[name]

@@ -1,0 +1,1 @@
+"""Which text each value of an expanded robot was evaluated from."""

@@ -1,0 +1,44 @@
+"""Replace texts in a YAML file, as launch files do before they load it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, Sequence, YamlFile
+
+_DEEPEST = 40
+_MOST_CHARACTERS = 1 << 16
+
+
+def with_replacements(file: YamlFile, pairs: Iterable[tuple[str, str]]) -> YamlFile:
+    """Return a file whose keys and scalars have texts replaced; each keeps its place in the file.
+
+    A scalar that becomes a list or map is unknown.
+    """
+    used = [(old, new) for old, new in pairs if old and old.encode() in file.source.data]
+    if not used:
+        return file
+    return file._replace(documents=tuple(_replaced(document, used, 0) for document in file.documents))
+
+
+def _replaced(node: Node, pairs: list[tuple[str, str]], depth: int) -> Node:
+    if depth > _DEEPEST:
+        return node
+    if isinstance(node, Scalar):
+        return _scalar(node, pairs)
+    if isinstance(node, Sequence):
+        return node._replace(items=tuple(_replaced(item, pairs, depth + 1) for item in node.items))
+    entries = (Entry(_scalar(entry.key, pairs), _replaced(entry.value, pairs, depth + 1)) for entry in node.entries)
+    return node._replace(entries=tuple(entries)) if isinstance(node, Mapping) else node
+
+
+def _scalar(scalar: Scalar, pairs: list[tuple[str, str]]) -> Scalar:
+    text = scalar.text
+    for old, new in pairs:
+        text = text.replace(old, new)
+    if text == scalar.text:
+        return scalar
+    if len(text) > _MOST_CHARACTERS or (not scalar.style and text.lstrip()[:1] in {"[", "{"}):
+        text = UNKNOWN
+    return scalar._replace(text=text)
