@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from urdfctl.server.analysis.question import Question
-from urdfctl.server.analysis.workspace import Checked, Wishes, Workspace
+from urdfctl.server.analysis.workspace import Checked, EditorSettings, Workspace
 from urdfctl.server.features.completion import Item, items_at
 from urdfctl.source.span import SourceText
 
@@ -98,7 +98,7 @@ def insertions(folder: Path, number: int, seed: int, *, each: int = 6) -> Iterat
     Every second word is taken out as a whole; of the others, the first half is there already.
     """
     rng = random.Random(seed)  # noqa: S311
-    workspace = Workspace(str(folder), Wishes())
+    workspace = Workspace(str(folder), EditorSettings())
     before = workspace.check()
     files = [
         path for path in map(Path, sorted(before.files)) if path.suffix in _SUFFIXES and path.is_relative_to(folder)

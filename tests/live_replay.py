@@ -20,7 +20,7 @@ from urdfctl.lint.grouping import grouped
 from urdfctl.lint.live import Outdated
 from urdfctl.report.common import as_json, relative
 from urdfctl.report.json_report import finding
-from urdfctl.server.analysis.workspace import Checked, Wishes, Workspace
+from urdfctl.server.analysis.workspace import Checked, EditorSettings, Workspace
 
 _TEXTS = (".urdf", ".xacro", ".yaml", ".yml", ".launch", ".launch.py", ".launch.xml", ".srdf", ".xml")
 _MOST_BYTES = 200_000
@@ -65,7 +65,7 @@ class Session:
 
     def begin(self) -> None:
         """Begin with a new workspace, in which the same texts are open."""
-        self.live = Workspace(str(self.folder), Wishes(), self._is_outdated)
+        self.live = Workspace(str(self.folder), EditorSettings(), self._is_outdated)
         for path, texts in self._open.items():
             self.live.changed(str(path), _data(texts[-1]))
         self.checked = self.live.check()

@@ -11,7 +11,7 @@ from folder import Folder
 from urdfctl.__main__ import _run
 from urdfctl.config.settings import Settings
 from urdfctl.fix.edits import Splice, edited
-from urdfctl.fix.rounds import Wishes, fixed
+from urdfctl.fix.rounds import FixOptions, fixed
 from urdfctl.fix.trial import TrialResult, trial_work
 from urdfctl.lint.job import job_for, perform_alone, run_on_targets
 from urdfctl.lint.selection import Selection
@@ -122,7 +122,7 @@ def test_all_findings_of_a_run_are_mended_together_and_nothing_is_written(folder
     result = fixed(
         [(target, lint_target(loader, target, Selection()).result) for target in targets],
         SETTINGS,
-        Wishes(unsafe=True),
+        FixOptions(unsafe=True),
         1,
     )
     assert result.refused == ()
@@ -135,9 +135,9 @@ def test_all_findings_of_a_run_are_mended_together_and_nothing_is_written(folder
 def test_what_is_not_wanted_is_not_mended(folder: Folder) -> None:
     folder.write({"arm.xacro": MACRO})
     linted = [(Target("arm.xacro"), lint_target(Loader(SETTINGS), Target("arm.xacro"), Selection()).result)]
-    assert fixed(linted, SETTINGS, Wishes(), 1).changes == ()
-    assert fixed(linted, SETTINGS, Wishes(Selection(ignore=("UC125",)), unsafe=True), 1).changes == ()
-    assert fixed(linted, SETTINGS, Wishes(ignores=lambda _, code: code == "UC125", unsafe=True), 1).changes == ()
+    assert fixed(linted, SETTINGS, FixOptions(), 1).changes == ()
+    assert fixed(linted, SETTINGS, FixOptions(Selection(ignore=("UC125",)), unsafe=True), 1).changes == ()
+    assert fixed(linted, SETTINGS, FixOptions(ignores=lambda _, code: code == "UC125", unsafe=True), 1).changes == ()
 
 
 @pytest.mark.parametrize("now", [MACRO.replace("<robot", "<!-- new --><robot"), "<robot/>"])
@@ -145,7 +145,7 @@ def test_a_file_that_has_changed_since_it_was_linted_is_left(folder: Folder, now
     folder.write({"arm.xacro": MACRO})
     linted = [(Target("arm.xacro"), lint_target(Loader(SETTINGS), Target("arm.xacro"), Selection()).result)]
     folder.write({"arm.xacro": now})
-    result = fixed(linted, SETTINGS, Wishes(unsafe=True), 1)
+    result = fixed(linted, SETTINGS, FixOptions(unsafe=True), 1)
     assert result.changes == ()
     assert len(result.refused) == 1
 
@@ -183,7 +183,7 @@ def test_some_files_are_never_edited(folder: Folder, text: str, mode: int, works
     os.chmod("arm.xacro", mode)
     settings = SETTINGS._replace(workspace=workspace, trust=True)
     linted = [(Target("arm.xacro"), lint_target(Loader(settings), Target("arm.xacro"), Selection()).result)]
-    [refused] = fixed(linted, settings, Wishes(unsafe=True), 1).refused
+    [refused] = fixed(linted, settings, FixOptions(unsafe=True), 1).refused
     assert why in refused
 
 
@@ -191,7 +191,7 @@ def test_a_file_that_is_gone_since_it_was_linted_is_told_of(folder: Folder) -> N
     folder.write({"arm.xacro": MACRO})
     linted = [(Target("arm.xacro"), lint_target(Loader(SETTINGS), Target("arm.xacro"), Selection()).result)]
     os.unlink("arm.xacro")
-    [refused] = fixed(linted, SETTINGS, Wishes(unsafe=True), 1).refused
+    [refused] = fixed(linted, SETTINGS, FixOptions(unsafe=True), 1).refused
     assert "UC125 is not fixed: " in refused
 
 
@@ -212,7 +212,7 @@ def test_many_fixes_of_a_rule_that_are_refused_for_one_reason_are_not_all_tried_
         return run_on_targets(*arguments, **named)
 
     monkeypatch.setattr("urdfctl.fix.rounds.run_on_targets", counted)
-    result = fixed([(target, linted)], SETTINGS, Wishes(unsafe=True), 1)
+    result = fixed([(target, linted)], SETTINGS, FixOptions(unsafe=True), 1)
     assert len(result.refused) == 100
     assert {message.partition(": ")[2] for message in result.refused} == {
         "UC155 is not fixed: the fix would cause UC110 (link 'world' is already defined; rename or remove one)"

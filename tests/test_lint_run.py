@@ -14,7 +14,7 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.errors import UserError
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.run import LintRequest, find, in_workers, judge, lint, merge, plan, report
-from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 
 SHARED = """\
 <robot xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -74,7 +74,7 @@ def test_the_stages_one_by_one_are_the_run(folder: Folder) -> None:
 
 def test_an_editor_says_of_a_shared_file_what_the_command_says(folder: Folder) -> None:
     folder.write(FILES)
-    found = Workspace(str(folder.path), Wishes()).check().findings
+    found = Workspace(str(folder.path), EditorSettings()).check().findings
     shown = [one for findings in found.values() for one in findings if one.code == "UC156"]
     assert told(shown) == [one for one in by_command(folder) if one[0] == "UC156"]
 

@@ -19,7 +19,7 @@ from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.linting import Lint
-from urdfctl.migrate.options import Part, Wishes
+from urdfctl.migrate.options import MigrationOptions, Part
 from urdfctl.migrate.packages import Linted, Packages
 from urdfctl.migrate.report import ReportLine, as_markdown
 from urdfctl.migrate.scratch import Scratch
@@ -267,7 +267,7 @@ def result_of(
     """The migration of the package arm by some steps, given by name and function."""
     scratch = Scratch([str(folder / "arm")])
     own = [Step(name, Part.URDF, "a change", propose, is_needed=is_needed) for name, propose in steps]
-    result = migrate(scratch, Wishes(distro), Settings(workspace=scratch.root), lint(scratch), own)
+    result = migrate(scratch, MigrationOptions(distro), Settings(workspace=scratch.root), lint(scratch), own)
     scratch.close()
     return result
 
@@ -438,6 +438,6 @@ def test_what_links_lead_to_outside_of_the_workspace_is_not_read(folder: Folder)
         read.update({name: b"copied" for name in os.listdir(packages.scratch.root) if name == "urdfctl.toml"})
         yield from ()
 
-    with reading_within([folder.path / "checkout"]):
+    with reading_within([str(folder.path / "checkout")]):
         result_of(folder.path / "checkout", ("look", look))
     assert read == {"own.world": b"own", "secret.world": b""}

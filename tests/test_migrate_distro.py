@@ -15,7 +15,7 @@ from urdfctl.catalog.distros import ALL, ROS2
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.moves import MANAGER, Move, name_moves, parameter_moves
-from urdfctl.migrate.options import Wishes
+from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.steps import STEPS
 from urdfctl.migrate.table import rows, table
 
@@ -247,12 +247,12 @@ def test_the_table_lists_what_lies_between_two_distros(folder: Folder) -> None:
     listed = folder.run("migrate", "--list", "--from", "jazzy", "--to", "lyrical").stdout
     assert "constraints.goal_time" in listed
     assert "i_clamp" not in listed
-    assert all(row.authority for _, row in rows(STEPS, Wishes("rolling")))
+    assert all(row.authority for _, row in rows(STEPS, MigrationOptions("rolling")))
 
 
 @pytest.mark.parametrize("target", ROS2)
 def test_the_table_fits_a_terminal_and_grows_with_the_way_between_two_distros(target: str) -> None:
-    shown = [table(STEPS, Wishes(target, source)) for source in ALL[: ALL.index(target) + 1]]
+    shown = [table(STEPS, MigrationOptions(target, source)) for source in ALL[: ALL.index(target) + 1]]
     assert all(len(line) <= 120 for text in shown for line in text.splitlines())
     assert all("\n    = " in text for text in shown)
     sizes = [len(text.splitlines()) for text in shown]

@@ -16,7 +16,7 @@ from urdfctl.fault import Example
 from urdfctl.lint.examples import write_files
 from urdfctl.migrate.engine import migrate
 from urdfctl.migrate.linting import Lint
-from urdfctl.migrate.options import Wishes
+from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import Step
 from urdfctl.migrate.steps import STEPS
@@ -31,14 +31,14 @@ MANIFEST = '<package format="3"><name>arm</name></package>\n'
 OF_ROS1 = '<package format="2"><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>\n'
 
 
-def wishes_of(options: Iterable[str], step: Step) -> Wishes:
-    """Return the wishes that some options of the command line say, and only the part of a step."""
+def options_from(options: Iterable[str], step: Step) -> MigrationOptions:
+    """Return what some options of the command line say, and only the part of a step."""
     names = {"--to": "target", "--from": "source", "--keep-classic": "keep_classic"}
-    wishes: dict[str, Any] = {}
+    named: dict[str, Any] = {}
     for option in options:
         name, _, value = option.partition("=")
-        wishes[names.get(name, name.removeprefix("--"))] = value or True
-    return Wishes(**wishes, only=frozenset([step.part]))
+        named[names.get(name, name.removeprefix("--"))] = value or True
+    return MigrationOptions(**named, only=frozenset([step.part]))
 
 
 def migrated(step: Step, before: Example, folder: Path) -> dict[str, str]:
@@ -50,7 +50,7 @@ def migrated(step: Step, before: Example, folder: Path) -> dict[str, str]:
     )
     with closing(Scratch([package])) as scratch:
         settings = Settings(workspace=scratch.root)
-        result = migrate(scratch, wishes_of(before.options, step), settings, Lint(scratch), [step])
+        result = migrate(scratch, options_from(before.options, step), settings, Lint(scratch), [step])
     return {os.path.relpath(one.file, package): (one.after or b"").decode() for one in result.changes}
 
 

@@ -17,7 +17,7 @@ from sampling import sample
 
 from urdfctl.run.here import Clock, run_all_here
 from urdfctl.run.limits import Json, Limits, WorkerFailure
-from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 from urdfctl.source.budget import OverBudget
 
 LIMITS = Limits(seconds=0.05, memory=1 << 30, environ={})
@@ -117,7 +117,7 @@ def test_a_hostile_file_in_an_editor_gets_the_findings_of_the_command_line(folde
     (folder.path / "pull" / "out").symlink_to(folder.path)
     ran = folder.run("lint", "pull", "--format", "json", "--exit-zero", "--timeout", "50")
     expected = sorted(finding["code"] for finding in json.loads(ran.stdout)["findings"]) if ran.stdout else []
-    found = Workspace(str(folder.path / "pull"), Wishes()).check().findings
+    found = Workspace(str(folder.path / "pull"), EditorSettings()).check().findings
     assert sorted(finding.code for findings in found.values() for finding in findings) == expected
     assert HIDDEN not in repr(found)
     assert not (folder.path / "ran").exists()
@@ -194,8 +194,8 @@ def test_where_there_are_no_processes_open_texts_are_linted(folder: Folder) -> N
     """The layer below the editor's server."""
     folder.write({"arm.urdf": '<robot name="arm"><link name="base"/></robot>'})
     code = (
-        "from urdfctl.server.analysis.workspace import Wishes, Workspace\n"
-        "here = Workspace(os.getcwd(), Wishes())\n"
+        "from urdfctl.server.analysis.workspace import EditorSettings, Workspace\n"
+        "here = Workspace(os.getcwd(), EditorSettings())\n"
         "here.changed('arm.urdf', b'<robot name=\"arm\"><lnk name=\"base\"/></robot>')\n"
         "print(sorted(found.message for all in here.check().findings.values() for found in all))\n"
     )

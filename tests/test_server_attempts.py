@@ -16,7 +16,7 @@ from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.server.analysis.attempts import Attempts, harmless
 from urdfctl.server.analysis.items import Item
 from urdfctl.server.analysis.question import Question
-from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 from urdfctl.server.features.completion import items_at
 from urdfctl.source.span import SourceText
 
@@ -97,7 +97,7 @@ ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 def test_an_argument_with_which_a_link_is_missing_is_left_out(folder: Folder) -> None:
     text = ROBOT.replace("|", "")
     folder.write({".git/HEAD": "", "r.urdf.xacro": ROBOT.replace("|", "has_base")})
-    workspace, path = Workspace(str(folder.path), Wishes()), os.path.realpath(folder.path / "r.urdf.xacro")
+    workspace, path = Workspace(str(folder.path), EditorSettings()), os.path.realpath(folder.path / "r.urdf.xacro")
     workspace.check()
     workspace.changed(path, text.encode())
     workspace.check()

@@ -8,7 +8,7 @@ import pytest
 from editor import Editor, in_editor
 from folder import Folder
 
-from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 
 MANIFEST = "<package><name>parts</name></package>"
 ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -33,7 +33,7 @@ def codes(live: Workspace) -> set[str]:
 
 def test_a_manifest_counts_before_it_is_saved(folder: Folder) -> None:
     folder.write({".git/HEAD": "", **FILES})
-    live = Workspace(str(folder.path), Wishes())
+    live = Workspace(str(folder.path), EditorSettings())
     assert "UC003" not in codes(live)
     live.changed(str(folder.path / "pieces/package.xml"), MANIFEST.replace("parts", "other").encode())
     assert "UC003" in codes(live)
@@ -45,7 +45,7 @@ def test_a_text_that_was_never_saved_is_no_file(folder: Folder) -> None:
     folder.write({".git/HEAD": "", **FILES})
     wheel = folder.path / "pieces/wheel.xacro"
     wheel.unlink()
-    live = Workspace(str(folder.path), Wishes())
+    live = Workspace(str(folder.path), EditorSettings())
     missing = codes(live)
     live.changed(str(wheel), PARTS.encode())
     assert codes(live) == missing
@@ -62,7 +62,7 @@ def test_packages_are_found_from_the_folder_of_the_window(
     inner = Folder(tmp_path / "window")
     inner.write(FILES)
     monkeypatch.chdir(tmp_path / "elsewhere")
-    live = Workspace(str(inner.path), Wishes())
+    live = Workspace(str(inner.path), EditorSettings())
     assert "UC003" not in codes(live)
 
 

@@ -30,7 +30,7 @@ from raw_editor import (
 )
 
 from urdfctl.server.analysis.checking import Checking
-from urdfctl.server.analysis.workspace import Checked, Wishes, Workspace
+from urdfctl.server.analysis.workspace import Checked, EditorSettings, Workspace
 
 
 @pytest.fixture(scope="module")
@@ -215,7 +215,7 @@ def test_a_crash_while_linting_is_logged_and_the_next_text_is_linted(
             raise ValueError(workspace.folder)
 
     monkeypatch.setattr(Workspace, "check", crash)
-    checking = Checking(lambda _: [Workspace(here, Wishes())], lambda checked, *_: linted.set())
+    checking = Checking(lambda _: [Workspace(here, EditorSettings())], lambda checked, *_: linted.set())
     checking.start()
     checking.change(changed)
     assert linted.wait(SECONDS)

@@ -13,7 +13,7 @@ from pygls.exceptions import JsonRpcException
 from urdfctl.diagnostic import Replacement
 from urdfctl.errors import UserError
 from urdfctl.server.analysis.question import Question
-from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 from urdfctl.server.features.completion import items_at
 from urdfctl.server.features.hover import hover
 from urdfctl.server.features.navigation import NamesAround, definitions, renamed
@@ -92,7 +92,7 @@ def question(folder: Folder, file: str, at: types.Position, typed: str | None = 
     folder.write({".git/HEAD": "", "package.xml": "<package format='3'><name>p</name></package>"})
     folder.write({**FILES, **{globals()[name]: text for name, text in written.items()}})
     folder.write({"urdfctl.toml": 'distro = "jazzy"\n'})
-    workspace = Workspace(str(folder.path), Wishes())
+    workspace = Workspace(str(folder.path), EditorSettings())
     workspace.check()
     if typed is not None:
         workspace.changed(str(folder.path / file), typed.encode())
@@ -331,7 +331,7 @@ def test_pointing_at_an_interface_tells_of_the_controllers_of_all_namespaces(fol
 @pytest.mark.parametrize("name", ["urdf/macros.xacro", "package.xml"])
 def test_what_another_program_writes_is_known_to_the_next_question(folder: Folder, name: str) -> None:
     question(folder, URDF, types.Position(0, 0))  # writes the files
-    workspace = Workspace(str(folder.path), Wishes())
+    workspace = Workspace(str(folder.path), EditorSettings())
     workspace.check()
     robot = str(folder.path / URDF)
     before = workspace.robots_with(robot)

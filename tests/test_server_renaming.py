@@ -11,7 +11,7 @@ from renaming import differences
 from sampling import sample
 
 from urdfctl.load.target import Target
-from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 
 SAMPLES = sorted((CHECKOUT / "samples").glob("*/urdf/*.xacro"))
 
@@ -23,7 +23,7 @@ def test_names_of_samples_are_renamed_everywhere(path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["my_robot", "mybot", "radu", "gripper"])
 def test_names_of_what_is_started_together_are_renamed_everywhere(name: str) -> None:
-    run = Workspace(str(CHECKOUT / "samples" / name), Wishes()).check().run
+    run = Workspace(str(CHECKOUT / "samples" / name), EditorSettings()).check().run
     targets = [target for target, result in run.targets if result.launch is not None]
     assert targets
     assert [found for target in targets for found in differences(target, number=6, seed=2)] == []

@@ -11,7 +11,7 @@ from seeds import ARM, OTHER_TEXTS
 
 from urdfctl.errors import UserError
 from urdfctl.server.analysis.question import Question
-from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 from urdfctl.server.features.completion import items_at
 from urdfctl.server.features.hover import hover
 from urdfctl.server.features.navigation import NamesAround, check_renamable, definitions, references, renamed
@@ -36,7 +36,7 @@ def asked_in_an_editor(data: bytes, random: Random) -> None:
         _FOLDER.mkdir()
         for name, content in _FILES.items():
             (_FOLDER / name).write_bytes(content)
-    workspace = Workspace(str(_FOLDER), Wishes(distro=random.choice([None, "noetic", "jazzy"])))
+    workspace = Workspace(str(_FOLDER), EditorSettings(distro=random.choice([None, "noetic", "jazzy"])))
     path = os.path.realpath(_FOLDER / random.choice([*_FILES][1:]))
     text = data.decode("utf-8", "replace").encode()
     workspace.changed(path, text)

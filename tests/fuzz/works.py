@@ -34,7 +34,7 @@ from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.migrate.engine import migrate
-from urdfctl.migrate.options import Wishes
+from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.packages import Linted
 from urdfctl.migrate.report import as_json, as_markdown
 from urdfctl.migrate.scratch import Scratch
@@ -154,7 +154,7 @@ def worked(target: Target, random: Random) -> None:
 
 def migrated(folder: str, random: Random) -> None:
     """Migrate a package, with a linter in this process."""
-    wishes = Wishes(random.choice(["humble", "jazzy", "kilted"]), random.choice([None, "noetic", "foxy"]))
+    wishes = MigrationOptions(random.choice(["humble", "jazzy", "kilted"]), random.choice([None, "noetic", "foxy"]))
     wishes = wishes._replace(simulator=random.choice([None, "gz"]), launch=random.choice(["py", "xml"]))
     with closing(Scratch([folder])) as scratch:
         targets = [Target(path) for path in scratch.files() if path.endswith((".xacro", ".launch", ".launch.py"))]

@@ -15,7 +15,7 @@ from urdfctl.commands.words import configured, settings_from
 from urdfctl.errors import UserError
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.linting import Lint
-from urdfctl.migrate.options import Part, Wishes
+from urdfctl.migrate.options import MigrationOptions, Part
 from urdfctl.migrate.report import as_json, as_markdown
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind
@@ -96,11 +96,11 @@ class MigrateOptions(ReadingOptions):
 
 def run_migrate(options: MigrateOptions) -> int:
     """Migrate packages, or show how, and return the exit status."""
-    wishes = _wishes(options)
+    migration = _migration_of(options)
     if options.list_changes:
         from urdfctl.migrate.table import table
 
-        print_text(table(STEPS, wishes))
+        print_text(table(STEPS, migration))
         return 0
     gc.set_threshold(_OBJECTS)
     paths = options.paths or [os.curdir]
@@ -117,11 +117,11 @@ def run_migrate(options: MigrateOptions) -> int:
             workspace=scratch.root,
             package_paths=(*settings.package_paths, *scratch.others),
         )
-        result = migrate(scratch, wishes, settings, Lint(scratch, with_progress), STEPS)
-        return _finish(result, scratch, options, wishes)
+        result = migrate(scratch, migration, settings, Lint(scratch, with_progress), STEPS)
+        return _finish(result, scratch, options, migration)
 
 
-def _wishes(options: MigrateOptions) -> Wishes:
+def _migration_of(options: MigrateOptions) -> MigrationOptions:
     if options.to is None:
         raise UserError("--to requires the distro to migrate to, e.g. --to jazzy")
     for name, distro, known in (("--to", options.to, ROS2), ("--from", options.source, ALL)):
@@ -136,7 +136,7 @@ def _wishes(options: MigrateOptions) -> Wishes:
         raise UserError(f"unknown simulator '{options.simulator}'{near}; known are {', '.join(SIMULATORS)}")
     if options.launch not in _LAUNCH_FORMS:
         raise UserError(f"--launch must be py or xml, not '{options.launch}'")
-    return Wishes(
+    return MigrationOptions(
         target=options.to,
         source=options.source,
         simulator=options.simulator,
@@ -167,7 +167,7 @@ def _check_destination(options: MigrateOptions, folders: Sequence[str]) -> None:
         raise UserError(f"'{dirty[0]}' has changes that are not committed; commit them, or use --force")
 
 
-def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes: Wishes) -> int:
+def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, migration: MigrationOptions) -> int:
     """Write the result where the user wants it, and return the exit status."""
     base = os.path.commonpath([scratch.real(folder) for folder in scratch.folders])
     is_written = options.in_place or options.output is not None
@@ -175,7 +175,7 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes
     check_output(path)
     is_reported = path is not None and bool(result.changes or (options.report and result.lines))
     render = as_json if path and path.endswith(".json") else as_markdown
-    text = encoded(render(result.lines, wishes.source, wishes.target, base)) if is_reported else b""
+    text = encoded(render(result.lines, migration.source, migration.target, base)) if is_reported else b""
     report = (path, text) if path is not None and is_reported else None
     if report is not None and os.path.isdir(report[0]):
         raise UserError(f"'{report[0]}' is a folder")

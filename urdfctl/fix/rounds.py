@@ -57,7 +57,7 @@ def _nothing(_file: str, _code: str) -> bool:
     return False
 
 
-class Wishes(NamedTuple):
+class FixOptions(NamedTuple):
     """The findings that the user wants to fix."""
 
     selection: Selection = Selection()
@@ -73,10 +73,13 @@ class Wishes(NamedTuple):
 
 
 def fixed(
-    linted: Sequence[tuple[Target, TargetResult]], settings: Settings, wishes: Wishes, parallel: int | None = None
+    linted: Sequence[tuple[Target, TargetResult]],
+    settings: Settings,
+    options: FixOptions,
+    parallel: int | None = None,
 ) -> Fixed:
     """Return the result of fixing all robots of a run. A shared file is changed only if the fix suits all of them."""
-    mending = _Mending(linted, settings, wishes, parallel or processors())
+    mending = _Mending(linted, settings, options, parallel or processors())
     for _ in range(MOST_ROUNDS):
         suggestions = mending.suggestions()
         if not suggestions:
@@ -97,14 +100,14 @@ class _Mending:
         self,
         linted: Sequence[tuple[Target, TargetResult]],
         settings: Settings,
-        wishes: Wishes,
+        options: FixOptions,
         parallel: int,
     ) -> None:
         self.targets = [target for target, _ in linted]
         self.linted = [result for _, result in linted]
-        self.settings, self.wishes, self.parallel = settings, wishes, parallel
+        self.settings, self.options, self.parallel = settings, options, parallel
         # a fix must not cause a new finding of any rule, whether selected or not
-        self.judges = wishes.selection._replace(select=())
+        self.judges = options.selection._replace(select=())
         self.loader = shared_loader(self.targets, settings)
         self.files = EditableFiles(settings)
         self.refused: dict[frozenset[Splice], str] = {}
@@ -134,14 +137,14 @@ class _Mending:
         wanted = [
             suggestion
             for key, suggestion in in_order
-            if key not in self.refused and (self.wishes.unsafe or key not in unsafe)
+            if key not in self.refused and (self.options.unsafe or key not in unsafe)
         ]
         return [suggestion for suggestion in wanted if self._is_editable(suggestion) and taken.take(suggestion.splices)]
 
     def _findings(self) -> Iterator[tuple[Target, Diagnostic]]:
         for target, linted in zip(self.targets, self.linted, strict=True):
             for finding in linted.outcome.diagnostics:
-                if finding.fix and finding.fix.edits and self.wishes.admits(finding):
+                if finding.fix and finding.fix.edits and self.options.admits(finding):
                     yield target, finding
 
     def _is_editable(self, suggestion: Suggestion) -> bool:
@@ -256,5 +259,5 @@ class _Mending:
         )
 
     def _selected(self, linted: TargetResult) -> TargetResult:
-        selected = [finding for finding in linted.outcome.diagnostics if self.wishes.selection.admits(finding.code)]
+        selected = [finding for finding in linted.outcome.diagnostics if self.options.selection.admits(finding.code)]
         return linted._replace(outcome=linted.outcome._replace(diagnostics=selected))

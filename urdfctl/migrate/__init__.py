@@ -7,7 +7,7 @@ A migration is made in a copy of the packages (`Scratch`), judged there, and wri
   files, files to delete, and the entries of the report. A proposal must not be made again once it is applied, because
   a step is called until it proposes no more changes. That also makes a migration idempotent.
 - `Packages` (`packages.py`) is what a step sees: `files(".xacro")` and `read(path)` for texts, `loaded(distro)` for
-  robots, controllers and launch files with their places, `wishes`, `source`, `is_ros1`, `simulator`,
+  robots, controllers and launch files with their places, `options`, `source`, `is_ros1`, `simulator`,
   `crosses("jazzy")`. All paths are of the copy; the report shows the real ones. A created launch file is linted, too.
 - Edits that keep comments and formatting: `yaml_edits.py` (entries of maps), `xml_edits.py` (elements),
   `python_edits.py` (calls, lists, imports), `tokens.py` (values wherever they are). `controller_files.py` finds the

@@ -156,7 +156,7 @@ class Attempt:
 
     def judged(self, state: Before, lint: Lint, settings: Settings) -> list[Objection]:
         """Return the objections to what was applied."""
-        self.linted = lint(settings._replace(distro=self.packages.wishes.target))
+        self.linted = lint(settings._replace(distro=self.packages.options.target))
         return list(objections(state, self.linted, self.packages.loaded(), self._claims, self._moved))
 
 

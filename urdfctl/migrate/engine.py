@@ -13,7 +13,7 @@ from urdfctl.migrate.attempt import Attempt, Key, Noted
 from urdfctl.migrate.fixes import fixes_of_lint
 from urdfctl.migrate.installs import installs_for_launch_files
 from urdfctl.migrate.memory import Memory
-from urdfctl.migrate.options import Wishes
+from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.scratch import Scratch
@@ -42,7 +42,9 @@ class Migration(NamedTuple):
     lines: tuple[ReportLine, ...]
 
 
-def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, steps: Sequence[Step]) -> Migration:
+def migrate(
+    scratch: Scratch, options: MigrationOptions, settings: Settings, lint: Lint, steps: Sequence[Step]
+) -> Migration:
     """Return the migration of the packages in a copy.
 
     The steps are applied in order, then the whole is judged. If there are objections, the step that is responsible is
@@ -51,24 +53,24 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
 
     settings: without a distro.
     """
-    source = lint(settings._replace(distro=wishes.source))
+    source = lint(settings._replace(distro=options.source))
     first, known = source, Memory[LoadedTarget](scratch, by_package=True)
     noted: Sequence[Noted] = ()
     left_out: dict[Key, str] = {}
     for _ in range(MOST_PASSES):
-        target = lint(settings._replace(distro=wishes.target))
-        packages = Packages(scratch, wishes, settings, linted=source, known=known, began=first)
+        target = lint(settings._replace(distro=options.target))
+        packages = Packages(scratch, options, settings, linted=source, known=known, began=first)
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())
-        if not wishes.only:
-            wanted += _mending(lint, settings._replace(distro=wishes.target), first, state)
+        if not options.only:
+            wanted += _mending(lint, settings._replace(distro=options.target), first, state)
         trials = Trials(packages, wanted, state, lint=lint, settings=settings, earlier=noted)
         attempt, found = trials.best()
         noted = attempt.noted
         left_out = {**{key: why for key, why in left_out.items() if key not in attempt.touched}, **attempt.barred}
         if not attempt.barred or not attempt.touched:
             break
-        source = lint(settings._replace(distro=wishes.source))  # what was left out may be possible now
+        source = lint(settings._replace(distro=options.source))  # what was left out may be possible now
     changes = scratch.changes()
     lines = [*_done(scratch, noted)]
     if changes or left_out:
@@ -164,5 +166,5 @@ def _mending(lint: Lint, settings: Settings, source: Linted, state: Before) -> l
 
 
 def _is_wanted(step: Step, packages: Packages) -> bool:
-    only = packages.wishes.only
+    only = packages.options.only
     return (not only or step.part in only) and (step.generation != 1 or packages.is_ros1)

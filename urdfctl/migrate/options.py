@@ -1,4 +1,4 @@
-"""What the user wants of a migration."""
+"""The options of a migration."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ class Part(Enum):
     MOVEIT = "moveit"
 
 
-class Wishes(NamedTuple):
-    """What the user wants.
+class MigrationOptions(NamedTuple):
+    """The options of a migration.
 
     target: the distro to migrate to.
     source: the distro to migrate from; None to detect it.

@@ -12,7 +12,7 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.migrate.memory import Memory
-from urdfctl.migrate.options import Wishes
+from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.scratch import Scratch, Written
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.disk.files import MAX_BYTES, first_bytes
@@ -31,7 +31,7 @@ Lint = Callable[[Settings], Linted]
 class Packages:
     """The packages to migrate, as they are after the proposals so far. All paths are of the copy that is migrated.
 
-    wishes: what the user wants.
+    options: what the user wants.
     settings: the settings of the run, with the distro to migrate from if the user names it.
     linted: the targets before the migration, with their results.
     known: the targets that were read before.
@@ -41,14 +41,14 @@ class Packages:
     def __init__(
         self,
         scratch: Scratch,
-        wishes: Wishes,
+        options: MigrationOptions,
         settings: Settings,
         linted: Linted,
         known: Memory[LoadedTarget],
         began: Linted,
     ) -> None:
         self.scratch = scratch
-        self.wishes = wishes
+        self.options = options
         self.settings = settings
         self.linted = linted
         self._known, self._began = known, began
@@ -60,16 +60,16 @@ class Packages:
     @property
     def source(self) -> str | None:
         """The distro to migrate from: the one that the user names, or the earliest that all targets may be for."""
-        if self.wishes.source:
-            return self.wishes.source
+        if self.options.source:
+            return self.options.source
         possible = [result.distros for _, result in self._began if 0 < len(result.distros) < len(ALL)]
         return min((distros[0] for distros in possible), key=ALL.index, default=None)
 
     @property
     def is_ros1(self) -> bool:
         """Whether a part of the packages is for ROS 1."""
-        if self.wishes.source:
-            return generation(self.wishes.source) == 1
+        if self.options.source:
+            return generation(self.options.source) == 1
         return any(result.ros == 1 for _, result in self._began)
 
     @property
@@ -79,21 +79,21 @@ class Packages:
 
     def crosses(self, since: str) -> bool:
         """Return whether the migration leads from a distro before `since` to it or a later one."""
-        return self.wishes.crosses(since, self.source)
+        return self.options.crosses(since, self.source)
 
     def reaches(self, since: str) -> bool:
         """Return whether the target is a distro or a later one, whichever the migration comes from."""
-        return ROS2.index(self.wishes.target) >= ROS2.index(since)
+        return ROS2.index(self.options.target) >= ROS2.index(since)
 
     @property
     def simulator(self) -> str | None:
         """The simulator after the migration: gz, gazebo-classic, mujoco or none; None if the robot has none now."""
-        if self.wishes.simulator:
-            return self.wishes.simulator
+        if self.options.simulator:
+            return self.options.simulator
         now = {result.simulator for _, result in self.linted} - {None}
         if now <= {"none"}:
             return None
-        if "gazebo-classic" not in now or ROS2.index(self.wishes.target) < ROS2.index("jazzy"):
+        if "gazebo-classic" not in now or ROS2.index(self.options.target) < ROS2.index("jazzy"):
             return min(filter(None, now))
         return "gz"
 
@@ -128,7 +128,7 @@ class Packages:
         distro: read them for this distro; None for the distro to migrate from, or the one that the files indicate.
         """
         if distro not in self._loaded:
-            loader = Loader(self.settings._replace(distro=distro or self.wishes.source))
+            loader = Loader(self.settings._replace(distro=distro or self.options.source))
             found = (self._load(loader, target) for target in self.targets())
             self._loaded[distro] = [one for one in found if one is not None]
         return self._loaded[distro]

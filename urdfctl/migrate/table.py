@@ -7,28 +7,28 @@ from itertools import groupby
 from textwrap import wrap
 
 from urdfctl.catalog.distros import generation
-from urdfctl.migrate.options import Wishes
+from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.step import Row, Step
 
 _WIDTH = 120
 
 
-def rows(steps: Sequence[Step], wishes: Wishes) -> Iterator[tuple[Step, Row]]:
+def rows(steps: Sequence[Step], options: MigrationOptions) -> Iterator[tuple[Step, Row]]:
     """Yield the changes that a migration between two distros may make, each with its step, in order."""
     for step in steps:
-        if (wishes.only and step.part not in wishes.only) or (
-            step.generation == 1 and wishes.source is not None and generation(wishes.source) != 1
+        if (options.only and step.part not in options.only) or (
+            step.generation == 1 and options.source is not None and generation(options.source) != 1
         ):
             continue
         for row in step.rows:
-            if not row.since or wishes.crosses(row.since):
+            if not row.since or options.crosses(row.since):
                 yield step, row
 
 
-def table(steps: Sequence[Step], wishes: Wishes) -> str:
+def table(steps: Sequence[Step], options: MigrationOptions) -> str:
     """Return the changes as text: below each step and its part, the old forms, the new ones, and their authority."""
     lines: list[str] = []
-    for name, same in groupby(rows(steps, wishes), key=lambda found: found[0].name):
+    for name, same in groupby(rows(steps, options), key=lambda found: found[0].name):
         found = list(same)
         step = found[0][0]
         lines += ["", f"{step.summary}: step '{name}', part '{step.part.value}'"]

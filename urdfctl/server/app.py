@@ -8,7 +8,7 @@ from functools import partial
 from lsprotocol import types
 
 from urdfctl.config.file import NAMES
-from urdfctl.server.analysis.workspace import Wishes, Workspace
+from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 from urdfctl.server.answers import answer_questions
 from urdfctl.server.commands.calls import answer_commands
 from urdfctl.server.commands.lenses import answer_lenses
@@ -31,18 +31,18 @@ def make_server() -> Window:
 
 def _begin(server: Window) -> None:
     """Register what says which folder is linted, and how."""
-    wishes: list[Wishes] = []
+    settings: list[EditorSettings] = []
 
     @server.feature(types.INITIALIZE)
     def asked(ls: Window, params: types.InitializeParams) -> None:
         options = params.initialization_options
-        wishes.append(Wishes.from_json(options))
+        settings.append(EditorSettings.from_json(options))
         ls.can_pick = isinstance(options, dict) and options.get("pick") is True
 
     @server.feature(types.INITIALIZED)
     def initialized(ls: Window, _: types.InitializedParams) -> None:
         root = ls.workspace.root_path
-        ls.begin(_folders(ls) or ([root] if root else []), wishes[-1])
+        ls.begin(_folders(ls) or ([root] if root else []), settings[-1])
         _watch(ls)
 
     @server.feature(types.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
@@ -53,7 +53,7 @@ def _begin(server: Window) -> None:
     def configured(ls: Window, params: types.DidChangeConfigurationParams) -> None:
         given = params.settings.get("urdfctl") if isinstance(params.settings, dict) else None
         if given is not None:
-            ls.again(Wishes.from_json(given))
+            ls.again(EditorSettings.from_json(given))
 
 
 def _folders(server: Window) -> list[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfctl.fix.rounds import Wishes, fixed
+from urdfctl.fix.rounds import FixOptions, fixed
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.run import LintRequest, LintRun, merge
@@ -33,8 +33,8 @@ def fix(run: LintRun, request: LintRequest, *, unsafe: bool, as_diff: bool) -> D
 
     unsafe: also with fixes that may change behaviour. as_diff: show the changes, and write nothing.
     """
-    wishes = Wishes(request.selection, request.config.ignores, unsafe)
-    result = fixed(tuple(run.targets), request.settings, wishes, request.parallel)
+    fix_options = FixOptions(request.selection, request.config.ignores, unsafe)
+    result = fixed(tuple(run.targets), request.settings, fix_options, request.parallel)
     _print_lines(result.refused)
     _print_lines(result.remarks)
     if not as_diff:

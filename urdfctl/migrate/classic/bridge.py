@@ -137,7 +137,7 @@ def _is_plain(name: str) -> bool:
 
 
 def _text(packages: Packages, topics: list[Topic]) -> str:
-    messages = gz_names(packages.wishes.target)["messages"]
+    messages = gz_names(packages.options.target)["messages"]
     clock = Topic("/clock", "rosgraph_msgs/msg/Clock", "Clock")
     blocks = ["# The topics between ROS and gz, for parameter_bridge of ros_gz_bridge.\n"]
     for topic in (clock, *topics):

@@ -21,7 +21,7 @@ def is_chosen(element: Element) -> bool:
 
 def keeps_classic(packages: Packages, element: Element) -> bool:
     """Return whether an element stays for the case that Gazebo Classic is chosen: its file can declare the argument."""
-    return packages.wishes.keep_classic and element.source.is_xacro
+    return packages.options.keep_classic and element.source.is_xacro
 
 
 def replaced(packages: Packages, element: Element, new: str) -> Iterator[Edit]:

@@ -25,12 +25,12 @@ _HASH = re.compile(r"(?<=\s)#+")
 
 
 def _comments(packages: Packages) -> Iterator[Proposal]:
-    is_passed_on = packages.wishes.target == "humble" and packages.simulator == "gazebo-classic"
+    is_passed_on = packages.options.target == "humble" and packages.simulator == "gazebo-classic"
     if not is_passed_on and not any(MARK.encode() in packages.read(path).data for path in packages.files(*XML)):
         return
     done: set[tuple[str, int]] = set()
     fixes: tuple[str, ...] = ()
-    for loaded in packages.loaded(packages.wishes.target):
+    for loaded in packages.loaded(packages.options.target):
         if is_passed_on and any(comment_breaks_parameter.check(loaded.project)):
             what, authority, fixes = "Gazebo's plugin cannot pass on", _AUTHORITY, ("UC359",)
         elif any(description_read_as_yaml.check(loaded.project)):

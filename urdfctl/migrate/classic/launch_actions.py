@@ -22,7 +22,7 @@ _EMPTY = "empty.sdf"
 def gz_for(packages: Packages, path: str) -> Gz:
     """Return what the actions of a launch file need to know."""
     bridge = bridge_file_of(packages, path) or ""
-    return Gz(gz_names(packages.wishes.target), bridge, frozenset(joints_with_position(packages)))
+    return Gz(gz_names(packages.options.target), bridge, frozenset(joints_with_position(packages)))
 
 
 class Gz(NamedTuple):

@@ -54,7 +54,7 @@ class _File:
 
     def __init__(self, packages: Packages, file: PythonFile) -> None:
         self.packages, self.file = packages, file
-        self.gz = gz_names(packages.wishes.target)
+        self.gz = gz_names(packages.options.target)
         self.includes = [
             (call, scope, name)
             for call, scope in file.calls("IncludeLaunchDescription")
@@ -295,7 +295,7 @@ class _File:
         spaces = (keyword(call, "namespace") for call, _ in self.spawns)
         space = next((f"namespace={self.file.text(each.value)}, " for each in spaces if each), "")
         remap = 'remappings=[("~/robot_description", "robot_description")]'
-        more = "" if self.packages.wishes.target in since("jazzy") else f", {remap}"
+        more = "" if self.packages.options.target in since("jazzy") else f", {remap}"
         file = f'[FindPackageShare("{name}"), "/{address}"]'
         start = 'Node(package="controller_manager", executable="ros2_control_node", '
         return f"{start}{space}parameters=[ParameterFile({file})]{more})"

@@ -86,7 +86,7 @@ def _spawned(args: str) -> str:
 
 
 def _of_xml(packages: Packages, root: Element) -> Iterator[Edit]:
-    gz = gz_names(packages.wishes.target)
+    gz = gz_names(packages.options.target)
     has_bridge = b"parameter_bridge" in root.source.data
     for element in elements(root):
         if element.tagName == "include" and (name := _launched(attribute(element, "file"))) is not None:
@@ -143,7 +143,7 @@ def _clock(messages: str) -> str:
 
 
 def _of_yaml(packages: Packages, source: SourceText) -> Iterator[Edit]:
-    gz = gz_names(packages.wishes.target)
+    gz = gz_names(packages.options.target)
     has_bridge = b"parameter_bridge" in source.data
     for action, start in _actions(source):
         file, program = _text(action, "file"), _text(action, "exec")

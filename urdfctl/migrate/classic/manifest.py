@@ -18,7 +18,7 @@ _GAZEBO = ("gazebo_ros", "gazebo_ros_pkgs", "gazebo_plugins")
 
 
 def _manifests(packages: Packages) -> Iterator[Proposal]:
-    if not leaves_classic(packages) or packages.wishes.keep_classic:
+    if not leaves_classic(packages) or packages.options.keep_classic:
         return
     for path in packages.files("package.xml"):
         source = packages.read(path)
@@ -50,7 +50,7 @@ def _successors(packages: Packages, name: str) -> tuple[str, ...] | None:
         return (host.package,) if host and host.package else ("hardware_interface",) if mock else ()
     if name not in _GAZEBO:
         return None
-    gz = gz_names(packages.wishes.target)
+    gz = gz_names(packages.options.target)
     is_started = name != "gazebo_plugins" and (simulated_by(packages) == "gz" or goes_to_gz(packages))
     return (gz["package"], gz["bridge"]) if is_started else ()
 

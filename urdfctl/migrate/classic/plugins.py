@@ -134,7 +134,7 @@ def _interfaces(packages: Packages) -> Iterator[Proposal]:
     for path in packages.files(*OF_XML, ".yaml"):
         source = packages.read(path)
         found = list(re.finditer(_WITH_LOOP, source.data))
-        if found and not packages.wishes.keep_classic:
+        if found and not packages.options.keep_classic:
             edits = [
                 Edit(SourceSpan(source, *match.span(1)), match[1].decode().removesuffix("_pid")) for match in found
             ]
@@ -164,7 +164,7 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
         around = parent_of(element)
         if is_chosen(element) or (around is not None and around.tagName in {"world", "gui"}):
             continue
-        if _is_own(element, library) and not packages.wishes.keep_classic:
+        if _is_own(element, library) and not packages.options.keep_classic:
             what = f"plugin '{library}' is built for Gazebo Classic: port it to gz, or remove it"
             yield for_you(element.at, what, authority=_AUTHORITY)
         if around is not None and around.tagName == "sensor":

@@ -50,7 +50,7 @@ class _Parameter:
 
 def _parameters(packages: Packages) -> Iterator[Proposal]:
     for section in sections(packages):
-        known = _moves_for(section.type, packages.wishes.target)
+        known = _moves_for(section.type, packages.options.target)
         moves = [move for move in known if _is_due(packages, move)]
         if moves and section.parameters.entries and packages.may_change(section.path):
             yield from _Moving(packages, section, moves).proposals()

@@ -22,7 +22,7 @@ _AUTHORITY = "ros2_controllers doc/migration.rst: removed types and their succes
 
 
 def _types(packages: Packages) -> Iterator[Proposal]:
-    target = packages.wishes.target
+    target = packages.options.target
     known = sections(packages)
     for declared in type_names(packages):
         old = declared.value.text
@@ -80,7 +80,7 @@ def _yaml(value: object) -> str:
 
 def _dependencies(packages: Packages) -> Iterator[Proposal]:
     """Depend on the packages of the new types; no longer on those of the old ones if nothing uses them."""
-    target = packages.wishes.target
+    target = packages.options.target
     used = {declared.value.text for declared in type_names(packages)}
     needed = {kind.package for name in used if (kind := CATALOG.controller(name, target))}
     successors = _successors(target)

@@ -24,7 +24,7 @@ def with_parameter_files(packages: Packages, source: SourceText, actions: Sequen
     known = sections_near([one for one in sections(packages) if one.type != MANAGER], source, source.data)
     arguments = (action for action in all_actions(tuple(actions)) if action.kind == "argument")
     defaults = {action.name: plain(action.value) for action in arguments if action.value and is_literal(action.value)}
-    is_passed = takes_param_file(packages.wishes.target)
+    is_passed = takes_param_file(packages.options.target)
 
     def passing(action: Action) -> Action:
         if action.kind == "group":

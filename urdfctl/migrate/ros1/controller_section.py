@@ -60,7 +60,7 @@ def section_of(packages: Packages, item: Item, source: SourceText) -> Controller
     A type that is not of ROS stays, with its parameters.
     """
     catalog = catalog_with(packages.settings.additions)
-    target = packages.wishes.target
+    target = packages.options.target
     same = catalog.controller(item.type, target)
     replacement = None if same else catalog.replacement(item.type, target)
     kind = same or (catalog.controller(replacement.type, target) if replacement else None)
@@ -170,7 +170,7 @@ class _Writer:
         is_misread = bool(targets) and self._is_misread(value, targets[0])
         if not targets or is_misread or not self._was_ever_read(targets[0]):
             self._drop(edits, path)
-            why = change.why or f"'{self.kind.type}' does not read it in {packages.wishes.target}"
+            why = change.why or f"'{self.kind.type}' does not read it in {packages.options.target}"
             why = "it is an integer, and ROS 1 ignores other values" if is_misread else why
             message = f"parameter '{name}' of '{self.item.name}' is dropped: {why}"
             self.entries.append(Entry(EntryKind.DONE, message, key.at, authority=_RENAMED))

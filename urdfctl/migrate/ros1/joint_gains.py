@@ -26,7 +26,7 @@ _OF_XML = (".xacro", ".urdf", ".gazebo", ".inc")
 def reads_gains(packages: Packages) -> bool:
     """Return whether the simulator of the migrated robot has a PID loop for each joint, as in ROS 1."""
     is_classic = simulated_by(packages) == "gazebo-classic"
-    return is_classic and packages.wishes.target in between("humble", "iron")
+    return is_classic and packages.options.target in between("humble", "iron")
 
 
 def _gains(packages: Packages) -> Iterator[Proposal]:

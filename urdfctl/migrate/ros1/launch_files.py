@@ -47,7 +47,7 @@ def _launch_files(packages: Packages) -> Iterator[Proposal]:
             yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, file=manifest, authority=_MOVEIT),))
         else:
             wanted.append((path, root))
-    if edits := tuple(renamed_includes(packages, left.values(), f".launch.{packages.wishes.launch}")):
+    if edits := tuple(renamed_includes(packages, left.values(), f".launch.{packages.options.launch}")):
         yield Proposal(edits)
     for path, root in wanted:
         target = _target(packages)._replace(left=frozenset(left), own_package=_package(path))
@@ -70,7 +70,7 @@ def _package(path: str) -> str:
 
 
 def _migrated(packages: Packages, path: str, root: Element, target: Target) -> Iterator[Proposal]:
-    new = _new_path(path, packages.wishes.launch)
+    new = _new_path(path, packages.options.launch)
     if exists(new):
         return
     reading = Reading(target)
@@ -84,7 +84,7 @@ def _migrated(packages: Packages, path: str, root: Element, target: Target) -> I
     left = list(dict.fromkeys(left))
     name = os.path.basename(path)
     written = Written(f"Migrated from {name}.", tuple(todo_line(new, what) for what in left), tuple(actions))
-    text = (as_xml if packages.wishes.launch == "xml" else as_python)(written)
+    text = (as_xml if packages.options.launch == "xml" else as_python)(written)
     entries = [Entry(EntryKind.DONE, f"{name} became {os.path.basename(new)}", file=new, authority=_AUTHORITY)]
     entries += [Entry(EntryKind.DECIDED, what, file=new) for what in reading.decided]
     entries += [Entry(EntryKind.FOR_YOU, what, file=new) for what in left]
@@ -107,17 +107,17 @@ def _is_of_moveit(path: str, root: Element) -> bool:
 
 
 def _target(packages: Packages) -> Target:
-    wishes = packages.wishes
+    options = packages.options
     controllers = _controller_files(packages)
     return Target(
-        distro=wishes.target,
+        distro=options.target,
         simulator=simulated_by(packages),
         started=started_by_launch_files(packages),
         own=frozenset(own_packages(packages)),
-        ending=f".launch.{wishes.launch}",
+        ending=f".launch.{options.launch}",
         is_controllers_file=lambda written: os.path.basename(written) in controllers,
         controllers_in=lambda written: _controllers_in(packages, written),
-        remaps_description=wishes.target not in since("jazzy"),
+        remaps_description=options.target not in since("jazzy"),
         moveit=frozenset(packages_of_moveit(packages)),
     )
 

@@ -106,7 +106,7 @@ def _additions(packages: Packages, root: Element, known: set[str]) -> Iterator[E
 
 def _rank(packages: Packages, name: str) -> tuple[str, bool]:
     """The order of a package: one of gz is where that of Gazebo Classic would be, which a later migration replaces."""
-    gz = gz_names(packages.wishes.target)
+    gz = gz_names(packages.options.target)
     host = host_plugin(packages)
     if host is not None and name == host.package:
         return "gazebo_ros2_control", False
@@ -136,7 +136,7 @@ def _dependency(packages: Packages, element: Element, known: set[str]) -> Iterat
 
 
 def _successors(packages: Packages, name: str) -> tuple[str, ...]:
-    gz = gz_names(packages.wishes.target)
+    gz = gz_names(packages.options.target)
     host = host_plugin(packages)
     if name == "gazebo_ros_control":
         return (host.package,) if host and host.package else ()
@@ -178,7 +178,7 @@ def _needed(packages: Packages, folder: str) -> Iterator[str]:
             yield from ["moveit_configs_utils"] if "moveit_configs_utils" in text else []
         elif path.endswith(".yaml"):
             types = re.findall(r"(?m)^\s+type:\s*['\"]?(\w+/\w+)", text)
-            yield from (kind.package for name in types if (kind := catalog.controller(name, packages.wishes.target)))
+            yield from (kind.package for name in types if (kind := catalog.controller(name, packages.options.target)))
         elif "<ros2_control" in text:
             yield from (name for name in [system(packages).package] if name not in _NO_PACKAGES)
 

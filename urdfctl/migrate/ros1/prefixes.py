@@ -15,7 +15,7 @@ _AUTHORITY = "wiki.ros.org/xacro: since noetic, tags without the prefix are not 
 
 def _prefixes(packages: Packages) -> Iterator[Proposal]:
     done: set[tuple[Edit, ...]] = set()
-    for loaded in packages.loaded(packages.wishes.target):
+    for loaded in packages.loaded(packages.options.target):
         for finding in xacro_prefix_missing.check(loaded.project):
             edits = finding.fix.edits if finding.fix else ()
             if edits and edits not in done:

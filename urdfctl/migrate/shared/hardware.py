@@ -50,11 +50,11 @@ def started_by_launch_files(packages: Packages) -> str:
 
 def options_of(packages: Packages) -> Options:
     """Return the options of the generators for the migrated packages."""
-    return Options(packages.wishes.target, simulated_by(packages), hardware=_named(packages))
+    return Options(packages.options.target, simulated_by(packages), hardware=_named(packages))
 
 
 def _named(packages: Packages) -> str | None:
-    return packages.wishes.hardware if simulated_by(packages) == "none" else None
+    return packages.options.hardware if simulated_by(packages) == "none" else None
 
 
 def system(packages: Packages) -> HardwareType:
@@ -76,7 +76,7 @@ def host_plugin(packages: Packages) -> SimulatorPlugin | None:
 
 def without_hardware(packages: Packages, component: str) -> str:
     """Return what a person must decide about the hardware plugin of a component; empty if it is known."""
-    if simulated_by(packages) != "none" or packages.wishes.hardware is not None:
+    if simulated_by(packages) != "none" or packages.options.hardware is not None:
         return ""
     moves = f"{system_plugin(packages)}, which moves nothing"
     return f"component '{component}' uses {moves}: name the plugin of the real hardware in <plugin>"

@@ -30,7 +30,7 @@ from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
 
-class Wishes(NamedTuple):
+class EditorSettings(NamedTuple):
     """What the editor's settings ask for; None or empty for what the configuration file says."""
 
     distro: str | None = None
@@ -41,7 +41,7 @@ class Wishes(NamedTuple):
     """The variant that is shown: arguments for the descriptions that are found in folders."""
 
     @classmethod
-    def from_json(cls, data: object) -> Wishes:
+    def from_json(cls, data: object) -> EditorSettings:
         """Return what an editor sends: an object with any of these names. Other names and values are ignored."""
         given = data if isinstance(data, dict) else {}
         texts = {name: given[name] for name in ("distro", "simulator") if isinstance(given.get(name), str)}
@@ -91,7 +91,7 @@ class Workspace:
     def __init__(
         self,
         folder: str,
-        wishes: Wishes,
+        asked: EditorSettings,
         is_outdated: Callable[[], bool] = lambda: False,
     ) -> None:
         self.folder = os.path.realpath(folder)
@@ -105,10 +105,10 @@ class Workspace:
             admit(root)
         with self._shown({}):
             self.config = with_environ(config_for((self.folder,)), os.environ)
-        given = Settings(distro=wishes.distro, simulator=wishes.simulator, environ=passed_on(os.environ))
+        given = Settings(distro=asked.distro, simulator=asked.simulator, environ=passed_on(os.environ))
         self.settings = settings_with(self.config, given)
-        self._selection = selection_with(self.config, Selection(wishes.select, wishes.ignore))
-        self._wishes = wishes
+        self._selection = selection_with(self.config, Selection(asked.select, asked.ignore))
+        self._asked = asked
         self._is_outdated = is_outdated
         self._run: LintRun | None = None
         self._loaded: tuple[object, list[LoadedTarget]] | None = None
@@ -302,7 +302,7 @@ class Workspace:
         if path is not None:
             folder = package_around(os.path.dirname(os.path.realpath(path))) or folder
         texts = self._saved_once()
-        request = LintRequest((folder,), self.config, self.settings, self._selection, self._wishes.arguments)
+        request = LintRequest((folder,), self.config, self.settings, self._selection, self._asked.arguments)
         with self._shown(texts):
             run = judge(plan(find(request), request), self._linter)
         if path is None or self._run is None:

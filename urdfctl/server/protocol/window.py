@@ -23,7 +23,7 @@ from urdfctl.server.analysis.checking import Checking
 from urdfctl.server.analysis.folders import FoundByFolder
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.analysis.variants import robot_name
-from urdfctl.server.analysis.workspace import Checked, Wishes, Workspace, text_on_disk
+from urdfctl.server.analysis.workspace import Checked, EditorSettings, Workspace, text_on_disk
 from urdfctl.server.protocol.diagnostics import shown_diagnostic
 from urdfctl.server.protocol.messages import Server
 from urdfctl.server.protocol.positions import Positions
@@ -57,12 +57,12 @@ class Window(Server):
         self.can_pick = False
         self.looked_at: str | None = None
         """The file that was opened, changed or asked about last."""
-        self._wishes = Wishes()
+        self._asked = EditorSettings()
         self._problems: tuple[str, ...] = ()
 
     # -- the workspace -------------------------------------------------------------------------------------------------
 
-    def begin(self, folders: Iterable[str], wishes: Wishes) -> None:
+    def begin(self, folders: Iterable[str], asked: EditorSettings) -> None:
         """Lint folders from now on, with the texts that are open; the folder of the first open file if there are none.
 
         A wrong configuration is told once, and its folder is not linted until it changes.
@@ -70,7 +70,7 @@ class Window(Server):
         if self.checking is not None:
             self.checking.end()
         self._loop = asyncio.get_running_loop()
-        self._folders, self._wishes = tuple(dict.fromkeys(map(os.path.realpath, folders))), wishes
+        self._folders, self._asked = tuple(dict.fromkeys(map(os.path.realpath, folders))), asked
         self._found, self.checking = FoundByFolder(self._folders), None
         self._problems = ()
         checking = Checking(self._opened, partial(self._take, self._found))
@@ -88,15 +88,15 @@ class Window(Server):
         opened = []
         for folder in self._folders:
             try:
-                opened.append(Workspace(folder, self._wishes, is_outdated))
+                opened.append(Workspace(folder, self._asked, is_outdated))
             except UserError as error:
                 self._problems += (f"'{folder}' is not linted: {error}",)
                 self.window_show_message(types.ShowMessageParams(types.MessageType.Error, f"urdfctl: {error}"))
         return opened
 
-    def again(self, wishes: Wishes | None = None, folders: Iterable[str] | None = None) -> None:
+    def again(self, asked: EditorSettings | None = None, folders: Iterable[str] | None = None) -> None:
         """Begin again: the configuration file changed, or the editor's settings or folders did."""
-        self.begin(self._folders if folders is None else folders, self._wishes if wishes is None else wishes)
+        self.begin(self._folders if folders is None else folders, self._asked if asked is None else asked)
 
     def text_changed(self, uri: str, text: str | None, version: int | None = None) -> None:
         """Lint with an open file's text; None if it was closed."""
@@ -115,7 +115,7 @@ class Window(Server):
         if path in self._tested and data not in {None, text_on_disk(path)}:
             del self._tested[path]
         if not self._folders:
-            self.begin([os.path.dirname(path)], self._wishes)
+            self.begin([os.path.dirname(path)], self._asked)
             return
         if self.checking is not None:
             changes = self.checking.change(lambda workspace: workspace.changed(path, data), near=path)
