@@ -13,7 +13,7 @@ from urdfctl.source.problem import Problem
 from urdfctl.source.workspaces.packages import PackageIndex, Packages
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.expansion import Expander
-from urdfctl.source.xml.dom import Element, Node
+from urdfctl.source.xml.dom import Element, XmlNode
 
 NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
@@ -65,7 +65,7 @@ def said(problem: Problem) -> str:
     return f"{where} {problem.kind.name} {problem.message}"
 
 
-def elements(node: Node | None) -> list[Element]:
+def elements(node: XmlNode | None) -> list[Element]:
     """Return a node, if it is an element, and all elements below it, in document order."""
     if node is None:
         return []

@@ -14,7 +14,7 @@ from urdfctl.commands.app import app
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.generate.everything import Order, files
-from urdfctl.generate.options import File, Options, Roles
+from urdfctl.generate.options import File, GeneratorOptions, Roles
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.generate.text.templates import Templates
 from urdfctl.lint.selection import Selection
@@ -63,7 +63,7 @@ def roles_of(name: str) -> Roles:
 
 
 def made(
-    command: str, options: Options, joints: tuple[JointFacts, ...] = JOINTS, robot: RobotFacts = ROBOT
+    command: str, options: GeneratorOptions, joints: tuple[JointFacts, ...] = JOINTS, robot: RobotFacts = ROBOT
 ) -> list[File]:
     """Return the files that a generate command makes."""
     return files(command, Order(joints, options, CATALOG, robot, TEMPLATES))

@@ -17,7 +17,7 @@ from urdfctl.load.target import Target
 from urdfctl.server.analysis.names import names_in
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.features.navigation import NamesAround, renamed
-from urdfctl.source.xml.dom import COMMENT, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 NEW = "renamed_here"
 
@@ -62,7 +62,7 @@ def _flat(linted: LintedTarget, old: Collection[str]) -> Flat:
     while pending:
         element = pending.pop()
         pending += element.elements()
-        nodes = (node for node in element.children() if isinstance(node, Text) and node.nodeType != COMMENT)
+        nodes = (node for node in element.children() if isinstance(node, XmlText) and node.nodeType != COMMENT)
         text = "".join(node.data for node in nodes).strip()
         values = sorted((key, _plain(value, old)) for key, value in element.attrs.items())
         found.append((element.tagName, tuple(values), _plain(text, old)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from folder import Folder
 
-from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
+from urdfctl.diagnostic import CallStep, Diagnostic, Location, Remark, Repair, Severity, ShownEdit
 from urdfctl.lint.results import Outcome, Report, TargetResult
 
 
@@ -18,11 +18,15 @@ def of_a_macro(folder: Folder) -> Diagnostic:
         "joint 'größe' has no <hardwareInterface>",
         Location(file, 12, 7, 12, 28, 310, 333),
         (
-            (Step(file, 4, 3, "macro wheel"), Step(robot, 6, 3, "macro axle"), Step("/out.xacro", 1, 1, "include r")),
-            (Step(robot, 7, 3, "macro wheel"),),
+            (
+                CallStep(file, 4, 3, "macro wheel"),
+                CallStep(robot, 6, 3, "macro axle"),
+                CallStep("/out.xacro", 1, 1, "include r"),
+            ),
+            (CallStep(robot, 7, 3, "macro wheel"),),
         ),
         (Remark("so it is", Location(file, 14, 1, 14, 3, 400, 402)), Remark("for noetic")),
-        Repair("add it", safe=True, edits=(Replacement(Location(file, 12, 26, 12, 28, 331, 333), "><x/></joint>"),)),
+        Repair("add it", safe=True, edits=(ShownEdit(Location(file, 12, 26, 12, 28, 331, 333), "><x/></joint>"),)),
         '      <joint name="größe"/>',
     )
 

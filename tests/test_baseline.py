@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from reported import bare
 from sampling import examples
 
-from urdfctl.diagnostic import Diagnostic, Location, Severity, Step
+from urdfctl.diagnostic import CallStep, Diagnostic, Location, Severity
 from urdfctl.errors import UserError
-from urdfctl.report.baseline import Known, baseline_text, compare, read_baseline
+from urdfctl.report.baseline import KnownFinding, baseline_text, compare, read_baseline
 
 FAULTY = """\
 <robot name="r">
@@ -109,11 +109,11 @@ def test_a_finding_in_a_macro_is_known_whichever_robot_calls_it_first(folder: Fo
 def test_a_fault_of_ours_is_never_known(folder: Folder) -> None:
     ours = bare(Severity.ERROR)._replace(code="UC000")
     assert read_of(folder, baseline_text([ours], "known.json")) == []
-    known = [Known("UC000", "../elsewhere/r.urdf", "it is so", "", 9)]
+    known = [KnownFinding("UC000", "../elsewhere/r.urdf", "it is so", "", 9)]
     assert compare([ours], known, "known.json", lambda *_: False).new == [ours]
 
 
-def read_of(folder: Folder, text: str) -> list[Known]:
+def read_of(folder: Folder, text: str) -> list[KnownFinding]:
     folder.write({"known.json": text})
     return read_baseline("known.json")
 
@@ -173,7 +173,7 @@ FINDINGS = st.builds(
     st.just(Severity.ERROR),
     TEXTS,
     st.builds(Location, st.just("/a/r.urdf"), *[st.integers(1, 9)] * 6),
-    st.sampled_from([(), ((Step("/r", 1, 1, "macro m"),),)]),
+    st.sampled_from([(), ((CallStep("/r", 1, 1, "macro m"),),)]),
     excerpt=TEXTS,
 )
 

@@ -7,7 +7,7 @@ import pytest
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.catalog import CATALOG, catalog_with
 from urdfctl.catalog.distros import ALL, ROS1, ROS2, applies_to, spanned
-from urdfctl.catalog.entries import Parameter, Replacement
+from urdfctl.catalog.entries import ParameterEntry, Replacement
 from urdfctl.catalog.map_parameters import expanded, expected, matching
 from urdfctl.model.project import Project
 
@@ -67,7 +67,7 @@ def test_what_a_type_was_replaced_by_is_told_where_it_is_to_be_had() -> None:
     assert CATALOG.replacement("my_controllers/Mine", "jazzy") is None
 
 
-def parameters(name: str, distro: str) -> dict[str, Parameter]:
+def parameters(name: str, distro: str) -> dict[str, ParameterEntry]:
     controller = CATALOG.controller(name, distro)
     assert controller is not None
     return dict(controller.parameters)
@@ -115,7 +115,7 @@ def test_a_type_that_extends_another_has_its_parameters_and_claims_too() -> None
 
 def test_groups_of_parameters_stand_below_their_prefix() -> None:
     ros1 = parameters("effort_controllers/JointTrajectoryController", "noetic")
-    assert ros1["gains.<joints>.p"] == Parameter("gains.<joints>.p", "double", if_absent="crash")
+    assert ros1["gains.<joints>.p"] == ParameterEntry("gains.<joints>.p", "double", if_absent="crash")
     assert ros1["gains.<joints>.i_clamp"].default == 0.0
     assert ros1["constraints.<joints>.goal"].default == 0.0
     assert parameters("effort_controllers/JointPositionController", "noetic")["pid.p"].required

@@ -9,7 +9,7 @@ from sampling import assert_each, sample
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ROS1, ROS2, generation
-from urdfctl.catalog.entries import ControllerType, Parameter
+from urdfctl.catalog.entries import ControllerType, ParameterEntry
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.catalog.validators import problem
 from urdfctl.control.parameters.minimal import minimal_parameters
@@ -107,7 +107,7 @@ def test_each_missing_required_parameter_is_reported() -> None:
     assert_each(check, SAMPLE)
 
 
-def wrong_value(parameter: Parameter, distro: str) -> object:
+def wrong_value(parameter: ParameterEntry, distro: str) -> object:
     """Return a value of another type; None if no value is certain to be wrong."""
     kinds = {kind.removesuffix("_array") for kind in parameter.types}
     if kinds & {"none", "struct"}:
@@ -134,7 +134,7 @@ def test_a_value_of_the_wrong_type_is_reported_for_each_parameter() -> None:
     assert_each(check, SAMPLE)
 
 
-def broken_values(parameter: Parameter, values: Mapping[str, object]) -> Iterator[object]:
+def broken_values(parameter: ParameterEntry, values: Mapping[str, object]) -> Iterator[object]:
     """Yield values of the right type that a validator rejects."""
     kind = parameter.types[-1]
     plain = kind.removesuffix("_array")

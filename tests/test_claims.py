@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from urdfctl.catalog.catalog import CATALOG
-from urdfctl.control.claims import Claim, Claims, Exports, RobotFacts, claims, exports
+from urdfctl.control.claims import Claim, ClaimFacts, Claims, ExportedInterfaces, claims, exports
 
-ROBOT = RobotFacts(
+ROBOT = ClaimFacts(
     movable_joints=("shoulder", "elbow"),
     state_interfaces=(("shoulder", "position"), ("elbow", "position"), ("imu", "orientation.x"), ("io", "in1")),
 )
@@ -19,7 +19,7 @@ def claimed(kind: str, distro: str, values: dict[str, object]) -> Claims:
     return found
 
 
-def exported(kind: str, distro: str, values: dict[str, object]) -> Exports:
+def exported(kind: str, distro: str, values: dict[str, object]) -> ExportedInterfaces:
     controller = CATALOG.controller(kind, distro)
     assert controller is not None
     return exports(controller, "it", values)
@@ -111,7 +111,7 @@ def test_a_condition_may_be_of_the_element_at_hand() -> None:
 
 def test_a_parameter_that_the_distro_does_not_read_claims_nothing() -> None:
     broadcaster = "joint_state_controller/JointStateController"
-    joints = RobotFacts(state_interfaces=(("elbow", "hardware_interface/JointStateInterface"),))
+    joints = ClaimFacts(state_interfaces=(("elbow", "hardware_interface/JointStateInterface"),))
     old, new = CATALOG.controller(broadcaster, "kinetic"), CATALOG.controller(broadcaster, "noetic")
     assert old is not None
     assert new is not None
@@ -144,7 +144,7 @@ def test_a_chainable_controller_exports_what_others_may_claim() -> None:
     drive: dict[str, object] = {"left_wheel_names": ["l"], "right_wheel_names": ["r"]}
     kind = "diff_drive_controller/DiffDriveController"
     assert names(exported(kind, "jazzy", drive).reference) == ["it/linear/velocity", "it/angular/velocity"]
-    assert exported(kind, "humble", drive) == Exports()
+    assert exported(kind, "humble", drive) == ExportedInterfaces()
     pid = exported(
         "pid_controller/PidController",
         "jazzy",

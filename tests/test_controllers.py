@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from urdfctl.model.controllers import Controllers, FaultKind, Kind
+from urdfctl.model.controllers import Controllers, FaultKind, ValueKind
 from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.source.span import SourceText
 from urdfctl.source.yaml.tree import read_yaml
@@ -57,7 +57,7 @@ def test_parameters_have_dotted_names_values_and_places() -> None:
     assert arm.declared_at.span.text == "arm"
     gain = arm.parameters.get("gains.shoulder.d")
     assert gain is not None
-    assert (gain.last, gain.key.span.text, gain.value.kind, gain.value.at.span.text) == ("d", "d", Kind.INT, "0")
+    assert (gain.last, gain.key.span.text, gain.value.kind, gain.value.at.span.text) == ("d", "d", ValueKind.INT, "0")
     joints = arm.parameters.value("joints")
     assert joints is not None
     assert [(text, at.span.text) for text, at in joints.strings] == [("shoulder", "shoulder"), ("elbow", "elbow")]
@@ -176,7 +176,7 @@ def test_ros_1_declares_controllers_by_their_type() -> None:
     assert arm is not None
     gain = arm.parameters.value("gains.shoulder.p")
     assert gain is not None
-    assert (gain.kind, gain.at.span.text) == (Kind.STRING, "1e3")
+    assert (gain.kind, gain.at.span.text) == (ValueKind.STRING, "1e3")
     gains = made.other("gazebo_ros_control")
     assert gains is not None
     assert (gains.namespace, "pid_gains.elbow.p" in gains.parameters) == ("/robot", True)

@@ -14,9 +14,9 @@ import pytest
 from corpus import CORPUS, needs_corpus, roots
 from sampling import WHOLE
 
-from urdfctl.compare.changes import Change, changes
+from urdfctl.compare.changes import RobotChange, changes
 from urdfctl.compare.snapshot import snapshot_of
-from urdfctl.compare.tree import Node
+from urdfctl.compare.tree import TreeNode
 from urdfctl.config.settings import Settings
 from urdfctl.expand.xml_writer import write
 from urdfctl.load.loader import Loader
@@ -51,7 +51,7 @@ def is_plain(robot: ET.Element) -> bool:
     return len(names) == len(set(names)) and len(names) > 5
 
 
-def snapshot(folder: Path, text: str, name: str = "robot.urdf") -> Node:
+def snapshot(folder: Path, text: str, name: str = "robot.urdf") -> TreeNode:
     path = folder / name
     path.write_text(text, encoding="utf-8")
     node = snapshot_of(Loader(Settings()).load(Target(str(path))), [str(folder)])
@@ -217,7 +217,7 @@ MUTATIONS: list[Mutation] = [
 ]  # fmt: skip
 
 
-def wrong(found: list[Change], expected: Expected) -> Iterator[str]:
+def wrong(found: list[RobotChange], expected: Expected) -> Iterator[str]:
     rest = list(found)
     for area, kind, path in expected:
         same = [c for c in rest if (c.area, c.kind) == (area, kind) and re.fullmatch(path, c.address)]

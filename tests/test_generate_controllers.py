@@ -17,7 +17,7 @@ from urdfctl.catalog.distros import ALL
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.recipes import recipes
 from urdfctl.generate.controllers.values import NAMES
-from urdfctl.generate.options import Options, Roles
+from urdfctl.generate.options import GeneratorOptions, Roles
 from urdfctl.generate.request.choice import chosen
 from urdfctl.generate.request.joint_list import joints_listed
 from urdfctl.generate.robot.facts import JointFacts, PartFacts, RobotFacts
@@ -59,7 +59,7 @@ def test_every_type_of_controller_is_written_so_that_lint_finds_nothing_and_twic
     found = {}
     written = 0
     for name in of_types(distro):
-        options = Options(distro, types=(name,), roles=roles_of(name))
+        options = GeneratorOptions(distro, types=(name,), roles=roles_of(name))
         try:
             [file] = made("gen-controllers", options)
         except UserError as error:
@@ -74,14 +74,14 @@ def test_every_type_of_controller_is_written_so_that_lint_finds_nothing_and_twic
 
 def test_a_type_that_is_deprecated_in_the_distro_is_not_written() -> None:
     with pytest.raises(UserError, match="use 'parallel_gripper_action_controller/GripperActionController'"):
-        made("gen-controllers", Options("jazzy", types=("position_controllers/GripperActionController",)))
-    [file] = made("gen-controllers", Options("humble", types=("gripper",)), JOINTS[:1])
+        made("gen-controllers", GeneratorOptions("jazzy", types=("position_controllers/GripperActionController",)))
+    [file] = made("gen-controllers", GeneratorOptions("humble", types=("gripper",)), JOINTS[:1])
     assert "position_controllers/GripperActionController" in file.text
 
 
 @pytest.mark.parametrize("distro", ["kilted", "lyrical"])
 def test_a_group_controller_is_written_where_the_distro_has_it(distro: str) -> None:
-    options = Options(distro, types=("effort",), group=True)
+    options = GeneratorOptions(distro, types=("effort",), group=True)
     if distro == "lyrical":
         with pytest.raises(UserError, match="lyrical has no 'effort_controllers/JointGroupEffortController'"):
             made("gen-controllers", options)
@@ -95,7 +95,7 @@ TRAPS = ["on", "1e3", "~", "null", "a b", "it's", 'say "x"', "größe", "a: b", 
 @pytest.mark.parametrize("distro", ["noetic", "jazzy"])
 @pytest.mark.parametrize("name", TRAPS)
 def test_a_joint_keeps_its_name_whatever_yaml_would_make_of_it(name: str, distro: str) -> None:
-    [file] = made("gen-controllers", Options(distro, types=("trajectory",)), (JointFacts(name),), RobotFacts())
+    [file] = made("gen-controllers", GeneratorOptions(distro, types=("trajectory",)), (JointFacts(name),), RobotFacts())
     plain = read(file.text)["joint_trajectory_controller"]
     assert plain.get("ros__parameters", plain)["joints"] == [name]
 
@@ -104,9 +104,9 @@ def test_a_joint_keeps_its_name_whatever_yaml_would_make_of_it(name: str, distro
 @given(st.lists(st.text(st.characters(exclude_categories=("Cs",)), min_size=1), min_size=1, max_size=20, unique=True))
 def test_any_names_come_back_in_their_order(names: list[str]) -> None:
     joints = tuple(JointFacts(name) for name in names)
-    [file] = made("gen-controllers", Options("jazzy", types=("effort",)), joints, RobotFacts())
+    [file] = made("gen-controllers", GeneratorOptions("jazzy", types=("effort",)), joints, RobotFacts())
     assert read(file.text)["effort_controller"]["ros__parameters"]["joints"] == names
-    [file] = made("gen-controllers", Options("noetic", types=("effort",)), joints, RobotFacts())
+    [file] = made("gen-controllers", GeneratorOptions("noetic", types=("effort",)), joints, RobotFacts())
     plain = read(file.text)
     assert [one["joint"] for name, one in plain.items() if name != "joint_state_controller"] == names
 
@@ -114,7 +114,7 @@ def test_any_names_come_back_in_their_order(names: list[str]) -> None:
 @pytest.mark.parametrize("count", [1, 2, 50, 200])
 def test_each_joint_has_its_gains(count: int) -> None:
     joints = tuple(JointFacts(f"joint_{number}", effort=5.0) for number in range(count))
-    options = Options("jazzy", types=("trajectory",), interfaces=("effort",))
+    options = GeneratorOptions("jazzy", types=("trajectory",), interfaces=("effort",))
     [file] = made("gen-controllers", options, joints, RobotFacts())
     assert len(read(file.text)["joint_trajectory_controller"]["ros__parameters"]["gains"]) == count
 
@@ -163,7 +163,7 @@ def test_a_drive_is_measured(folder: Folder) -> None:
 
 
 def test_what_cannot_be_measured_is_a_todo() -> None:
-    options = Options("jazzy", types=("diff_drive",), roles=Roles(left=("l",), right=("r",)))
+    options = GeneratorOptions("jazzy", types=("diff_drive",), roles=Roles(left=("l",), right=("r",)))
     [file] = made("gen-controllers", options, (JointFacts("l"), JointFacts("r")), RobotFacts())
     assert "wheel_separation: 0.5  # m between left and right wheels, TODO: measure it" in file.text
     assert "Fill in each TODO." in file.text.splitlines()[1]
@@ -182,13 +182,13 @@ def test_a_drive_whose_wheels_nobody_knows_is_told() -> None:
     with pytest.raises(
         UserError, match="'diff_drive' requires --left with joints; cannot be determined from the robot"
     ):
-        made("gen-controllers", Options("jazzy", types=("diff_drive",)), (JointFacts("a"),), RobotFacts())
+        made("gen-controllers", GeneratorOptions("jazzy", types=("diff_drive",)), (JointFacts("a"),), RobotFacts())
     with pytest.raises(UserError, match="'bicycle' requires --traction with 1 joint; 4 given"):
-        made("gen-controllers", Options("jazzy", types=("bicycle",)))
+        made("gen-controllers", GeneratorOptions("jazzy", types=("bicycle",)))
 
 
 def test_drives_leave_their_joints_to_no_other_controller() -> None:
-    [file] = made("gen-controllers", Options("jazzy", types=("trajectory", "diff_drive")))
+    [file] = made("gen-controllers", GeneratorOptions("jazzy", types=("trajectory", "diff_drive")))
     plain = read(file.text)
     assert list(plain) == ["controller_manager", "joint_trajectory_controller", "diff_drive_controller"]
     assert plain["joint_trajectory_controller"]["ros__parameters"]["joints"][-1] == "arm"
@@ -196,7 +196,7 @@ def test_drives_leave_their_joints_to_no_other_controller() -> None:
 
 def test_the_interfaces_that_a_robot_has_are_taken() -> None:
     robot = ROBOT._replace(interfaces={"arm": ("effort",)})
-    [file] = made("gen-controllers", Options("noetic", types=("position",)), JOINTS[-1:], robot)
+    [file] = made("gen-controllers", GeneratorOptions("noetic", types=("position",)), JOINTS[-1:], robot)
     assert read(file.text)["arm_position_controller"]["type"] == "effort_controllers/JointPositionController"
 
 
@@ -205,7 +205,7 @@ def test_the_interfaces_that_a_robot_has_are_taken() -> None:
     [("jazzy", "/**/effort_controller:"), ("galactic", "/r1/effort_controller:"), ("noetic", "arm_effort_controller:")],
 )
 def test_a_file_is_for_any_namespace_if_the_distro_can_read_it(distro: str, key: str, tmp_path: Path) -> None:
-    [file] = made("gen-controllers", Options(distro, types=("effort",), namespace="r1"))
+    [file] = made("gen-controllers", GeneratorOptions(distro, types=("effort",), namespace="r1"))
     assert f"\n{key}" in file.text.replace('"', "")
     assert "/r1" in file.text.splitlines()[2]  # the command that starts them
     assert told(tmp_path, {"controllers.yaml": file.text}, distro) == []
@@ -357,13 +357,13 @@ def test_a_full_name_takes_the_interfaces_that_the_robot_has() -> None:
     robot = ROBOT._replace(interfaces={"arm": ("velocity",)})
     for name in ("forward_command_controller/ForwardCommandController", "joint_trajectory_controller/"):
         full = name + "JointTrajectoryController" if name.endswith("/") else name
-        [file] = made("gen-controllers", Options("jazzy", types=(full,)), JOINTS[-1:], robot)
+        [file] = made("gen-controllers", GeneratorOptions("jazzy", types=(full,)), JOINTS[-1:], robot)
         of_arm = read(file.text)[full.partition("/")[0]]["ros__parameters"]
         assert of_arm.get("interface_name", *of_arm.get("command_interfaces", ())) == "velocity"
 
 
 def test_a_chain_ends_at_the_hardware_and_starts_there() -> None:
-    options = Options("jazzy", types=("trajectory", "pid"), chain=True, states=("position", "velocity"))
+    options = GeneratorOptions("jazzy", types=("trajectory", "pid"), chain=True, states=("position", "velocity"))
     [file] = made("gen-controllers", options, JOINTS[-1:])
     plain = read(file.text)
     assert list(plain) == ["controller_manager", "pid_controller", "joint_trajectory_controller"]
@@ -373,7 +373,7 @@ def test_a_chain_ends_at_the_hardware_and_starts_there() -> None:
 
 
 def test_a_chain_of_a_drive_asks_for_speeds() -> None:
-    options = Options("jazzy", types=("diff_drive", "pid"), chain=True, interfaces=("effort",))
+    options = GeneratorOptions("jazzy", types=("diff_drive", "pid"), chain=True, interfaces=("effort",))
     [file] = made("gen-controllers", options)
     plain = read(file.text)
     assert plain["pid_controller"]["ros__parameters"]["reference_and_state_interfaces"] == ["velocity"]
@@ -397,43 +397,43 @@ def test_a_chain_of_a_drive_asks_for_speeds() -> None:
 )
 def test_what_cannot_stand_in_a_chain_is_told(distro: str, types: tuple[str, ...], message: str) -> None:
     with pytest.raises(UserError, match=message):
-        made("gen-controllers", Options(distro, types=types, chain=True), JOINTS[-1:])
+        made("gen-controllers", GeneratorOptions(distro, types=types, chain=True), JOINTS[-1:])
 
 
 def test_one_interface_too_many_is_told() -> None:
     with pytest.raises(UserError, match="'effort' commands one interface per joint, not effort, velocity"):
-        made("gen-controllers", Options("jazzy", types=("effort",), interfaces=("effort", "velocity")))
+        made("gen-controllers", GeneratorOptions("jazzy", types=("effort",), interfaces=("effort", "velocity")))
     with pytest.raises(UserError, match="no 'trajectory' controller commands 'torque' in jazzy; choose from: position"):
-        made("gen-controllers", Options("jazzy", types=("trajectory",), interfaces=("torque",)))
+        made("gen-controllers", GeneratorOptions("jazzy", types=("trajectory",), interfaces=("torque",)))
 
 
 def test_a_sensor_is_chosen_by_what_it_measures() -> None:
     parts = (PartFacts("sensor", "eye", (), ("range",)), PartFacts("sensor", "foot", (), ("force.x",)))
     robot = ROBOT._replace(parts=parts)
-    [file] = made("gen-controllers", Options("jazzy", types=("range_broadcaster",)), JOINTS, robot)
+    [file] = made("gen-controllers", GeneratorOptions("jazzy", types=("range_broadcaster",)), JOINTS, robot)
     assert read(file.text)["range_sensor_broadcaster"]["ros__parameters"]["sensor_name"] == "eye"
-    [file] = made("gen-controllers", Options("jazzy", types=("imu_broadcaster",)), JOINTS, robot)
+    [file] = made("gen-controllers", GeneratorOptions("jazzy", types=("imu_broadcaster",)), JOINTS, robot)
     assert "sensor_name: imu_sensor  # name of the <sensor> in the ros2_control tag; TODO: set its name" in file.text
 
 
 def test_no_more_states_are_read_than_the_robot_offers() -> None:
     robot = ROBOT._replace(parts=(PartFacts("joint", "arm", ("position",), ("position",)),))
-    [file] = made("gen-controllers", Options("jazzy", types=("trajectory",)), JOINTS[-1:], robot)
+    [file] = made("gen-controllers", GeneratorOptions("jazzy", types=("trajectory",)), JOINTS[-1:], robot)
     assert "state_interfaces: [position]" in file.text
-    options = Options("jazzy", types=("trajectory",), interfaces=("effort",), states=("velocity",))
+    options = GeneratorOptions("jazzy", types=("trajectory",), interfaces=("effort",), states=("velocity",))
     with pytest.raises(UserError, match="'joint_trajectory_controller/JointTrajectoryController': 'state_interfaces'"):
         made("gen-controllers", options, JOINTS[-1:], robot)
 
 
 def test_the_gpios_of_a_robot_are_commanded() -> None:
     robot = ROBOT._replace(parts=(PartFacts("gpio", "flange", ("light",), ("light", "key")),))
-    [file] = made("gen-controllers", Options("jazzy", types=("gpio",)), JOINTS, robot)
+    [file] = made("gen-controllers", GeneratorOptions("jazzy", types=("gpio",)), JOINTS, robot)
     assert read(file.text)["gpio_controller"]["ros__parameters"] == {
         "gpios": ["flange"],
         "command_interfaces": {"flange": {"interfaces": ["light"]}},
         "state_interfaces": {"flange": {"interfaces": ["light", "key"]}},
     }
-    [file] = made("gen-controllers", Options("jazzy", types=("gpio",)))
+    [file] = made("gen-controllers", GeneratorOptions("jazzy", types=("gpio",)))
     assert "interfaces: [output]  # command interfaces; TODO: set its interfaces" in file.text
 
 

@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sampling import examples
 
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 
 XML = st.characters(exclude_categories=("Cs", "Cc"), exclude_characters="\ufffe\uffff")
@@ -43,7 +43,9 @@ def expanded(text: str) -> str:
 @settings(max_examples=examples(15))
 @given(JOINTS, INTERFACES)
 def test_a_ros2_control_tag_names_the_joints(names: list[str], interface: str) -> None:
-    [file] = made("gen-ros2-control", Options("jazzy", interfaces=(interface,)), joints_of(names), RobotFacts())
+    [file] = made(
+        "gen-ros2-control", GeneratorOptions("jazzy", interfaces=(interface,)), joints_of(names), RobotFacts()
+    )
     parts = ET.fromstring(file.text.encode()).findall("ros2_control/joint")
     assert [expanded(part.get("name", "")) for part in parts] == names
     assert {one.get("name") for part in parts for one in part.findall("command_interface")} == {interface}
@@ -52,7 +54,7 @@ def test_a_ros2_control_tag_names_the_joints(names: list[str], interface: str) -
 @settings(max_examples=examples(15))
 @given(JOINTS, INTERFACES, st.booleans())
 def test_transmissions_name_the_joints(names: list[str], interface: str, macro: bool) -> None:
-    options = Options("noetic", interfaces=(interface,), macro=macro)
+    options = GeneratorOptions("noetic", interfaces=(interface,), macro=macro)
     [file] = made("gen-transmissions", options, joints_of(names), RobotFacts())
     root = ET.fromstring(file.text.encode())
     call = "{http://www.ros.org/wiki/xacro}joint_transmission"
@@ -67,7 +69,7 @@ def test_transmissions_name_the_joints(names: list[str], interface: str, macro: 
 @settings(max_examples=examples(15))
 @given(JOINTS, INTERFACES, st.sampled_from(("humble", "jazzy", "rolling")))
 def test_a_trajectory_controller_names_the_joints(names: list[str], interface: str, distro: str) -> None:
-    options = Options(distro, types=("trajectory",), interfaces=(interface,))
+    options = GeneratorOptions(distro, types=("trajectory",), interfaces=(interface,))
     [file] = made("gen-controllers", options, joints_of(names), RobotFacts())
     of_arm = read(file.text)["joint_trajectory_controller"]["ros__parameters"]
     assert of_arm["joints"] == names
@@ -77,7 +79,7 @@ def test_a_trajectory_controller_names_the_joints(names: list[str], interface: s
 @settings(max_examples=examples(15))
 @given(st.text(XML, min_size=1, max_size=20), st.sampled_from(("python", "xml", "yaml")))
 def test_a_launch_file_can_be_read_whatever_the_robot_is_called(name: str, form: str) -> None:
-    options = Options("jazzy", "gz", ("effort",), form=form, package="p", command=f"urdfctl gen-launch {name}")
+    options = GeneratorOptions("jazzy", "gz", ("effort",), form=form, package="p", command=f"urdfctl gen-launch {name}")
     [file] = made("gen-launch", options, joints_of(["a"]), RobotFacts(name))
     readers = {"python": ast.parse, "yaml": yaml.safe_load, "xml": lambda text: ET.fromstring(text.encode())}
     assert readers[form](file.text) is not None
@@ -87,7 +89,7 @@ def test_a_launch_file_can_be_read_whatever_the_robot_is_called(name: str, form:
 @pytest.mark.parametrize("distro", ["noetic", "jazzy"])
 def test_a_package_is_for_all_joints(count: int, distro: str) -> None:
     names = [f"joint_{number}" for number in range(count)]
-    options = Options(distro, types=("effort",), package="p")
+    options = GeneratorOptions(distro, types=("effort",), package="p")
     texts = {file.name: file.text for file in made("gen-all", options, joints_of(names), RobotFacts("r"))}
     root = ET.fromstring(texts["urdf/control.xacro"].encode())
     path = "transmission/joint" if distro == "noetic" else "ros2_control/joint"

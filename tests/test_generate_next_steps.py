@@ -17,7 +17,7 @@ from urdfctl.errors import UserError
 from urdfctl.generate.controllers.creation import controllers
 from urdfctl.generate.controllers.recipes import recipes
 from urdfctl.generate.files.next_steps import example_of
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 
 SILENT = ("chained_filter_controller/ChainedFilter",)
 """Types that accept no command from outside."""
@@ -48,7 +48,7 @@ def test_each_controller_has_an_example_of_the_right_type(distro: str) -> None:
     tried = set()
     for kind in (name for name, plain in recipes()["kinds"].items() if f"ros{ros}" in plain):
         for group in (False, True):
-            options = Options(distro, "none", (kind,), roles=roles_of(kind), group=group, namespace="r1")
+            options = GeneratorOptions(distro, "none", (kind,), roles=roles_of(kind), group=group, namespace="r1")
             try:
                 made = controllers(JOINTS, options, CATALOG, ROBOT)
             except UserError as error:

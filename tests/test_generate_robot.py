@@ -16,7 +16,7 @@ from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL, ROS1
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.recipes import recipes
-from urdfctl.generate.options import Options, Roles
+from urdfctl.generate.options import GeneratorOptions, Roles
 from urdfctl.generate.robot.facts import JointFacts, PartFacts, RobotFacts
 
 SIMULATORS = ("gz", "gazebo-classic", "mujoco", "none")
@@ -53,7 +53,7 @@ def robot() -> str:
       <joint name="tool" type="fixed"><parent link="arm_link"/><child link="tool0"/></joint>{"".join(joints)}</robot>"""
 
 
-def package(options: Options) -> dict[str, str]:
+def package(options: GeneratorOptions) -> dict[str, str]:
     """The files of gen-all for the tests' robot, the robot's first."""
     found = {f"all/{file.name}": file.text for file in made("gen-all", options)}
     first = "all/urdf/robot.urdf.xacro"
@@ -67,7 +67,7 @@ def test_a_package_of_every_kind_of_controller_lints_clean(distro: str, simulato
     kinds = [kind for kind, plain in recipes()["kinds"].items() if f"ros{1 if distro in ROS1 else 2}" in plain]
     turn = SIMULATORS.index(simulator) + ALL.index(distro)
     for index, name in enumerate([*kinds, *CATALOG.known_types(distro)[turn % 4 :: 4]], turn):
-        options = Options(
+        options = GeneratorOptions(
             distro,
             simulator,
             (name,),
@@ -93,7 +93,7 @@ def test_a_package_of_every_kind_of_controller_lints_clean(distro: str, simulato
 @pytest.mark.parametrize("distro", [distro for distro in ALL if distro not in ROS1])
 def test_launch_files_start_the_broadcaster_first(distro: str, form: str) -> None:
     for simulator in ("gazebo-classic", "none"):
-        options = Options(distro, simulator, ("effort",), package="p", form=form, namespace="r1")
+        options = GeneratorOptions(distro, simulator, ("effort",), package="p", form=form, namespace="r1")
         [file] = made("gen-launch", options)
         assert file.text.index("joint_state_broadcaster") < file.text.index("effort_controller")
         if distro in ("foxy", "galactic"):
@@ -109,15 +109,15 @@ def test_launch_files_start_the_broadcaster_first(distro: str, form: str) -> Non
     ("distro", "interface"), [("indigo", "EffortJointInterface"), ("noetic", "hardware_interface/EffortJointInterface")]
 )
 def test_transmissions_name_interfaces_as_their_distro_does(distro: str, interface: str) -> None:
-    [file] = made("gen-transmissions", Options(distro), (JointFacts("elbow", reduction=50.0),))
+    [file] = made("gen-transmissions", GeneratorOptions(distro), (JointFacts("elbow", reduction=50.0),))
     assert f"<hardwareInterface>{interface}</hardwareInterface>" in file.text
     assert "<mechanicalReduction>50.0</mechanicalReduction>" in file.text
     with pytest.raises(UserError, match="use gen-ros2-control"):
-        made("gen-transmissions", Options("jazzy"))
+        made("gen-transmissions", GeneratorOptions("jazzy"))
 
 
 def test_a_macro_is_called_for_each_joint(folder: Folder) -> None:
-    [file] = made("gen-transmissions", Options("noetic", macro=True), (JointFacts('a"b'), JointFacts("$(x)")))
+    [file] = made("gen-transmissions", GeneratorOptions("noetic", macro=True), (JointFacts('a"b'), JointFacts("$(x)")))
     assert file.text.count("<xacro:joint_transmission") == 2
     folder.write({"t.xacro": file.text})
     expanded = command("expand", "t.xacro").stdout
@@ -126,7 +126,9 @@ def test_a_macro_is_called_for_each_joint(folder: Folder) -> None:
 
 
 def test_limits_stand_in_the_ros2_control_tag() -> None:
-    [file] = made("gen-ros2-control", Options("jazzy", interfaces=("position",), states=("position",)), JOINTS[-1:])
+    [file] = made(
+        "gen-ros2-control", GeneratorOptions("jazzy", interfaces=("position",), states=("position",)), JOINTS[-1:]
+    )
     assert '<param name="min">-1.0</param>' in file.text
     assert "<plugin>mock_components/GenericSystem</plugin>" in file.text
     assert file.text.count("<state_interface") == 1
@@ -134,12 +136,14 @@ def test_limits_stand_in_the_ros2_control_tag() -> None:
 
 def test_only_joints_that_are_commanded_have_transmissions_and_by_the_interface_that_is_looked_for() -> None:
     roles = Roles(left=("front_left",), right=("front_right",))
-    [file] = made("gen-transmissions", Options("noetic", types=("diff_drive",), roles=roles))
+    [file] = made("gen-transmissions", GeneratorOptions("noetic", types=("diff_drive",), roles=roles))
     assert file.text.count("<transmission ") == 2
     assert file.text.count("hardware_interface/VelocityJointInterface") == 2
-    [file] = made("gen-transmissions", Options("noetic", types=("pos_vel_controllers/JointTrajectoryController",)))
+    [file] = made(
+        "gen-transmissions", GeneratorOptions("noetic", types=("pos_vel_controllers/JointTrajectoryController",))
+    )
     assert "hardware_interface/PosVelJointInterface" in file.text
-    strange = Options("noetic", types=("position_controllers/ScaledJointTrajectoryController",))
+    strange = GeneratorOptions("noetic", types=("position_controllers/ScaledJointTrajectoryController",))
     with pytest.raises(
         UserError, match="transmissions do not provide ScaledPositionJointInterface; they provide Effort"
     ):
@@ -148,7 +152,7 @@ def test_only_joints_that_are_commanded_have_transmissions_and_by_the_interface_
 
 def test_transmissions_that_the_robot_has_are_not_written_again() -> None:
     robot = ROBOT._replace(interfaces={"arm": ("effort",)})
-    files = made("gen-all", Options("noetic", types=("position",), package="all"), JOINTS[-2:], robot)
+    files = made("gen-all", GeneratorOptions("noetic", types=("position",), package="all"), JOINTS[-2:], robot)
     control = next(file.text for file in files if file.name == "urdf/control.xacro")
     assert '<joint name="steer_rear_right">' in control
     assert '<joint name="arm">' not in control
@@ -204,10 +208,10 @@ def test_generated_transmissions_are_written_again_although_the_robot_includes_t
 
 
 def test_a_controller_of_joints_that_are_not_there_is_refused() -> None:
-    options = Options("noetic", types=("franka_gazebo/FrankaGripperSim",))
+    options = GeneratorOptions("noetic", types=("franka_gazebo/FrankaGripperSim",))
     with pytest.raises(UserError, match="requires joint 'front_left_finger_joint1', which the robot does not have"):
         made("gen-all", options)
-    many = Options("noetic", types=("franka_example_controllers/DualArmCartesianImpedanceExampleController",))
+    many = GeneratorOptions("noetic", types=("franka_example_controllers/DualArmCartesianImpedanceExampleController",))
     with pytest.raises(UserError, match="requires more than 9 joints"):
         made("gen-all", many)
 
@@ -217,32 +221,33 @@ def test_a_controller_of_joints_that_are_not_there_is_refused() -> None:
     [("gz", "gz_ros2_control/GazeboSimSystem"), ("mujoco", "mujoco_ros2_control/Mujoco"), ("my/Robot", "my/Robot")],
 )
 def test_hardware_has_short_names(hardware: str, plugin: str) -> None:
-    assert f"<plugin>{plugin}" in made("gen-ros2-control", Options("jazzy", hardware=hardware))[0].text
+    assert f"<plugin>{plugin}" in made("gen-ros2-control", GeneratorOptions("jazzy", hardware=hardware))[0].text
 
 
 def test_hardware_that_the_distro_does_not_have_is_told() -> None:
     with pytest.raises(UserError, match="jazzy has no plugin that runs controllers in 'gazebo-classic'"):
-        made("gen-ros2-control", Options("jazzy", hardware="gazebo-classic"))
+        made("gen-ros2-control", GeneratorOptions("jazzy", hardware="gazebo-classic"))
     with pytest.raises(UserError, match="unknown hardware 'mok'; did you mean 'mock'"):
-        made("gen-ros2-control", Options("jazzy", hardware="mok"))
+        made("gen-ros2-control", GeneratorOptions("jazzy", hardware="mok"))
 
 
 def test_nothing_is_written_twice_that_the_robot_has() -> None:
     parts = tuple(PartFacts("joint", joint.name, ("effort",), ("position",)) for joint in JOINTS)
     has = ROBOT._replace(components=("RobotSystem",), hosts=("gz_ros2_control-system",), parts=parts)
     files = {
-        file.name: file.text for file in made("gen-all", Options("jazzy", "gz", ("effort",), package="all"), robot=has)
+        file.name: file.text
+        for file in made("gen-all", GeneratorOptions("jazzy", "gz", ("effort",), package="all"), robot=has)
     }
     assert "urdf/control.xacro" not in files
     assert "control.xacro" not in files["urdf/robot.urdf.xacro"]
     with pytest.raises(UserError, match="<ros2_control> already has all of these joints"):
-        made("gen-ros2-control", Options("jazzy"), robot=has)
+        made("gen-ros2-control", GeneratorOptions("jazzy"), robot=has)
 
 
 def test_a_ros2_control_tag_is_extended_by_what_it_lacks() -> None:
     parts = tuple(PartFacts("joint", joint.name, ("effort",), ("position",)) for joint in JOINTS[:-1])
     has = ROBOT._replace(components=("RobotSystem",), parts=parts)
-    [file] = made("gen-ros2-control", Options("jazzy", types=("effort",)), robot=has)
+    [file] = made("gen-ros2-control", GeneratorOptions("jazzy", types=("effort",)), robot=has)
     assert file.text.count("<joint ") == 1
     assert '<joint name="arm">' in file.text
     assert '<ros2_control name="RobotSystem2"' in file.text
@@ -267,11 +272,11 @@ def test_a_controller_of_another_interface_than_the_robot_has_is_refused(distro:
     has = ROBOT._replace(parts=parts, interfaces={joint.name: ("position",) for joint in JOINTS})
     for command_name in ("gen-controllers", "gen-launch", "gen-all"):
         with pytest.raises(UserError) as caught:
-            made(command_name, Options(distro, types=(kind,), package="all"), robot=has)
+            made(command_name, GeneratorOptions(distro, types=(kind,), package="all"), robot=has)
         assert str(caught.value) == " ".join(REFUSALS[distro, kind].split())
     if kind == "effort":
         with pytest.raises(UserError, match="use --interface position, or add"):
-            made("gen-controllers", Options(distro, types=("trajectory",), interfaces=("effort",)), robot=has)
+            made("gen-controllers", GeneratorOptions(distro, types=("trajectory",), interfaces=("effort",)), robot=has)
 
 
 @pytest.mark.parametrize(("distro", "parameters"), [("jazzy", 0), ("humble", 2)])
@@ -279,7 +284,7 @@ def test_a_mimic_joint_has_states_only_and_up_to_iron_parameters(distro: str, pa
     finger = JointFacts("finger", "prismatic", lower=0, upper=0.1)
     other = JointFacts("other", "prismatic", mimics=True, mimic=("finger", -1.0, 0.0))
     robot = RobotFacts("hand", joints=(finger, other))
-    [file] = made("gen-ros2-control", Options(distro, "gz", ("gripper",)), (finger,), robot)
+    [file] = made("gen-ros2-control", GeneratorOptions(distro, "gz", ("gripper",)), (finger,), robot)
     block = file.text.partition('<joint name="other">')[2].partition("</joint>")[0]
     assert "<command_interface" not in block
     assert block.count("<state_interface") == 2
@@ -340,7 +345,7 @@ def test_everything_is_written_and_can_be_checked_again(folder: Folder) -> None:
 def test_every_host_of_the_catalogue_is_written() -> None:
     for distro in ALL:
         for simulator in {one.simulator for one in CATALOG.simulator_plugins(distro) if one.hosts_control}:
-            [file] = made("gen-gazebo", Options(distro, simulator, package="p"))
+            [file] = made("gen-gazebo", GeneratorOptions(distro, simulator, package="p"))
             assert "<plugin" in file.text
 
 
@@ -393,8 +398,8 @@ def test_a_package_smokes_clean(distro: str, folder: Folder) -> None:
 
 def test_an_admittance_ends_at_what_the_last_joint_moves() -> None:
     joints = (JOINTS[-1]._replace(link="hand"),)
-    [file] = made("gen-controllers", Options("jazzy", types=("admittance",)), joints)
+    [file] = made("gen-controllers", GeneratorOptions("jazzy", types=("admittance",)), joints)
     last = "last link of the kinematic chain: the tool"
     assert f"tip: hand  # {last}; TODO: check it; this is the last joint's link" in file.text
-    [file] = made("gen-controllers", Options("jazzy", types=("admittance",), frame="tool"), joints)
+    [file] = made("gen-controllers", GeneratorOptions("jazzy", types=("admittance",), frame="tool"), joints)
     assert f"tip: tool  # {last}\n" in file.text

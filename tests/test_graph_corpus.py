@@ -12,7 +12,7 @@ from test_graph import SCHEMA
 
 from urdfctl.config.settings import Settings
 from urdfctl.control.chains import chained_claims
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.session import session_of
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.graph.build import graph_of
@@ -57,13 +57,13 @@ def test_the_edges_of_the_graph_are_the_claims_of_the_controllers(root: dict[str
     claimed = {
         (each.controller.full_name.replace("\ue000", "?"), kind.value, claim.name.replace("\ue000", "?"))
         for each in session.controllers
-        for kind in Kind
+        for kind in ClaimKind
         for claim in each.claimed(kind)
     }
     assert claims_in(graph) == claimed
     offered = {
         (kind.value, f"{offer.component}/{offer.interface}")
-        for kind in Kind
+        for kind in ClaimKind
         for offers in session.hardware.offers(kind).values()
         for offer in offers
     }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity
+from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Severity, ShownEdit
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.likeness import difference
 from urdfctl.report.words import likewise
@@ -17,7 +17,7 @@ def found(
 
 
 def fixed(finding: Diagnostic, text: str, *, at: Location | None = None, safe: bool = True) -> Diagnostic:
-    return finding._replace(fix=Repair(f"write {text}", safe, (Replacement(at or finding.at, text),)))
+    return finding._replace(fix=Repair(f"write {text}", safe, (ShownEdit(at or finding.at, text),)))
 
 
 def test_findings_that_differ_in_names_and_numbers_are_one_with_the_names_and_lines_of_the_others() -> None:
@@ -148,14 +148,14 @@ def test_files_that_one_package_does_not_install_are_one_fault() -> None:
 def test_the_fixes_of_equal_findings_are_one_fix() -> None:
     one, other = fixed(found("tag 'a' has no prefix", 1), "x"), fixed(found("tag 'b' has no prefix", 2), "x")
     [both] = grouped([one, other])
-    assert both.fix == Repair("write x in 2 places", True, (Replacement(one.at, "x"), Replacement(other.at, "x")))
+    assert both.fix == Repair("write x in 2 places", True, (ShownEdit(one.at, "x"), ShownEdit(other.at, "x")))
 
 
 def test_insertions_at_one_place_are_made_one_after_the_other() -> None:
     at = Location("/package.xml", 9, 1, 9, 1, 90, 90)
     several = [fixed(found(f"package '{name}' is not declared", 1), f"<{name}/>", at=at) for name in "ab"]
     [one] = grouped(several)
-    assert one.fix == Repair("write <a/>, and 1 more like it", True, (Replacement(at, "<a/><b/>"),))
+    assert one.fix == Repair("write <a/>, and 1 more like it", True, (ShownEdit(at, "<a/><b/>"),))
 
 
 def test_a_finding_with_an_unsafe_fix_is_not_joined_with_a_safe_one() -> None:

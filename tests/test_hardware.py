@@ -5,17 +5,17 @@ from __future__ import annotations
 import pytest
 from control_session import ARM, POSITION, STATES, component, joint, session, transmission
 
-from urdfctl.control.hardware.interfaces import Absence, Hardware, Kind
+from urdfctl.control.hardware.interfaces import Absence, ClaimKind, OfferedHardware
 
 
-def hardware(part: str, distro: str = "jazzy") -> Hardware:
+def hardware(part: str, distro: str = "jazzy") -> OfferedHardware:
     return session(part, distro=distro).hardware
 
 
-def offered(found: Hardware) -> tuple[list[str], list[str]]:
+def offered(found: OfferedHardware) -> tuple[list[str], list[str]]:
     command, state = (
         [f"{offer.component}/{offer.interface}" for offers in found.offers(kind).values() for offer in offers]
-        for kind in Kind
+        for kind in ClaimKind
     )
     return command, state
 
@@ -24,7 +24,7 @@ def test_each_joint_offers_the_interfaces_of_its_tag() -> None:
     command, state = offered(hardware(component(joint("elbow"))))
     assert command == ["elbow/position"]
     assert state == ["elbow/position", "elbow/velocity"]
-    [offer] = hardware(component(joint("elbow"))).of(Kind.COMMAND, "elbow")
+    [offer] = hardware(component(joint("elbow"))).of(ClaimKind.COMMAND, "elbow")
     assert offer.at.span.text == POSITION
     assert offer.by == "hw"
 
@@ -57,33 +57,33 @@ def test_mock_hardware_adds_commands_for_states_if_a_parameter_says_so(
 
 def test_what_is_not_offered_is_surely_absent_if_the_plugin_is_known() -> None:
     found = hardware(ARM)
-    assert found.absence(Kind.COMMAND, "elbow", "position") is None
-    assert found.absence(Kind.COMMAND, "elbow", "effort") is Absence.SURE
-    assert found.absence(Kind.STATE, "tcp", "twist.x") is Absence.SURE
+    assert found.absence(ClaimKind.COMMAND, "elbow", "position") is None
+    assert found.absence(ClaimKind.COMMAND, "elbow", "effort") is Absence.SURE
+    assert found.absence(ClaimKind.STATE, "tcp", "twist.x") is Absence.SURE
 
 
 def test_a_driver_may_offer_more_than_its_tag_says() -> None:
     found = hardware(component(joint("elbow"), plugin="acme/Driver"))
-    assert found.absence(Kind.COMMAND, "elbow", "effort") is Absence.LIKELY
-    assert found.absence(Kind.COMMAND, "shoulder", "position") is Absence.LIKELY
-    assert found.absence(Kind.COMMAND, "tcp", "twist.x") is None
+    assert found.absence(ClaimKind.COMMAND, "elbow", "effort") is Absence.LIKELY
+    assert found.absence(ClaimKind.COMMAND, "shoulder", "position") is Absence.LIKELY
+    assert found.absence(ClaimKind.COMMAND, "tcp", "twist.x") is None
 
 
 def test_a_driver_that_exports_interfaces_of_its_own_lacks_none_that_its_tag_does_not_list() -> None:
     found = hardware(component(joint("elbow"), plugin="canopen_ros2_control/CanopenSystem"))
-    assert found.absence(Kind.COMMAND, "elbow", "nmt/reset") is None
+    assert found.absence(ClaimKind.COMMAND, "elbow", "nmt/reset") is None
     other = hardware(component(joint("elbow"), plugin="our_drivers/Arm"))
-    assert other.absence(Kind.COMMAND, "elbow", "nmt/reset") is Absence.LIKELY
+    assert other.absence(ClaimKind.COMMAND, "elbow", "nmt/reset") is Absence.LIKELY
 
 
 def test_with_two_components_certainty_depends_on_each_plugin() -> None:
     found = hardware(component(joint("elbow")) + component(joint("shoulder"), plugin="acme/Driver"))
-    assert found.absence(Kind.COMMAND, "elbow", "effort") is Absence.SURE
-    assert found.absence(Kind.COMMAND, "shoulder", "effort") is Absence.LIKELY
+    assert found.absence(ClaimKind.COMMAND, "elbow", "effort") is Absence.SURE
+    assert found.absence(ClaimKind.COMMAND, "shoulder", "effort") is Absence.LIKELY
 
 
 def test_nothing_is_known_about_a_robot_without_the_tag() -> None:
-    assert hardware("").absence(Kind.COMMAND, "elbow", "position") is None
+    assert hardware("").absence(ClaimKind.COMMAND, "elbow", "position") is None
     nested = f"<gazebo>{ARM}</gazebo>"
     assert not hardware(nested).known
 
@@ -94,7 +94,7 @@ def test_a_transmission_makes_a_joint_offer_its_interface_and_its_state() -> Non
         ["elbow/hardware_interface/PositionJointInterface", "shoulder/hardware_interface/EffortJointInterface"],
         ["elbow/hardware_interface/JointStateInterface", "shoulder/hardware_interface/JointStateInterface"],
     )
-    assert found.absence(Kind.COMMAND, "elbow", "hardware_interface/EffortJointInterface") is Absence.SURE
+    assert found.absence(ClaimKind.COMMAND, "elbow", "hardware_interface/EffortJointInterface") is Absence.SURE
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from urdfctl.model.launch import Launch
-from urdfctl.model.launch.ros2 import Sources, launch_of_ros2
+from urdfctl.model.launch.ros2 import Ros2Sources, launch_of_ros2
 from urdfctl.source.launch.frontend import of_xml, of_yaml, words_of
 from urdfctl.source.launch.terms import Constant, Items, Term
 from urdfctl.source.span import Place, SourceText
@@ -25,7 +25,7 @@ def launch(text: str) -> Launch:
     def find(name: str, _: Place) -> str | None:
         return "/p" if name == "p" else None
 
-    found = launch_of_ros2("/p/main", {}, Sources(read, lambda path: (path, True), find, {"HERE": "x"}))
+    found = launch_of_ros2("/p/main", {}, Ros2Sources(read, lambda path: (path, True), find, {"HERE": "x"}))
     assert found is not None
     return found
 

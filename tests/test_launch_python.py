@@ -9,7 +9,7 @@ import pytest
 from hostile.launch import ENDLESS
 
 from urdfctl.model.launch import Launch, Spawn
-from urdfctl.model.launch.ros2 import Sources, launch_of_ros2
+from urdfctl.model.launch.ros2 import Ros2Sources, launch_of_ros2
 from urdfctl.source.launch.python import Surroundings, read_python
 from urdfctl.source.launch.terms import Term
 from urdfctl.source.opaque import UNKNOWN
@@ -46,7 +46,7 @@ def launch(body: str, arguments: Mapping[str, str] | None = None, **files: str) 
         assert script.problem is None, script.problem
         return script.term
 
-    sources = Sources(read, lambda path: (path, True), find, {"HERE": "x"})
+    sources = Ros2Sources(read, lambda path: (path, True), find, {"HERE": "x"})
     found = launch_of_ros2("/p/main.launch.py", arguments or {}, sources)
     assert found is not None
     return found

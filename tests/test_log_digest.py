@@ -8,7 +8,7 @@ import pytest
 from hostile.logs import LONG_LOGS
 from work import assert_linear
 
-from urdfctl.logs.digest import Digest, Known, digest, plain
+from urdfctl.logs.digest import Digest, KnownMessage, digest, plain
 from urdfctl.logs.reading import LONGEST_LINE, Lines
 
 NO_INTERFACE = "No valid hardware interface element found in joint 'elbow'."
@@ -23,7 +23,7 @@ def pasted(text: str) -> Digest:
     return digest(text.splitlines(), pasted=True)
 
 
-def only(found: Digest) -> Known:
+def only(found: Digest) -> KnownMessage:
     (known,) = found.known
     return known
 

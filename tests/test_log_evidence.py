@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from urdfctl.logs.digest import Digest, Known, digest
+from urdfctl.logs.digest import Digest, KnownMessage, digest
 from urdfctl.logs.evidence import FoundCause, holds, with_findings
 
 DECLARED = (
@@ -21,7 +21,7 @@ def log(text: str) -> Digest:
     return digest(text.splitlines(), pasted=False)
 
 
-def first(text: str) -> Known:
+def first(text: str) -> KnownMessage:
     return digest([text], pasted=True).known[0]
 
 

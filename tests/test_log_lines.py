@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from urdfctl.logs.digest import Digest, digest
-from urdfctl.logs.line import Line, cleaned, plain, records
+from urdfctl.logs.line import LogLine, cleaned, plain, records
 
 MESSAGE = "Could not load controller 'arm' because controller type 'x/Y' does not exist."
 
@@ -85,9 +85,9 @@ def test_the_level_and_the_process_of_a_line_are_read_from_its_prefixes(line: st
 def test_lines_that_were_joined_are_read_one_by_one() -> None:
     joined = "[n-1] [INFO] [1.0] [a]: all is well [n-1] [ERROR] [2.0] [a]: it is not [ WARN] [3.0]: or is it"
     assert records(joined) == [
-        Line("[INFO] [1.0] [a]: all is well", "info", "n-1"),
-        Line("[ERROR] [2.0] [a]: it is not", "error", "n-1"),
-        Line("[ WARN] [3.0]: or is it", "warning", ""),
+        LogLine("[INFO] [1.0] [a]: all is well", "info", "n-1"),
+        LogLine("[ERROR] [2.0] [a]: it is not", "error", "n-1"),
+        LogLine("[ WARN] [3.0]: or is it", "warning", ""),
     ]
 
 

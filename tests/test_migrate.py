@@ -20,10 +20,10 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.linting import Lint
 from urdfctl.migrate.options import MigrationOptions, Part
-from urdfctl.migrate.packages import Linted, Packages
+from urdfctl.migrate.packages import Linted, MigratedPackages
 from urdfctl.migrate.report import ReportLine, as_markdown
 from urdfctl.migrate.scratch import Scratch
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.output.change import Change
 from urdfctl.output.journal import restore_unfinished
 from urdfctl.output.writing_all import write_all
@@ -254,7 +254,7 @@ def test_errors_that_only_the_target_has_are_in_the_report(folder: Folder) -> No
     assert [entry["message"] for entry in left if "ghost" in entry["message"]]
 
 
-Propose = Callable[[Packages], Iterator[Proposal]]
+Propose = Callable[[MigratedPackages], Iterator[Proposal]]
 
 
 def result_of(
@@ -278,7 +278,7 @@ def replacing(*pairs: tuple[str, str], only_with: str = "", apart: bool = True) 
     An empty text is inserted before the next one.
     """
 
-    def propose(packages: Packages) -> Iterator[Proposal]:
+    def propose(packages: MigratedPackages) -> Iterator[Proposal]:
         for path in packages.files(".xacro", ".urdf"):
             source = packages.read(path)
             found = [source.data.find((old or pairs[-1][0]).encode()) for old, _ in pairs]
@@ -357,15 +357,15 @@ def test_a_change_that_cannot_be_made_because_its_edits_overlap_is_reported(tmp_
 def test_what_is_left_to_a_person_is_a_todo_at_its_line_and_at_the_line_of_a_new_file(tmp_path: Path) -> None:
     Folder(tmp_path).write(FILES)
 
-    def asking(packages: Packages) -> Iterator[Proposal]:
+    def asking(packages: MigratedPackages) -> Iterator[Proposal]:
         for path in packages.files(".xacro"):
             source = packages.read(path)
             at = source.data.find(b"<ros2_control")
-            yield Proposal(entries=(Entry(EntryKind.FOR_YOU, "think", Place(source, at, end=at + 1)),))
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, "think", Place(source, at, end=at + 1)),))
         new = str(Path(packages.scratch.folders[0]) / "new.yaml")
         if not Path(new).exists():
             text = "a: 1\n# TODO(urdfctl): look\n"
-            yield Proposal(created=((new, text),), entries=(Entry(EntryKind.FOR_YOU, "look", file=new),))
+            yield Proposal(created=((new, text),), entries=(ReportEntry(EntryKind.FOR_YOU, "look", file=new),))
 
     result = result_of(tmp_path, ("asking", asking))
     todo = "  <!-- TODO(urdfctl): think -->\n  <ros2_control name="
@@ -386,7 +386,7 @@ def test_what_lint_fixes_for_the_target_alone_does_not_keep_a_step_from_being_ap
     plugin = '<plugin name="a" filename="libgazebo_own.so"><parameters>/opt/arm/c.yaml</parameters></plugin>'
     folder.write({**FILES, "arm/urdf/arm.urdf.xacro": text.replace("</robot>", f"<gazebo>{plugin}</gazebo></robot>")})
 
-    def loading(packages: Packages) -> Iterator[Proposal]:
+    def loading(packages: MigratedPackages) -> Iterator[Proposal]:
         for path in packages.files(".xacro"):
             source = packages.read(path)
             at = source.data.find(plugin.encode())
@@ -433,7 +433,7 @@ def test_what_links_lead_to_outside_of_the_workspace_is_not_read(folder: Folder)
     os.chdir("checkout")
     read: dict[str, bytes] = {}
 
-    def look(packages: Packages) -> Iterator[Proposal]:
+    def look(packages: MigratedPackages) -> Iterator[Proposal]:
         read.update({Path(path).name: packages.read(path).data for path in packages.files(".world")})
         read.update({name: b"copied" for name in os.listdir(packages.scratch.root) if name == "urdfctl.toml"})
         yield from ()

@@ -12,7 +12,7 @@ from folder import Folder
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL, ROS2
-from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.entries import ParameterEntry
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.moves import MANAGER, Move, name_moves, parameter_moves
 from urdfctl.migrate.options import MigrationOptions
@@ -214,7 +214,7 @@ def test_one_migration_over_several_distros_equals_several_migrations(folder: Fo
 # -- the data ----------------------------------------------------------------------------------------------------------
 
 
-def parameters_of(name: str, distro: str) -> Mapping[str, Parameter]:
+def parameters_of(name: str, distro: str) -> Mapping[str, ParameterEntry]:
     """The parameters that a type has in a distro; those that all types have for `*`."""
     kind = CATALOG.controller(name, distro)
     if name == "*":

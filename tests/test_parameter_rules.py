@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from urdfctl.catalog.catalog import CATALOG
-from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.entries import ParameterEntry
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameters.rules import breaches
 from urdfctl.source.opaque import UNKNOWN
@@ -202,11 +202,11 @@ def test_what_is_not_known_breaks_no_rule(unknown: object) -> None:
 def test_a_value_of_another_type_is_told_as_its_reader_sees_it(
     kind: str, value: object, distro: str, expected: str | None
 ) -> None:
-    assert type_problem(value, Parameter("p", kind), distro) == expected
+    assert type_problem(value, ParameterEntry("p", kind), distro) == expected
 
 
 def test_a_covariance_of_ros_1_takes_no_integer() -> None:
-    parameter = Parameter("pose_covariance_diagonal", "double_array", floats_only=True)
+    parameter = ParameterEntry("pose_covariance_diagonal", "double_array", floats_only=True)
     assert type_problem([0.0, 0], parameter, "noetic") == (
         "must be a list of numbers with a decimal point, not a list of numbers and integers"
     )

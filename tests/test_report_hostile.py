@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from sampling import examples
 from sarif_reader import read
 
-from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
+from urdfctl.diagnostic import CallStep, Diagnostic, Location, Remark, Repair, Severity, ShownEdit
 from urdfctl.lint.results import Outcome, Report, TargetResult
 from urdfctl.output.writing import encoded
 from urdfctl.report import FORMATS, render
@@ -34,9 +34,9 @@ def places(draw: st.DrawFn) -> Location:
     return Location(draw(NAMES), line, column, line + lines, column + columns, start, start + columns)
 
 
-STEPS = st.builds(Step, NAMES, NUMBERS, NUMBERS, TEXTS.map("macro {}".format))
+STEPS = st.builds(CallStep, NAMES, NUMBERS, NUMBERS, TEXTS.map("macro {}".format))
 REPAIRS = st.builds(
-    Repair, TEXTS, st.booleans(), st.lists(st.builds(Replacement, places(), TEXTS), max_size=3).map(tuple)
+    Repair, TEXTS, st.booleans(), st.lists(st.builds(ShownEdit, places(), TEXTS), max_size=3).map(tuple)
 )
 FINDINGS = st.builds(
     Diagnostic,

@@ -12,7 +12,7 @@ import pytest
 from folder import Folder
 from jsonschema import Draft202012Validator, ValidationError
 
-from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
+from urdfctl.diagnostic import CallStep, Diagnostic, Location, Remark, Repair, Severity, ShownEdit
 from urdfctl.lint.results import Outcome, Report, TargetResult
 from urdfctl.report import jsonl
 from urdfctl.report.json_report import render
@@ -31,9 +31,14 @@ def everything(folder: Folder) -> Report:
         Severity.ERROR,
         "joint 'größe' has no <hardwareInterface>",
         where,
-        ((Step(str(folder.path / "r.xacro"), 6, 3, "macro wheel"), Step("/out.xacro", 1, 1, "include r.xacro")),),
+        (
+            (
+                CallStep(str(folder.path / "r.xacro"), 6, 3, "macro wheel"),
+                CallStep("/out.xacro", 1, 1, "include r.xacro"),
+            ),
+        ),
         (Remark("so it is", where), Remark("for noetic")),
-        Repair("add it", safe=True, edits=(Replacement(Location(file, 12, 7, 12, 7, 310, 310), "<x/>"),)),
+        Repair("add it", safe=True, edits=(ShownEdit(Location(file, 12, 7, 12, 7, 310, 310), "<x/>"),)),
         "an excerpt",
         "https://example.org/UC201",
     )

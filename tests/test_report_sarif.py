@@ -11,7 +11,7 @@ from folder import Folder
 from reported import bare, of_a_macro, report
 from sarif_reader import read
 
-from urdfctl.diagnostic import Location, Remark, Repair, Replacement, Severity, Step
+from urdfctl.diagnostic import CallStep, Location, Remark, Repair, Severity, ShownEdit
 from urdfctl.lint.results import Outcome, Report
 from urdfctl.report.sarif import render
 
@@ -152,7 +152,7 @@ def test_a_run_without_findings_is_a_run(folder: Folder) -> None:
 
 def test_a_fix_of_several_files_changes_each_of_them_and_one_without_edits_is_only_said(folder: Folder) -> None:
     one, other = (Location(f"/{name}.urdf", 1, 1, 1, 3, 0, 2) for name in "ab")
-    edits = (Replacement(one, "x"), Replacement(other, "y"), Replacement(one._replace(line=2, end_line=2), "z"))
+    edits = (ShownEdit(one, "x"), ShownEdit(other, "y"), ShownEdit(one._replace(line=2, end_line=2), "z"))
     several = bare(Severity.INFO)._replace(fix=Repair("both", safe=True, edits=edits))
     said = bare(Severity.INFO)._replace(fix=Repair("turn the screw", safe=False))
     first, second = run(report(folder, several, said))["results"]
@@ -175,7 +175,7 @@ def test_a_fix_of_several_files_changes_each_of_them_and_one_without_edits_is_on
     ],
 )
 def test_each_step_of_the_way_is_in_words(folder: Folder, what: str, told: str) -> None:
-    one = bare(Severity.INFO)._replace(expanded_from=((Step("/r.xacro", 1, 2, what),),))
+    one = bare(Severity.INFO)._replace(expanded_from=((CallStep("/r.xacro", 1, 2, what),),))
     [result] = run(report(folder, one))["results"]
     assert result["codeFlows"][0]["threadFlows"][0]["locations"][0]["location"]["message"] == {"text": told}
 

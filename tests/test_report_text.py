@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import pytest
 from folder import Folder, environment
 
-from urdfctl.diagnostic import Diagnostic, Finding, Location, Remark, Repair, Replacement, Severity, Step, diagnosed
+from urdfctl.diagnostic import CallStep, Diagnostic, Finding, Location, Remark, Repair, Severity, ShownEdit, diagnosed
 from urdfctl.lint.results import Outcome, Report, TargetResult
 from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json
 from urdfctl.output.printing import visible
@@ -46,10 +46,10 @@ def test_a_finding_shows_its_line_its_way_its_notes_and_its_fix(folder: Folder) 
         at(folder, "urdf/wheel.xacro", (12, 7), (12, 26)),
         (
             (
-                Step(str(folder.path / "urdf/axle.xacro"), 4, 3, "macro wheel"),
-                Step(str(folder.path / "r.xacro"), 9, 1, "include axle.xacro"),
+                CallStep(str(folder.path / "urdf/axle.xacro"), 4, 3, "macro wheel"),
+                CallStep(str(folder.path / "r.xacro"), 9, 1, "include axle.xacro"),
             ),
-            (Step(str(folder.path / "r.xacro"), 20, 5, "block"),),
+            (CallStep(str(folder.path / "r.xacro"), 20, 5, "block"),),
         ),
         (
             Remark("it was said here", at(folder, "urdf/wheel.xacro", (3, 1))),
@@ -75,7 +75,7 @@ def test_a_finding_shows_its_line_its_way_its_notes_and_its_fix(folder: Folder) 
 
 
 def test_of_many_chains_three_are_shown(folder: Folder) -> None:
-    chains = tuple((Step("/r.xacro", line, 1, "macro m"),) for line in range(1, 8))
+    chains = tuple((CallStep("/r.xacro", line, 1, "macro m"),) for line in range(1, 8))
     told = text.render(Report((), (fault(at(folder, "r.xacro", (1, 1)))._replace(expanded_from=chains),)))
     assert told.count("in the call of") == 3
     assert "  note: and in 4 more calls\n" in told
@@ -90,7 +90,7 @@ def caret(told: str) -> tuple[str, str]:
 
 
 def test_of_a_way_without_end_the_two_ends_are_shown(folder: Folder) -> None:
-    way = tuple(Step(str(folder.path / "r.xacro"), line, 1, "macro wheel") for line in range(1, 251))
+    way = tuple(CallStep(str(folder.path / "r.xacro"), line, 1, "macro wheel") for line in range(1, 251))
     said = text.render(Report((), (fault(at(folder, "r.xacro", (1, 1)))._replace(expanded_from=(way,)),)))
     said = said.replace("\n    ", " ")
     calls = [f"in the call of macro 'wheel' at r.xacro:{line}:1" for line in (*range(1, 8), 250)]
@@ -324,7 +324,7 @@ def test_what_the_baseline_hides_is_counted(folder: Folder) -> None:
 
 def test_the_last_line_counts_what_can_be_fixed(folder: Folder) -> None:
     where = at(folder, "r.xacro", (1, 1))
-    edit = (Replacement(where, "x"),)
+    edit = (ShownEdit(where, "x"),)
     fixes = [Repair("a", safe=True, edits=edit), Repair("b", safe=False, edits=edit), Repair("c", safe=False)]
     safe, unsafe, by_hand = (
         fault(where, message=f"{n}!")._replace(fix=fix) for n, fix in zip("abc", fixes, strict=True)

@@ -8,7 +8,7 @@ import pytest
 import robots
 from sampling import assert_each
 
-from urdfctl.diagnostic import Diagnostic, Replacement
+from urdfctl.diagnostic import Diagnostic, ShownEdit
 from urdfctl.fault import Example, Fault
 from urdfctl.fix.edits import Splice, edited
 from urdfctl.lint.examples import written
@@ -50,7 +50,7 @@ def test_a_bad_example_is_reported_at_the_marked_places_and_its_fixes_repair_it(
     assert repaired != files
 
 
-def fix_edits(reported: list[Diagnostic]) -> list[Replacement]:
+def fix_edits(reported: list[Diagnostic]) -> list[ShownEdit]:
     """Return the edits of all fixes of some findings."""
     return [edit for finding in reported if finding.fix for edit in finding.fix.edits]
 

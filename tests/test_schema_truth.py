@@ -15,7 +15,7 @@ pytest.importorskip("jsonschema", reason="jsonschema is not installed")
 
 from jsonschema import Draft202012Validator
 
-from urdfctl.schemas.checking import Fault, faults_in_controllers, faults_in_robot
+from urdfctl.schemas.checking import SchemaFault, faults_in_controllers, faults_in_robot
 from urdfctl.schemas.controllers import controllers_schema
 from urdfctl.schemas.robot import ros2_control_schema
 from urdfctl.source.span import SourceText
@@ -135,7 +135,7 @@ def test_what_another_validator_cannot_tell_is_only_how_a_number_is_written() ->
     assert len(wrong) <= (1 - AGREEMENT) * len(asked), wrong
 
 
-def _only_numbers(faults: list[Fault]) -> bool:
+def _only_numbers(faults: list[SchemaFault]) -> bool:
     return bool(faults) and all(fault.message.endswith("ROS 2 tells 1 from 1.0") for fault in faults)
 
 

@@ -14,7 +14,7 @@ from folder import Folder
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.server.analysis.attempts import Attempts, harmless
-from urdfctl.server.analysis.items import Item
+from urdfctl.server.analysis.items import OfferedItem
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 from urdfctl.server.features.completion import items_at
@@ -22,7 +22,7 @@ from urdfctl.source.span import SourceText
 
 TEXT = "<a link='w'/>"
 """The place is after the letter w, which is the whole word."""
-LEFT, RIGHT, TOP = (Item(name, "link", replaces=1) for name in ("left", "right", "top"))
+LEFT, RIGHT, TOP = (OfferedItem(name, "link", replaces=1) for name in ("left", "right", "top"))
 
 
 def found(code: str, start: int = 0, end: int = 2) -> Diagnostic:
@@ -31,10 +31,10 @@ def found(code: str, start: int = 0, end: int = 2) -> Diagnostic:
 
 def kept(
     found_with: Mapping[str, list[Diagnostic] | None],
-    *items: Item,
+    *items: OfferedItem,
     saved: tuple[str, ...] = (),
     on_disk: bytes | None = None,
-) -> list[Item]:
+) -> list[OfferedItem]:
     """The items that are kept. found_with: what is found in a text that has a word; None if there is no time."""
 
     def lint(_: int, text: bytes, __: float) -> list[Diagnostic] | None:
@@ -79,7 +79,7 @@ def test_an_item_is_kept_for_which_there_is_no_time_unless_it_is_doubtful() -> N
 
 
 def test_a_type_that_needs_parameters_is_offered_after_those_that_need_none() -> None:
-    needy, plain = Item("pid", "type", replaces=1), Item("broadcaster", "type", replaces=1)
+    needy, plain = OfferedItem("pid", "type", replaces=1), OfferedItem("broadcaster", "type", replaces=1)
     assert kept({"pid": [found("UC431")]}, needy, plain) == [plain, needy]
 
 

@@ -10,7 +10,7 @@ from editor import Editor, in_editor, types
 from folder import Folder
 from pygls.exceptions import JsonRpcException
 
-from urdfctl.diagnostic import Replacement
+from urdfctl.diagnostic import ShownEdit
 from urdfctl.errors import UserError
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.analysis.workspace import EditorSettings, Workspace
@@ -104,7 +104,7 @@ def question(folder: Folder, file: str, at: types.Position, typed: str | None = 
     return Question(robots, source, at.line + 1, at.character + 1, is_current=typed is None, packages=packages)
 
 
-def texts(edits: list[Replacement]) -> dict[str, str]:
+def texts(edits: list[ShownEdit]) -> dict[str, str]:
     """The files with some edits."""
     changed = {name: text.encode() for name, text in FILES.items()}
     for edit in sorted(edits, key=lambda one: -one.start):

@@ -29,3 +29,12 @@ def test_calls_with_more_than_five_arguments_use_keywords() -> None:
         if ast.unparse(call.func).split(".")[-1] not in PLAIN
     ]
     assert long == []
+
+
+def test_the_name_of_a_class_stands_once() -> None:
+    named: dict[str, list[str]] = {}
+    for path in sorted((CHECKOUT / "urdfctl").rglob("*.py")):
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ClassDef):
+                named.setdefault(node.name, []).append(str(path.relative_to(CHECKOUT)))
+    assert {name: paths for name, paths in named.items() if len(paths) > 1} == {}

@@ -17,7 +17,7 @@ from urdfctl.expand.xml_writer import write
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import SourceText
 from urdfctl.source.xacro.private.stand_ins import NotFoundErr
-from urdfctl.source.xml.dom import Cloning, Element, Text
+from urdfctl.source.xml.dom import Cloning, Element, XmlText
 from urdfctl.source.xml.parsing import parse
 
 
@@ -139,7 +139,7 @@ def test_a_trusted_doctype_brings_its_entities() -> None:
     source = SourceText("a", b'<!DOCTYPE a [<!ENTITY x "12">]><a>&x;</a>')
     root = parse(source, declarations=True).documentElement
     assert root is not None
-    assert isinstance(root.firstChild, Text)
+    assert isinstance(root.firstChild, XmlText)
     assert root.firstChild.data == "12"
 
 
@@ -147,7 +147,7 @@ def test_an_external_entity_reads_no_file() -> None:
     source = SourceText("a", b'<!DOCTYPE a [<!ENTITY x SYSTEM "/etc/hostname">]><a>[&x;]</a>')
     root = parse(source, declarations=True).documentElement
     assert root is not None
-    assert "".join(t.data for t in root.children() if isinstance(t, Text)) == "[]"
+    assert "".join(t.data for t in root.children() if isinstance(t, XmlText)) == "[]"
 
 
 def test_elements_nest_two_hundred_deep_and_no_deeper() -> None:
@@ -215,7 +215,7 @@ def test_a_node_that_is_no_child_is_neither_removed_nor_inserted_before() -> Non
     with pytest.raises(NotFoundErr):
         root.removeChild(inner)
     with pytest.raises(NotFoundErr):
-        root.insertBefore(Text("x"), inner)
+        root.insertBefore(XmlText("x"), inner)
     with pytest.raises(NotFoundErr):
         root.removeAttribute("none")
 

@@ -16,7 +16,7 @@ from work import work
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import SourceText
 from urdfctl.source.yaml import tree as reader
-from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.kinds import ValueKind
 from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlFile, read_yaml
 from urdfctl.source.yaml.types import typed_by_pyyaml, typed_by_rcl
 
@@ -164,50 +164,50 @@ def test_aliases_cannot_nest_deeper_than_brackets() -> None:
 
 
 SCALARS = [  # what PyYAML 6 and rcl_yaml_param_parser make of a plain text
-    ("1", Kind.INT, 1, Kind.INT, 1),
-    ("-5", Kind.INT, -5, Kind.INT, -5),
-    ("0x64", Kind.INT, 100, Kind.INT, 100),
-    ("0144", Kind.INT, 100, Kind.INT, 100),
-    ("1_000", Kind.INT, 1000, Kind.STRING, "1_000"),
-    ("12:30", Kind.INT, 750, Kind.STRING, "12:30"),
-    ("99999999999", Kind.INT, 99999999999, Kind.INT, 99999999999),
-    ("99999999999999999999", Kind.INT, 99999999999999999999, Kind.FLOAT, 1e20),
-    ("1e3", Kind.STRING, "1e3", Kind.FLOAT, 1000.0),
-    ("1.0e3", Kind.STRING, "1.0e3", Kind.FLOAT, 1000.0),
-    ("1.0e+3", Kind.FLOAT, 1000.0, Kind.FLOAT, 1000.0),
-    (".5", Kind.FLOAT, 0.5, Kind.FLOAT, 0.5),
-    ("5.", Kind.FLOAT, 5.0, Kind.FLOAT, 5.0),
-    (".inf", Kind.FLOAT, math.inf, Kind.FLOAT, math.inf),
-    ("-.inf", Kind.FLOAT, -math.inf, Kind.FLOAT, -math.inf),
-    ("inf", Kind.STRING, "inf", Kind.FLOAT, math.inf),
-    ("1e999", Kind.STRING, "1e999", Kind.STRING, "1e999"),
-    ("2_0.0", Kind.FLOAT, 20.0, Kind.STRING, "2_0.0"),
-    ("40.0/2", Kind.STRING, "40.0/2", Kind.STRING, "40.0/2"),
-    ("yes", Kind.BOOL, True, Kind.BOOL, True),
-    ("Off", Kind.BOOL, False, Kind.BOOL, False),
-    ("y", Kind.STRING, "y", Kind.BOOL, True),
-    ("t", Kind.STRING, "t", Kind.STRING, "t"),
-    ("null", Kind.NULL, None, Kind.STRING, "null"),
-    ("~", Kind.NULL, None, Kind.STRING, "~"),
-    ("2024-01-01", Kind.OTHER, None, Kind.STRING, "2024-01-01"),
-    ("deg(90)", Kind.FLOAT, math.pi / 2, Kind.STRING, "deg(90)"),
-    ("rad(pi/2)", Kind.FLOAT, math.pi / 2, Kind.STRING, "rad(pi/2)"),
-    ("!degrees 180", Kind.FLOAT, math.pi, Kind.INT, 180),
-    ("!!str 5", Kind.STRING, "5", Kind.STRING, "5"),
-    ("!mine 5", Kind.OTHER, None, Kind.INT, 5),
-    ("'5'", Kind.STRING, "5", Kind.STRING, "5"),
-    ('"true"', Kind.STRING, "true", Kind.STRING, "true"),
-    ("|-\n  5", Kind.STRING, "5", Kind.INT, 5),
-    ("", Kind.NULL, None, Kind.NULL, None),
-    ("$(var rate)", Kind.UNKNOWN, None, Kind.UNKNOWN, None),
-    ("'${prefix}arm'", Kind.UNKNOWN, None, Kind.UNKNOWN, None),
-    ("<%= rate %>", Kind.UNKNOWN, None, Kind.UNKNOWN, None),
+    ("1", ValueKind.INT, 1, ValueKind.INT, 1),
+    ("-5", ValueKind.INT, -5, ValueKind.INT, -5),
+    ("0x64", ValueKind.INT, 100, ValueKind.INT, 100),
+    ("0144", ValueKind.INT, 100, ValueKind.INT, 100),
+    ("1_000", ValueKind.INT, 1000, ValueKind.STRING, "1_000"),
+    ("12:30", ValueKind.INT, 750, ValueKind.STRING, "12:30"),
+    ("99999999999", ValueKind.INT, 99999999999, ValueKind.INT, 99999999999),
+    ("99999999999999999999", ValueKind.INT, 99999999999999999999, ValueKind.FLOAT, 1e20),
+    ("1e3", ValueKind.STRING, "1e3", ValueKind.FLOAT, 1000.0),
+    ("1.0e3", ValueKind.STRING, "1.0e3", ValueKind.FLOAT, 1000.0),
+    ("1.0e+3", ValueKind.FLOAT, 1000.0, ValueKind.FLOAT, 1000.0),
+    (".5", ValueKind.FLOAT, 0.5, ValueKind.FLOAT, 0.5),
+    ("5.", ValueKind.FLOAT, 5.0, ValueKind.FLOAT, 5.0),
+    (".inf", ValueKind.FLOAT, math.inf, ValueKind.FLOAT, math.inf),
+    ("-.inf", ValueKind.FLOAT, -math.inf, ValueKind.FLOAT, -math.inf),
+    ("inf", ValueKind.STRING, "inf", ValueKind.FLOAT, math.inf),
+    ("1e999", ValueKind.STRING, "1e999", ValueKind.STRING, "1e999"),
+    ("2_0.0", ValueKind.FLOAT, 20.0, ValueKind.STRING, "2_0.0"),
+    ("40.0/2", ValueKind.STRING, "40.0/2", ValueKind.STRING, "40.0/2"),
+    ("yes", ValueKind.BOOL, True, ValueKind.BOOL, True),
+    ("Off", ValueKind.BOOL, False, ValueKind.BOOL, False),
+    ("y", ValueKind.STRING, "y", ValueKind.BOOL, True),
+    ("t", ValueKind.STRING, "t", ValueKind.STRING, "t"),
+    ("null", ValueKind.NULL, None, ValueKind.STRING, "null"),
+    ("~", ValueKind.NULL, None, ValueKind.STRING, "~"),
+    ("2024-01-01", ValueKind.OTHER, None, ValueKind.STRING, "2024-01-01"),
+    ("deg(90)", ValueKind.FLOAT, math.pi / 2, ValueKind.STRING, "deg(90)"),
+    ("rad(pi/2)", ValueKind.FLOAT, math.pi / 2, ValueKind.STRING, "rad(pi/2)"),
+    ("!degrees 180", ValueKind.FLOAT, math.pi, ValueKind.INT, 180),
+    ("!!str 5", ValueKind.STRING, "5", ValueKind.STRING, "5"),
+    ("!mine 5", ValueKind.OTHER, None, ValueKind.INT, 5),
+    ("'5'", ValueKind.STRING, "5", ValueKind.STRING, "5"),
+    ('"true"', ValueKind.STRING, "true", ValueKind.STRING, "true"),
+    ("|-\n  5", ValueKind.STRING, "5", ValueKind.INT, 5),
+    ("", ValueKind.NULL, None, ValueKind.NULL, None),
+    ("$(var rate)", ValueKind.UNKNOWN, None, ValueKind.UNKNOWN, None),
+    ("'${prefix}arm'", ValueKind.UNKNOWN, None, ValueKind.UNKNOWN, None),
+    ("<%= rate %>", ValueKind.UNKNOWN, None, ValueKind.UNKNOWN, None),
 ]
 
 
 @pytest.mark.parametrize(("text", "kind1", "value1", "kind2", "value2"), SCALARS, ids=[case[0] for case in SCALARS])
 def test_a_scalar_is_typed_as_its_reader_types_it(
-    text: str, kind1: Kind, value1: object, kind2: Kind, value2: object
+    text: str, kind1: ValueKind, value1: object, kind2: ValueKind, value2: object
 ) -> None:
     (document,) = read(f"a: {text}\n").documents
     assert isinstance(document, Mapping)
@@ -221,7 +221,9 @@ def test_a_scalar_is_typed_as_its_reader_types_it(
 
 def test_plain_scalars_are_what_pyyaml_itself_makes_of_them() -> None:
     for text, kind, value, *_ in SCALARS:
-        if kind in (Kind.INT, Kind.FLOAT, Kind.BOOL, Kind.STRING) and not text.startswith(("deg", "rad", "!deg")):
+        if kind in (ValueKind.INT, ValueKind.FLOAT, ValueKind.BOOL, ValueKind.STRING) and not text.startswith(
+            ("deg", "rad", "!deg")
+        ):
             assert pyyaml.safe_load(f"a: {text}\n")["a"] == value
 
 

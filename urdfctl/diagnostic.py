@@ -73,7 +73,7 @@ class Location(NamedTuple):
     end: int
 
 
-class Step(NamedTuple):
+class CallStep(NamedTuple):
     """One call in the chain that leads to a finding. `what` is `macro wheel`, `include x.xacro` or `block`."""
 
     file: str
@@ -89,7 +89,7 @@ class Remark(NamedTuple):
     at: Location | None = None
 
 
-class Replacement(NamedTuple):
+class ShownEdit(NamedTuple):
     """An edit as reports show it: the text at a place is replaced by `text`."""
 
     at: Location
@@ -116,7 +116,7 @@ class Repair(NamedTuple):
 
     title: str
     safe: bool
-    edits: tuple[Replacement, ...] = ()
+    edits: tuple[ShownEdit, ...] = ()
 
 
 class Diagnostic(NamedTuple):
@@ -131,7 +131,7 @@ class Diagnostic(NamedTuple):
     severity: Severity
     message: str
     at: Location
-    expanded_from: tuple[tuple[Step, ...], ...] = ()
+    expanded_from: tuple[tuple[CallStep, ...], ...] = ()
     notes: tuple[Remark, ...] = ()
     fix: Repair | None = None
     excerpt: str = ""
@@ -202,16 +202,16 @@ def located(span: SourceSpan) -> Location:
     )
 
 
-def _chains(place: Place) -> tuple[tuple[Step, ...], ...]:
+def _chains(place: Place) -> tuple[tuple[CallStep, ...], ...]:
     if place.call is None:
         return ()
     return (
         tuple(
-            Step(call.source.path, *call.source.position(call.offset), f"{call.kind} {call.name}".strip())
+            CallStep(call.source.path, *call.source.position(call.offset), f"{call.kind} {call.name}".strip())
             for call in place.call.chain()
         ),
     )
 
 
-def _replacements(edits: Sequence[Edit]) -> tuple[Replacement, ...]:
-    return tuple(Replacement(located(edit.span), edit.text) for edit in edits)
+def _replacements(edits: Sequence[Edit]) -> tuple[ShownEdit, ...]:
+    return tuple(ShownEdit(located(edit.span), edit.text) for edit in edits)

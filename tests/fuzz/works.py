@@ -14,9 +14,9 @@ from typing import Any
 from urdfctl.commands.generate.measuring import measure_work
 from urdfctl.compare.changes import changes
 from urdfctl.compare.reports import FORMATS as FORMATS_OF_DIFF
-from urdfctl.compare.reports import Comparison, Robot, rendered
+from urdfctl.compare.reports import ComparedRobot, Comparison, rendered
 from urdfctl.compare.snapshot import snapshot_work
-from urdfctl.compare.tree import Node
+from urdfctl.compare.tree import TreeNode
 from urdfctl.config.settings import Settings
 from urdfctl.expand.job import expand_work
 from urdfctl.generate.robot.facts import RobotFacts
@@ -111,8 +111,8 @@ def diff(target: Target, random: Random) -> None:
     sides = [target, random.choice([target, target._replace(controllers=(CONTROLLERS,))])]
     nodes = [done(snapshot_work, side, random, roots=[os.getcwd()])["node"] for side in sides]
     some = random.sample([*nodes, None], 2)
-    old, new = (Node.from_json(node) if node else Node("robot", "", {}, ()) for node in some)
-    comparison = Comparison("a", "b", [Robot("arm", changes(old, new), complete=True)])
+    old, new = (TreeNode.from_json(node) if node else TreeNode("robot", "", {}, ()) for node in some)
+    comparison = Comparison("a", "b", [ComparedRobot("arm", changes(old, new), complete=True)])
     rendered(comparison, random.choice(FORMATS_OF_DIFF))
 
 

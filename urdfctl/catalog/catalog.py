@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, generation
-from urdfctl.catalog.entries import NOTHING, ControllerType, Parameter, Replacement
+from urdfctl.catalog.entries import NOTHING, ControllerType, ParameterEntry, Replacement
 from urdfctl.catalog.reading import (
     controller_type,
     distros_of,
@@ -146,19 +146,19 @@ class Catalog:
 
     # -- the controller manager ---------------------------------------------------------------------------------------
 
-    def manager_parameters(self, distro: str) -> Mapping[str, Parameter]:
+    def manager_parameters(self, distro: str) -> Mapping[str, ParameterEntry]:
         """Return the parameters of the controller manager's own node, without those of its controllers."""
         return _manager(distro, "manager")
 
-    def controller_keys(self, distro: str) -> Mapping[str, Parameter]:
+    def controller_keys(self, distro: str) -> Mapping[str, ParameterEntry]:
         """Return the parameters that the controller manager reads below each controller's name, such as `type`."""
         return _manager(distro, "controller")
 
-    def common_parameters(self, distro: str) -> Mapping[str, Parameter]:
+    def common_parameters(self, distro: str) -> Mapping[str, ParameterEntry]:
         """Return the parameters that the node of every controller has."""
         return _manager(distro, "every_controller")
 
-    def filters(self, distro: str) -> Mapping[str, Mapping[str, Parameter]]:
+    def filters(self, distro: str) -> Mapping[str, Mapping[str, ParameterEntry]]:
         """Return the parameters of the filters that a filter chain can contain, by filter type."""
         filters = plain(generation(distro), "manager").get("filters", ())
         entries = {entry["type"]: in_distro(entry, distro) for entry in filters}
@@ -264,7 +264,7 @@ def _distros_of_library(library: str) -> tuple[str, ...]:
 
 
 @cache
-def _manager(distro: str, part: str) -> Mapping[str, Parameter]:
+def _manager(distro: str, part: str) -> Mapping[str, ParameterEntry]:
     return read_parameters(plain(generation(distro), "manager").get(part, {}), distro)
 
 

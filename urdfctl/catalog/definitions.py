@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from urdfctl.catalog.validators import NAMES
-from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.kinds import ValueKind
 from urdfctl.source.yaml.tree import Mapping as YamlMap
 from urdfctl.source.yaml.tree import Node, Scalar, Sequence, YamlFile
 from urdfctl.source.yaml.types import typed_by_pyyaml
@@ -113,4 +113,4 @@ def _value(node: Node) -> Any:
     if isinstance(node, YamlMap):
         return {entry.key.text: _value(entry.value) for entry in node.entries}
     typed = typed_by_pyyaml(node)
-    return None if typed.kind is Kind.NULL else typed.value
+    return None if typed.kind is ValueKind.NULL else typed.value

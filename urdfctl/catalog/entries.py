@@ -11,7 +11,7 @@ from urdfctl.startup.records import NamedTuple
 NOTHING: Mapping[str, object] = MappingProxyType({})
 
 
-class Parameter(NamedTuple):
+class ParameterEntry(NamedTuple):
     """A parameter of a controller or of the controller manager.
 
     name: dotted name, in which `<joints>` is a placeholder for each element of the parameter `joints`.
@@ -87,7 +87,7 @@ class FormerParameter(NamedTuple):
     note: str | None = None
 
 
-class Condition(NamedTuple):
+class ParameterCondition(NamedTuple):
     """A condition on one parameter.
 
     param: name of the parameter.
@@ -116,8 +116,8 @@ class ClaimRule(NamedTuple):
     prefix: str = ""
     best_effort: bool = False
     all_if_none: bool = False
-    when: tuple[Condition, ...] = ()
-    when_any: tuple[Condition, ...] = ()
+    when: tuple[ParameterCondition, ...] = ()
+    when_any: tuple[ParameterCondition, ...] = ()
 
 
 class ClaimRules(NamedTuple):
@@ -153,8 +153,8 @@ class ParameterRule(NamedTuple):
     kind: str
     params: tuple[str, ...]
     severity: str = "error"
-    when: tuple[Condition, ...] = ()
-    when_any: tuple[Condition, ...] = ()
+    when: tuple[ParameterCondition, ...] = ()
+    when_any: tuple[ParameterCondition, ...] = ()
     details: Mapping[str, object] = NOTHING
 
 
@@ -194,7 +194,7 @@ class ControllerType(NamedTuple):
     type: str
     distro: str
     package: str
-    parameters: Mapping[str, Parameter]
+    parameters: Mapping[str, ParameterEntry]
     former: Mapping[str, FormerParameter]
     claims: ClaimRules | None
     exports: ExportRules = ExportRules()

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
-from urdfctl.catalog.entries import NOTHING, Parameter, Replacement
+from urdfctl.catalog.entries import NOTHING, ParameterEntry, Replacement
 from urdfctl.catalog.reading import in_distro, read_parameters, replacement_of
 from urdfctl.startup.records import NamedTuple
 
@@ -34,8 +34,8 @@ class HardwareType(NamedTuple):
     command_interfaces: tuple[str, ...] | None = None
     state_interfaces: tuple[str, ...] | None = None
     sensor_interfaces: Mapping[str, tuple[str, ...]] | None = None
-    hardware_parameters: Mapping[str, Parameter] | None = None
-    joint_parameters: Mapping[str, Parameter] | None = None
+    hardware_parameters: Mapping[str, ParameterEntry] | None = None
+    joint_parameters: Mapping[str, ParameterEntry] | None = None
     deprecated: bool = False
     replacement: Replacement | None = None
     states_commanded: Mapping[str, str] = MappingProxyType({})
@@ -207,7 +207,7 @@ def _interfaces(plain: list[str] | str | None) -> tuple[str, ...] | None:
     return tuple(plain) if isinstance(plain, list) else None
 
 
-def _parameters(plain: Mapping[str, Plain] | None, distro: str) -> Mapping[str, Parameter] | None:
+def _parameters(plain: Mapping[str, Plain] | None, distro: str) -> Mapping[str, ParameterEntry] | None:
     return read_parameters(plain, distro) if plain is not None else None
 
 

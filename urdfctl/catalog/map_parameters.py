@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
-from urdfctl.catalog.entries import FormerParameter, Parameter
+from urdfctl.catalog.entries import FormerParameter, ParameterEntry
 from urdfctl.catalog.values import elements, is_known
 from urdfctl.startup.per_object import once_per_object
 
@@ -29,14 +29,14 @@ def expanded(name: str, values: Mapping[str, object]) -> tuple[str, ...]:
     )
 
 
-def expected(parameters: Mapping[str, Parameter], values: Mapping[str, object]) -> dict[str, Parameter]:
+def expected(parameters: Mapping[str, ParameterEntry], values: Mapping[str, object]) -> dict[str, ParameterEntry]:
     """Return the parameters by the full names that they have with these values, or with the defaults."""
     effective = {**{name: parameter.default for name, parameter in parameters.items()}, **values}
     return {full: parameter for name, parameter in parameters.items() for full in expanded(name, effective)}
 
 
 def matching(
-    name: str, parameters: Mapping[str, Parameter] | Mapping[str, FormerParameter]
+    name: str, parameters: Mapping[str, ParameterEntry] | Mapping[str, FormerParameter]
 ) -> tuple[str, str | None] | None:
     """Return the parameter that a full name belongs to, and the element in place of its placeholder; None if no match.
 
@@ -53,7 +53,7 @@ def matching(
 
 
 @once_per_object
-def _patterns(parameters: Mapping[str, Parameter] | Mapping[str, FormerParameter]) -> list[tuple[str, bool]]:
+def _patterns(parameters: Mapping[str, ParameterEntry] | Mapping[str, FormerParameter]) -> list[tuple[str, bool]]:
     """The parameters that match more than their own name, and whether each matches every name below it."""
     below = {name: getattr(parameter, "type", None) == "none" for name, parameter in parameters.items()}
     return [(name, free_form) for name, free_form in below.items() if free_form or "<" in name]

@@ -12,7 +12,7 @@ from urdfctl.catalog.store import moves_data
 from urdfctl.startup.records import NamedTuple
 
 
-class Names(NamedTuple):
+class MovedNames(NamedTuple):
     """Names that were replaced by others.
 
     since: the first distro in which the new names are right.
@@ -77,10 +77,10 @@ MANAGER = "controller_manager"
 
 
 @lru_cache(maxsize=1)
-def name_moves() -> tuple[Names, ...]:
+def name_moves() -> tuple[MovedNames, ...]:
     """Return the names that were replaced."""
     return tuple(
-        Names(
+        MovedNames(
             since=entry["since"],
             authority=entry["authority"],
             parts=tuple(entry["in"]),

@@ -10,11 +10,11 @@ from urdfctl.catalog.entries import (
     NOTHING,
     ClaimRule,
     ClaimRules,
-    Condition,
     ControllerType,
     ExportRules,
     FormerParameter,
-    Parameter,
+    ParameterCondition,
+    ParameterEntry,
     ParameterRule,
     Replacement,
 )
@@ -112,7 +112,7 @@ def controller_type(entry: Plain, distro: str) -> ControllerType | None:
     )
 
 
-def read_parameters(plain: Mapping[str, Plain], distro: str) -> dict[str, Parameter]:
+def read_parameters(plain: Mapping[str, Plain], distro: str) -> dict[str, ParameterEntry]:
     """Return the parameters that a distro reads, by name."""
     return _by_name(plain, distro, _parameter)
 
@@ -128,8 +128,8 @@ def _by_name(plain: Mapping[str, Plain], distro: str, convert: Callable[[str, Pl
     return {name: convert(name, own, distro) for name, own in entries if own is not None}
 
 
-def _parameter(name: str, own: Plain, distro: str) -> Parameter:
-    return Parameter(
+def _parameter(name: str, own: Plain, distro: str) -> ParameterEntry:
+    return ParameterEntry(
         name=name,
         type=own["type"],
         required=own.get("required", False),
@@ -147,7 +147,7 @@ def _parameter(name: str, own: Plain, distro: str) -> Parameter:
     )
 
 
-def _former(own: Plain, distro: str, parameters: Mapping[str, Parameter]) -> dict[str, FormerParameter]:
+def _former(own: Plain, distro: str, parameters: Mapping[str, ParameterEntry]) -> dict[str, FormerParameter]:
     """Parameters that only other distros, or only earlier releases of this distro, read."""
     ros = generation(distro)
     former = {}
@@ -182,8 +182,10 @@ def _claim_rule(plain: Plain) -> ClaimRule:
     return ClaimRule(**own)
 
 
-def _conditions(plain: Any) -> tuple[Condition, ...]:
-    return tuple(Condition(condition["param"], condition.get("is_set"), condition.get("is")) for condition in plain)
+def _conditions(plain: Any) -> tuple[ParameterCondition, ...]:
+    return tuple(
+        ParameterCondition(condition["param"], condition.get("is_set"), condition.get("is")) for condition in plain
+    )
 
 
 def _parameter_rule(plain: Plain) -> ParameterRule:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from urdfctl.catalog.distros import generation, since
-from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.entries import ParameterEntry
 from urdfctl.catalog.values import elements, is_known, is_list
 
 _STRICT_WITH_DOUBLES = since("galactic")
 """Distros in which a double parameter does not accept an integer: from galactic on, rclcpp types are static."""
 
 
-def type_problem(value: object, parameter: Parameter, distro: str) -> str | None:
+def type_problem(value: object, parameter: ParameterEntry, distro: str) -> str | None:
     """Return the message on a value of the wrong type: `must be a list of strings, not the string 'a'`, or None.
 
     The type of an unknown value is not checked. ROS 1 accepts integers as doubles and, rounded, doubles as integers;
@@ -54,7 +54,7 @@ def _element_word(part: object) -> str:
     return "lists" if is_list(part) else "maps" if isinstance(part, Mapping) else "empty elements"
 
 
-def _fits(value: object, kind: str, parameter: Parameter, distro: str) -> bool:
+def _fits(value: object, kind: str, parameter: ParameterEntry, distro: str) -> bool:
     plain = kind.removesuffix("_array")
     if kind == "struct_array":
         return is_list(value) and all(isinstance(part, Mapping) for part in elements(value))
@@ -67,17 +67,17 @@ def _fits(value: object, kind: str, parameter: Parameter, distro: str) -> bool:
     return _PLAIN[kind](value)
 
 
-def is_strict_about_doubles(parameter: Parameter, distro: str) -> bool:
+def is_strict_about_doubles(parameter: ParameterEntry, distro: str) -> bool:
     """Return whether a parameter takes doubles, or lists of them, and rejects integers."""
     kinds = {kind.removesuffix("_array") for kind in parameter.types}
     return "double" in kinds and "int" not in kinds and _strict(parameter, distro)
 
 
-def _strict(parameter: Parameter, distro: str) -> bool:
+def _strict(parameter: ParameterEntry, distro: str) -> bool:
     return parameter.floats_only or distro in _STRICT_WITH_DOUBLES
 
 
-def _wanted(kind: str, parameter: Parameter, distro: str) -> str:
+def _wanted(kind: str, parameter: ParameterEntry, distro: str) -> str:
     strict = kind.startswith("double") and _strict(parameter, distro)
     return f"{_WORDS[kind]} with a decimal point" if strict else _WORDS[kind]
 

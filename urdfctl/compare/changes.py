@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.compare.names import Names, renamed
-from urdfctl.compare.tree import Node, is_same
+from urdfctl.compare.names import RenamedParts, renamed
+from urdfctl.compare.tree import TreeNode, is_same
 from urdfctl.startup.records import NamedTuple
 
 AREAS = (
@@ -27,7 +27,7 @@ _BY_TAG = {
 _IN_HARDWARE = {"joint": "interfaces", "sensor": "interfaces", "gpio": "interfaces", "transmission": "transmissions"}
 
 
-class Change(NamedTuple):
+class RobotChange(NamedTuple):
     """A difference between two robots.
 
     area: one of AREAS.
@@ -50,7 +50,7 @@ class Change(NamedTuple):
         return "/".join([*self.path, *([f"@{self.attribute}"] if self.attribute else [])])
 
 
-def changes(before: Node, after: Node) -> list[Change]:
+def changes(before: TreeNode, after: TreeNode) -> list[RobotChange]:
     """Return the changes from one robot to another, in the order of AREAS and then of the new robot."""
     names = renamed(before, after)
     found = [
@@ -61,25 +61,25 @@ def changes(before: Node, after: Node) -> list[Change]:
     return sorted(found, key=lambda change: AREAS.index(change.area))
 
 
-def _renamed(tag: str, old: str, new: str) -> Change:
-    return Change(_BY_PART[tag], "renamed", (f"{tag}:{new}",), before=old, after=new)
+def _renamed(tag: str, old: str, new: str) -> RobotChange:
+    return RobotChange(_BY_PART[tag], "renamed", (f"{tag}:{new}",), before=old, after=new)
 
 
 class _Comparison:
     """Compares parts of two robots. A text of the old robot is also the same if it has the new name of something."""
 
-    def __init__(self, names: Names) -> None:
+    def __init__(self, names: RenamedParts) -> None:
         self._names = names
 
-    def between(self, before: Node, after: Node, path: tuple[str, ...]) -> Iterator[Change]:
+    def between(self, before: TreeNode, after: TreeNode, path: tuple[str, ...]) -> Iterator[RobotChange]:
         """Yield the changes from one part to another."""
         old_values = {self._name_in(name, after.values): value for name, value in before.values.items()}
         for name in dict.fromkeys([*old_values, *after.values]):
             old, new = old_values.get(name), after.values.get(name)
             if old is None or new is None or not self._is_same(after.tag, name, old, new):
                 kind = "moved" if path and (path[-1], name) == ("parent", "link") else "changed"
-                yield Change(_area(path), kind, path, attribute=name, before=old, after=new)
-        groups: dict[str, tuple[list[Node], list[Node]]] = {child.label: ([], []) for child in after.children}
+                yield RobotChange(_area(path), kind, path, attribute=name, before=old, after=new)
+        groups: dict[str, tuple[list[TreeNode], list[TreeNode]]] = {child.label: ([], []) for child in after.children}
         for child in before.children:
             groups.setdefault(self._label_in(child, groups), ([], []))[0].append(child)
         for child in after.children:
@@ -87,7 +87,7 @@ class _Comparison:
         for label, (old_ones, new_ones) in groups.items():
             yield from self._among(old_ones, new_ones, (*path, label))
 
-    def _among(self, before: list[Node], after: list[Node], path: tuple[str, ...]) -> Iterator[Change]:
+    def _among(self, before: list[TreeNode], after: list[TreeNode], path: tuple[str, ...]) -> Iterator[RobotChange]:
         """The changes among parts with the same label: equal ones are the same, the others in their order."""
         several = len(before) > 1 or len(after) > 1
         numbers = {id(node): number for number, node in enumerate(after, 1)}
@@ -96,11 +96,13 @@ class _Comparison:
         for old, new in zip(before, after, strict=False):
             yield from self.between(old, new, (*path[:-1], f"{path[-1]}[{numbers[id(new)]}]") if several else path)
         for node in before[len(after) :]:
-            yield Change(_area(path), "removed", path, before=summary(node))
+            yield RobotChange(_area(path), "removed", path, before=summary(node))
         for node in after[len(before) :]:
-            yield Change(_area(path), "added", path, after=summary(node))
+            yield RobotChange(_area(path), "added", path, after=summary(node))
 
-    def _without_equal(self, before: Sequence[Node], after: Sequence[Node]) -> tuple[list[Node], list[Node]]:
+    def _without_equal(
+        self, before: Sequence[TreeNode], after: Sequence[TreeNode]
+    ) -> tuple[list[TreeNode], list[TreeNode]]:
         rest, left = list(after), []
         for node in before:
             same = next((other for other in rest if not any(self.between(node, other, ()))), None)
@@ -113,7 +115,7 @@ class _Comparison:
     def _is_same(self, tag: str, attribute: str, old: str, new: str) -> bool:
         return is_same(old, new) or is_same(self._names.of(tag, attribute, old), new)
 
-    def _label_in(self, node: Node, labels: Mapping[str, object]) -> str:
+    def _label_in(self, node: TreeNode, labels: Mapping[str, object]) -> str:
         """The label of an old part, with the new name if only that is known."""
         if node.label in labels:
             return node.label
@@ -138,7 +140,7 @@ def _area(path: tuple[str, ...]) -> str:
     return _BY_PART.get(tags[0], _BY_TAG.get(tags[0], "other"))
 
 
-def summary(node: Node) -> str:
+def summary(node: TreeNode) -> str:
     """Return what is worth knowing of a part that was added or removed."""
     ends = {child.tag: child.values.get("link", "") for child in node.children if child.tag in {"parent", "child"}}
     if node.tag == "joint" and ends:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from urdfctl.compare.tree import Node, is_same
+from urdfctl.compare.tree import TreeNode, is_same
 from urdfctl.startup.records import NamedTuple
 
 _ALIKE = 0.75
@@ -13,7 +13,7 @@ _ALIKE = 0.75
 _OF_LINKS = {("parent", "link"), ("child", "link")}
 
 
-class Names(NamedTuple):
+class RenamedParts(NamedTuple):
     """The old and the new names of what was renamed."""
 
     links: Mapping[str, str]
@@ -29,13 +29,13 @@ class Names(NamedTuple):
         return re.sub(r'[^\s"\[\],]+', lambda word: names.get(word[0], word[0]), text)
 
 
-class _Tree:
+class _NamedTree:
     """The links and joints of a robot by name, and the joints below each link."""
 
-    def __init__(self, robot: Node) -> None:
+    def __init__(self, robot: TreeNode) -> None:
         self.links = {node.key: node for node in robot.children if node.tag == "link" and node.key}
         self.joints = {node.key: node for node in robot.children if node.tag == "joint" and node.key}
-        self.below: dict[str, list[Node]] = {}
+        self.below: dict[str, list[TreeNode]] = {}
         children = set()
         for joint in self.joints.values():
             self.below.setdefault(end(joint, "parent"), []).append(joint)
@@ -43,14 +43,14 @@ class _Tree:
         self.roots = [name for name in self.links if name not in children]
 
 
-def end(joint: Node, role: str) -> str:
+def end(joint: TreeNode, role: str) -> str:
     """Return the name of the parent or child link of a joint; empty if it has none."""
     return next((child.values.get("link", "") for child in joint.children if child.tag == role), "")
 
 
-def renamed(before: Node, after: Node) -> Names:
+def renamed(before: TreeNode, after: TreeNode) -> RenamedParts:
     """Return what was renamed from one robot to another."""
-    old, new = _Tree(before), _Tree(after)
+    old, new = _NamedTree(before), _NamedTree(after)
     links: dict[str, str] = {}
     joints: dict[str, str] = {}
     gone, come = [one for one in old.roots if one not in new.links], [one for one in new.roots if one not in old.links]
@@ -66,12 +66,12 @@ def renamed(before: Node, after: Node) -> Names:
             if is_new and other_child in new.links and other_child not in old.links:
                 links[child] = other_child
                 pending.append((child, other_child))
-    return Names(links, joints)
+    return RenamedParts(links, joints)
 
 
 def _pairs(
-    old: _Tree, new: _Tree, before: list[Node] | tuple[()], after: list[Node] | tuple[()]
-) -> Iterator[tuple[Node, Node]]:
+    old: _NamedTree, new: _NamedTree, before: list[TreeNode] | tuple[()], after: list[TreeNode] | tuple[()]
+) -> Iterator[tuple[TreeNode, TreeNode]]:
     """Yield the joints below a link that are the same: by name, or else by what they are."""
     by_name = {joint.key: joint for joint in after}
     yield from ((joint, by_name[joint.key]) for joint in before if joint.key in by_name)
@@ -84,7 +84,7 @@ def _pairs(
             yield joint, best
 
 
-def _likeness(joint: Node, other: Node) -> float:
+def _likeness(joint: TreeNode, other: TreeNode) -> float:
     """The share of values, from 0 to 1, in which two joints agree; 1 if they move the same link."""
     if end(joint, "child") == end(other, "child"):
         return 1.0
@@ -93,7 +93,7 @@ def _likeness(joint: Node, other: Node) -> float:
     return same / max(len(left.keys() | right.keys()), 1)
 
 
-def _values(joint: Node) -> Iterator[tuple[tuple[str, str], str]]:
+def _values(joint: TreeNode) -> Iterator[tuple[tuple[str, str], str]]:
     yield ("", "type"), joint.values.get("type", "")
     for child in joint.children:
         if child.tag not in {"parent", "child"}:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 from typing import Any
 
-from urdfctl.compare.changes import Change
+from urdfctl.compare.changes import RobotChange
 from urdfctl.output.printing import visible
 from urdfctl.report.common import as_json
 from urdfctl.report.pages import page
@@ -17,11 +17,11 @@ _SIGNS = {"added": "+", "removed": "-", "renamed": "~", "moved": "~", "changed":
 _CUT = 100
 
 
-class Robot(NamedTuple):
+class ComparedRobot(NamedTuple):
     """A robot that both sides have. complete: whether both could be expanded as a whole."""
 
     name: str
-    changes: Sequence[Change]
+    changes: Sequence[RobotChange]
     complete: bool
 
 
@@ -30,7 +30,7 @@ class Comparison(NamedTuple):
 
     before: str
     after: str
-    robots: Sequence[Robot]
+    robots: Sequence[ComparedRobot]
     removed: Sequence[str] = ()
     added: Sequence[str] = ()
 
@@ -45,12 +45,12 @@ def rendered(comparison: Comparison, output: str) -> str:
     return {"text": _text, "markdown": _markdown, "html": _html, "json": _json}[output](comparison)
 
 
-def by_area(robot: Robot) -> list[tuple[str, list[Change]]]:
+def by_area(robot: ComparedRobot) -> list[tuple[str, list[RobotChange]]]:
     """Return the changes of a robot by area."""
     return [(area, list(found)) for area, found in groupby(robot.changes, key=lambda change: change.area)]
 
 
-def values(change: Change) -> tuple[str, str]:
+def values(change: RobotChange) -> tuple[str, str]:
     """Return the value before and after a change, as it is shown."""
     return _shown(change.before), _shown(change.after)
 
@@ -71,7 +71,7 @@ def _counted(comparison: Comparison) -> str:
     return ", ".join([f"{number or 'no'} change{'' if number == 1 else 's'}", *robots])
 
 
-def _incomplete(robot: Robot) -> str:
+def _incomplete(robot: ComparedRobot) -> str:
     return "" if robot.complete else "not all of it could be expanded; more may have changed"
 
 
@@ -96,7 +96,7 @@ def _lines(comparison: Comparison) -> Iterator[str]:
     yield f"{_counted(comparison)} from {visible(comparison.before)} to {visible(comparison.after)}"
 
 
-def _sentence(change: Change) -> str:
+def _sentence(change: RobotChange) -> str:
     before, after = values(change)
     where = visible(change.address)
     if change.kind in {"added", "removed"}:
@@ -123,7 +123,7 @@ def _markdown(comparison: Comparison) -> str:
     return "\n".join([*lines, f"From {_code(comparison.before)} to {_code(comparison.after)}."]) + "\n"
 
 
-def _row(area: str, change: Change) -> str:
+def _row(area: str, change: RobotChange) -> str:
     before, after = (_code(value) if value and value != "none" else "" for value in values(change))
     what = f"{area}, {change.kind}" if change.kind != "changed" else area
     return f"| {what} | {_code(change.address)} | {before} | {after} |"

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
-from urdfctl.run.git import Blobs, Entry, blobs_of, commit_of, entries_of, names_of_revisions
+from urdfctl.run.git import Blobs, TreeEntry, blobs_of, commit_of, entries_of, names_of_revisions
 from urdfctl.source.disk.files import MAX_BYTES
 
 _NOT_READ = (
@@ -72,7 +72,7 @@ def _is_name(part: str) -> bool:
     return sys.platform != "win32" or not _FORBIDDEN_ON_WINDOWS.search(part)
 
 
-def _is_empty(entry: Entry) -> bool:
+def _is_empty(entry: TreeEntry) -> bool:
     return entry.name.lower().endswith(_NOT_READ)
 
 
@@ -83,7 +83,7 @@ class _Contents:
         self._blobs, self._revision = blobs, revision
         self._total = 0
 
-    def of(self, entry: Entry) -> tuple[bytes, bool]:
+    def of(self, entry: TreeEntry) -> tuple[bytes, bool]:
         """Return the content of a file, and whether that is all of it. UserError if it is missing or too much."""
         if _is_empty(entry):
             return b"", True
@@ -98,7 +98,7 @@ class _Contents:
         return data or b"", is_whole
 
 
-def _write(entries: Sequence[Entry], contents: _Contents, folder: str) -> None:
+def _write(entries: Sequence[TreeEntry], contents: _Contents, folder: str) -> None:
     """Write files and folders first, then links: nothing is written through a link."""
     links: list[tuple[str, bytes]] = []
     for entry in entries:

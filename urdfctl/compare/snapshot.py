@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from urdfctl.compare.tree import Node, merged, node_of, plain
+from urdfctl.compare.tree import TreeNode, merged, node_of, plain
 from urdfctl.config.settings import Settings
 from urdfctl.control.parameters.given import given_values
 from urdfctl.errors import UserError
@@ -26,7 +26,7 @@ class Snapshot(NamedTuple):
     complete: whether every part of it could be expanded.
     """
 
-    node: Node
+    node: TreeNode
     complete: bool
 
 
@@ -46,7 +46,7 @@ def snapshots(targets: list[Target], settings: Settings, roots: Sequence[str]) -
         if result["node"] is None:
             path = without(target.path, roots[-1:])
             raise UserError(f"'{path}' cannot be expanded; to see why, run: urdfctl lint {path}")
-        found.append(Snapshot(Node.from_json(result["node"]), result["complete"]))
+        found.append(Snapshot(TreeNode.from_json(result["node"]), result["complete"]))
     return found
 
 
@@ -57,7 +57,7 @@ def snapshot_work(work: Work) -> dict[str, Any]:
     return {"node": node.to_json() if node is not None else None, "complete": loaded.project.complete}
 
 
-def snapshot_of(loaded: LoadedTarget, roots: Sequence[str]) -> Node | None:
+def snapshot_of(loaded: LoadedTarget, roots: Sequence[str]) -> TreeNode | None:
     """Return the tree of a loaded target; None without a description."""
     if loaded.root is None:
         return None
@@ -78,7 +78,7 @@ def without(text: str, roots: Sequence[str]) -> str:
     return text
 
 
-def _controllers(controllers: Controllers | None) -> Iterator[Node]:
+def _controllers(controllers: Controllers | None) -> Iterator[TreeNode]:
     for kind, nodes in (
         ("manager", controllers.managers if controllers else ()),
         ("controller", controllers.controllers if controllers else ()),
@@ -88,32 +88,32 @@ def _controllers(controllers: Controllers | None) -> Iterator[Node]:
             values = {name: _text(value) for name, value in given_values(each.parameters).items()}
             if isinstance(each, Controller) and each.type is not None:
                 values["type"] = each.type.text
-            yield Node(kind, "/".join(filter(None, (each.namespace, each.name))), values, ())
+            yield TreeNode(kind, "/".join(filter(None, (each.namespace, each.name))), values, ())
 
 
 def _text(value: object) -> str:
     return plain(value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)).replace(UNKNOWN, "?")
 
 
-def _limits(project: Project) -> Iterator[Node]:
+def _limits(project: Project) -> Iterator[TreeNode]:
     for limits in project.moveit.limits if project.moveit else ():
         values = {key.text: plain(value.text) for key, value in limits.values}
-        yield Node("moveit_limits", limits.joint.text, values, ())
+        yield TreeNode("moveit_limits", limits.joint.text, values, ())
     semantic = project.moveit.semantic if project.moveit else None
     for group in semantic.groups if semantic else ():
         parts = {"links": group.links, "joints": group.joints, "groups": group.groups}
         values = {name: " ".join(sorted(key.text for key in keys)) for name, keys in parts.items() if keys}
         chains = (f"{one.base.text if one.base else '?'} to {one.tip.text if one.tip else '?'}" for one in group.chains)
-        yield Node("group", group.name.text, {**values, "chains": ", ".join(sorted(chains))}, ())
+        yield TreeNode("group", group.name.text, {**values, "chains": ", ".join(sorted(chains))}, ())
 
 
-def _started(project: Project) -> Iterator[Node]:
+def _started(project: Project) -> Iterator[TreeNode]:
     for name in project.started or ():
-        yield Node("started", name.replace(UNKNOWN, "?"), {}, ())
+        yield TreeNode("started", name.replace(UNKNOWN, "?"), {}, ())
     for node in project.launch.nodes if project.launch else ():
         if node.sure and UNKNOWN not in node.package.text + node.executable.text:
             name = f"{node.namespace or ''}/{node.name or ''}".replace(UNKNOWN, "?").strip("/")
-            yield Node("node_started", f"{node.package.text}/{node.executable.text} {name}".strip(), {}, ())
+            yield TreeNode("node_started", f"{node.package.text}/{node.executable.text} {name}".strip(), {}, ())
     for simulation in project.launch.simulations if project.launch else ():
         if simulation.sure:
-            yield Node("simulator_started", simulation.simulator, {}, ())
+            yield TreeNode("simulator_started", simulation.simulator, {}, ())

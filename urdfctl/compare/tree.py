@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from urdfctl.source.xml.dom import COMMENT, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 from urdfctl.startup.records import NamedTuple
 
 _ZERO, _CLOSE = "0 0 0", 1e-9
@@ -31,7 +31,7 @@ _BY_CONTENT = frozenset({"visual", "collision"})
 """Elements whose names nothing refers to: they are the same if their contents are."""
 
 
-class Node(NamedTuple):
+class TreeNode(NamedTuple):
     """A part of a robot.
 
     tag: the name of its element.
@@ -43,7 +43,7 @@ class Node(NamedTuple):
     tag: str
     key: str
     values: Mapping[str, str]
-    children: tuple[Node, ...]
+    children: tuple[TreeNode, ...]
 
     @property
     def label(self) -> str:
@@ -55,12 +55,12 @@ class Node(NamedTuple):
         return [self.tag, self.key, dict(self.values), [child.to_json() for child in self.children]]
 
     @classmethod
-    def from_json(cls, data: list[Any]) -> Node:
+    def from_json(cls, data: list[Any]) -> TreeNode:
         """Return the node that `to_json` made `data` from."""
         return cls(data[0], data[1], data[2], tuple(map(cls.from_json, data[3])))
 
 
-def node_of(element: Element, shown: Callable[[str], str], part: str = "") -> Node:
+def node_of(element: Element, shown: Callable[[str], str], part: str = "") -> TreeNode:
     """Return the tree of an element.
 
     shown: returns a text without the folders that say nothing of the robot.
@@ -71,21 +71,21 @@ def node_of(element: Element, shown: Callable[[str], str], part: str = "") -> No
     own = (item for item in element.attrs.items() if not item[0].startswith("xmlns"))
     given = {name.rpartition(":")[2]: value for name, value in own}
     values = {name: shown(plain(value)) for name, value in {**_DEFAULTS.get((part, tag), {}), **given}.items()}
-    texts = (node.data for node in element.children() if isinstance(node, Text) and node.nodeType != COMMENT)
+    texts = (node.data for node in element.children() if isinstance(node, XmlText) and node.nodeType != COMMENT)
     text = shown(plain(" ".join(texts)))
     if text:
         values[""] = text
     children = [node_of(child, shown, part) for child in element.elements()]
     present = {child.tag for child in children}
     implied = (name for name in _IMPLIED.get(tag, ()) if (part, name) in _DEFAULTS and name not in present)
-    children += [Node(name, "", _DEFAULTS[(part, name)], ()) for name in implied]
+    children += [TreeNode(name, "", _DEFAULTS[(part, name)], ()) for name in implied]
     key = given.get("name") or given.get("reference") or ""
-    return Node(tag, "" if tag in _BY_CONTENT else plain(key), values, merged(children))
+    return TreeNode(tag, "" if tag in _BY_CONTENT else plain(key), values, merged(children))
 
 
-def merged(children: list[Node]) -> tuple[Node, ...]:
+def merged(children: list[TreeNode]) -> tuple[TreeNode, ...]:
     """Return parts with those joined that are read as one."""
-    found: list[Node] = []
+    found: list[TreeNode] = []
     places: dict[str, int] = {}
     for child in children:
         if child.tag in _MERGED and child.label in places:

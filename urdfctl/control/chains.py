@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.session import CHAINING, Configured, Session, before_slash
 from urdfctl.startup.records import NamedTuple
 
@@ -20,7 +20,7 @@ class Chained(NamedTuple):
 
     preceding: Configured
     """The controller that claims."""
-    kind: Kind
+    kind: ClaimKind
     claim: Claim
     following: Configured
     """The controller with the name before the first slash."""
@@ -29,7 +29,7 @@ class Chained(NamedTuple):
     def is_offered(self) -> bool | None:
         """Whether the following controller exports the interface; None if unknown."""
         exports = self.following.exports
-        offered = exports.reference if self.kind is Kind.COMMAND else exports.state
+        offered = exports.reference if self.kind is ClaimKind.COMMAND else exports.state
         if any(export.name == self.claim.name for export in offered):
             return True
         return False if self.following.type is not None and exports.complete else None
@@ -37,7 +37,7 @@ class Chained(NamedTuple):
 
 def chained_claims(session: Session, controller: Configured) -> Iterator[Chained]:
     """Yield the claims of a controller to interfaces of other controllers of its manager."""
-    for kind in Kind:
+    for kind in ClaimKind:
         for claim in controller.claimed(kind) if session.distro in CHAINING[kind] else ():
             following = session.named(before_slash(claim), controller)
             if following is not None and not claim.best_effort:
@@ -57,7 +57,7 @@ def circle(session: Session, controller: Configured) -> tuple[Configured, ...]:
             following = chained.following
             if following is controller:
                 return path
-            if chained.kind is Kind.COMMAND and following.name not in seen:
+            if chained.kind is ClaimKind.COMMAND and following.name not in seen:
                 seen.add(following.name)
                 pending.append((*path, following))
     return ()
@@ -71,5 +71,5 @@ def late(session: Session, controller: Configured) -> Iterator[Chained]:
     started = session.started or ()
     before = started[: started.index(controller)] if session.in_order and controller in started else started
     for chained in chained_claims(session, controller):
-        if chained.kind is Kind.COMMAND and chained.following not in (*before, controller):
+        if chained.kind is ClaimKind.COMMAND and chained.following not in (*before, controller):
             yield chained

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from urdfctl.catalog.entries import ClaimRule, Condition, ControllerType
+from urdfctl.catalog.entries import ClaimRule, ControllerType, ParameterCondition
 from urdfctl.catalog.values import elements, is_known, is_list, is_set
 from urdfctl.control.parameters.values import Values
 from urdfctl.startup.records import NamedTuple
@@ -38,7 +38,7 @@ class Claim(NamedTuple):
         return f"{self.component}/{self.interface}" if self.interface else self.component
 
 
-class RobotFacts(NamedTuple):
+class ClaimFacts(NamedTuple):
     """Facts about the robot that claims may depend on."""
 
     movable_joints: tuple[str, ...] = ()
@@ -46,7 +46,7 @@ class RobotFacts(NamedTuple):
     """The offered state interfaces, as (component, interface)."""
 
 
-NO_FACTS = RobotFacts()
+NO_FACTS = ClaimFacts()
 
 
 class Claims(NamedTuple):
@@ -58,7 +58,7 @@ class Claims(NamedTuple):
     """False if the controller may claim more."""
 
 
-class Exports(NamedTuple):
+class ExportedInterfaces(NamedTuple):
     """The interfaces that a controller exports for other controllers."""
 
     reference: tuple[Claim, ...] = ()
@@ -69,7 +69,7 @@ class Exports(NamedTuple):
 
 
 def claims(
-    controller: ControllerType, name: str, values: Mapping[str, object], robot: RobotFacts = NO_FACTS
+    controller: ControllerType, name: str, values: Mapping[str, object], robot: ClaimFacts = NO_FACTS
 ) -> Claims | None:
     """Return the claims of a controller with this name and these values; None if the catalogue does not know them."""
     if controller.claims is None:
@@ -79,11 +79,11 @@ def claims(
     return Claims(command, state, evaluation.complete)
 
 
-def exports(controller: ControllerType, name: str, values: Mapping[str, object]) -> Exports:
+def exports(controller: ControllerType, name: str, values: Mapping[str, object]) -> ExportedInterfaces:
     """Return the interfaces that a controller with this name and these parameter values exports."""
     evaluation = _Evaluation(controller, name, values, NO_FACTS)
     reference, state = evaluation.of(controller.exports.reference), evaluation.of(controller.exports.state)
-    return Exports(reference, state, evaluation.complete)
+    return ExportedInterfaces(reference, state, evaluation.complete)
 
 
 class _Named(NamedTuple):
@@ -97,7 +97,7 @@ class _Named(NamedTuple):
 class _Evaluation:
     """Evaluates the claim rules of one controller for its parameter values."""
 
-    def __init__(self, controller: ControllerType, name: str, values: Mapping[str, object], robot: RobotFacts) -> None:
+    def __init__(self, controller: ControllerType, name: str, values: Mapping[str, object], robot: ClaimFacts) -> None:
         self._name = name
         self._values = Values(controller, values)
         self._robot = robot
@@ -171,7 +171,7 @@ class _Evaluation:
         every = all(self._is_met(condition, item) for condition in rule.when)
         return every and (not rule.when_any or any(self._is_met(condition, item) for condition in rule.when_any))
 
-    def _is_met(self, condition: Condition, item: str | None) -> bool:
+    def _is_met(self, condition: ParameterCondition, item: str | None) -> bool:
         value = self._values.get(self._filled(condition.param, item))
         if not is_known(value):
             self.complete = False

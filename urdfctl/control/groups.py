@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from urdfctl.model.moveit import Chain, Group, Semantic, VirtualJoint
-from urdfctl.model.robot import Reference, Robot
+from urdfctl.model.robot import PartReference, Robot
 
 _ROOT = ""
 """The joint above the root link, which every robot model has: a virtual joint, or a fixed one."""
@@ -135,5 +135,5 @@ class Groups:
         return joint is not None and joint.type in _MOVING and joint.mimic is None
 
 
-def _name_of(reference: Reference | None) -> str | None:
+def _name_of(reference: PartReference | None) -> str | None:
     return reference.name if reference else None

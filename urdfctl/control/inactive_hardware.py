@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.session import Configured, Session
 from urdfctl.model.controllers import Value
 from urdfctl.startup.records import NamedTuple
@@ -50,7 +50,7 @@ def inactive_hardware(session: Session, controller: Configured) -> Iterator[Inac
 def _claimed(session: Session, controller: Configured) -> set[str]:
     """The hardware components with interfaces that the controller claims."""
     components: set[str] = set()
-    for kind in Kind:
+    for kind in ClaimKind:
         for claim in controller.claimed(kind):
             offers = session.hardware.of(kind, claim.component)
             components.update(offer.by for offer in offers if offer.interface == claim.interface and offer.by)

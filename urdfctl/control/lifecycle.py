@@ -14,7 +14,7 @@ from urdfctl.catalog.entries import ParameterRule
 from urdfctl.control.chains import Chained, chained_claims, circle, late
 from urdfctl.control.claims import Claim
 from urdfctl.control.conflicts import claimed_twice, conflicts
-from urdfctl.control.hardware.interfaces import Absence, Kind
+from urdfctl.control.hardware.interfaces import Absence, ClaimKind
 from urdfctl.control.inactive_hardware import inactive_hardware
 from urdfctl.control.needed_interfaces import nothing_to_claim
 from urdfctl.control.parameters.rules import breaches
@@ -60,7 +60,7 @@ class Stop(NamedTuple):
     reason: Reason
     claim: Claim | None = None
     """The claim that fails."""
-    kind: Kind = Kind.COMMAND
+    kind: ClaimKind = ClaimKind.COMMAND
     """The kind of that claim."""
     other: Configured | None = None
     """The other controller, which lacks the interface, has claimed it already, or is not started."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware.interfaces import Absence, Kind
+from urdfctl.control.hardware.interfaces import Absence, ClaimKind
 from urdfctl.control.session import Configured, Session
 
 
@@ -17,7 +17,7 @@ def nothing_to_claim(session: Session, controller: Configured) -> Absence | None
         return None
     if hardware.bare:
         return None
-    if any(_is_met(session, claim, which) for which in Kind for claim in controller.claimed(which)):
+    if any(_is_met(session, claim, which) for which in ClaimKind for claim in controller.claimed(which)):
         return None
     if any(
         other.exports.state or not other.exports.complete for other in session.candidates if other is not controller
@@ -26,5 +26,5 @@ def nothing_to_claim(session: Session, controller: Configured) -> Absence | None
     return Absence.LIKELY if hardware.open else Absence.SURE
 
 
-def _is_met(session: Session, claim: Claim, kind: Kind) -> bool:
+def _is_met(session: Session, claim: Claim, kind: ClaimKind) -> bool:
     return not claim.best_effort or session.hardware.absence(kind, claim.component, claim.interface) is None

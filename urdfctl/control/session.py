@@ -8,8 +8,8 @@ from urdfctl.catalog.distros import since
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.value_types import type_problem
-from urdfctl.control.claims import Claim, Claims, Exports, RobotFacts, claims, exports
-from urdfctl.control.hardware.interfaces import Absence, Hardware, Kind
+from urdfctl.control.claims import Claim, ClaimFacts, Claims, ExportedInterfaces, claims, exports
+from urdfctl.control.hardware.interfaces import Absence, ClaimKind, OfferedHardware
 from urdfctl.control.hardware.offered import hardware_of
 from urdfctl.control.parameters.given import given_values
 from urdfctl.model.controllers import Controller
@@ -19,17 +19,17 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
 NOT_KNOWN = Claims(complete=False)
-CHAINING = {Kind.COMMAND: since("humble"), Kind.STATE: since("jazzy")}
+CHAINING = {ClaimKind.COMMAND: since("humble"), ClaimKind.STATE: since("jazzy")}
 """The distros in which controllers can claim interfaces of other controllers."""
 _MOVABLE = ("revolute", "continuous", "prismatic")
 
 _Name = tuple[str | None, str]
 
 
-class Missing(NamedTuple):
+class MissingInterface(NamedTuple):
     """An interface that a controller claims and no hardware offers."""
 
-    kind: Kind
+    kind: ClaimKind
     claim: Claim
     absence: Absence
 
@@ -43,8 +43,8 @@ class Configured(NamedTuple):
     values: Mapping[str, object]
     """The given parameter values by full name."""
     claims: Claims
-    exports: Exports
-    missing: tuple[Missing, ...] = ()
+    exports: ExportedInterfaces
+    missing: tuple[MissingInterface, ...] = ()
     """Claimed interfaces that no hardware offers."""
 
     @property
@@ -52,16 +52,16 @@ class Configured(NamedTuple):
         """The controller's own name, which is also the prefix of the interfaces that it exports."""
         return self.controller.name
 
-    def claimed(self, kind: Kind) -> tuple[Claim, ...]:
+    def claimed(self, kind: ClaimKind) -> tuple[Claim, ...]:
         """Return its claims of one kind."""
-        return self.claims.command if kind is Kind.COMMAND else self.claims.state
+        return self.claims.command if kind is ClaimKind.COMMAND else self.claims.state
 
 
 class Session(NamedTuple):
     """The controllers and the hardware of a project in one distro."""
 
     distro: str
-    hardware: Hardware
+    hardware: OfferedHardware
     controllers: tuple[Configured, ...]
     started: tuple[Configured, ...] | None
     """The started controllers, in order; None if unknown."""
@@ -108,18 +108,18 @@ def session_of(project: Project, distro: str) -> Session:
     )
 
 
-def _facts(robot: Robot | None, hardware: Hardware) -> RobotFacts:
+def _facts(robot: Robot | None, hardware: OfferedHardware) -> ClaimFacts:
     joints = robot.joints if robot else ()
     movable = tuple(joint.name for joint in joints if joint.name and joint.type in _MOVABLE)
     offered = tuple((offer.component, offer.interface) for offers in hardware.state.values() for offer in offers)
-    return RobotFacts(movable, offered)
+    return ClaimFacts(movable, offered)
 
 
-def _configured(controller: Controller, project: Project, distro: str, facts: RobotFacts) -> Configured:
+def _configured(controller: Controller, project: Project, distro: str, facts: ClaimFacts) -> Configured:
     kind = controller.type.value if controller.type else None
     known = project.catalog.controller(kind, distro) if isinstance(kind, str) else None
     if known is None or kind in project.own.controllers:
-        return Configured(controller, None, {}, NOT_KNOWN, Exports(complete=False))
+        return Configured(controller, None, {}, NOT_KNOWN, ExportedInterfaces(complete=False))
     values = readable(known, given_values(controller.parameters))
     claimed = claims(known, controller.name, values, facts)
     return Configured(controller, known, values, claimed or NOT_KNOWN, exports(known, controller.name, values))
@@ -135,13 +135,15 @@ def readable(kind: ControllerType, given: Mapping[str, object]) -> dict[str, obj
     return {name: UNKNOWN if wrong(name, value) else value for name, value in given.items()}
 
 
-def _missing(controller: Configured, hardware: Hardware, distro: str, names: Collection[_Name]) -> Iterator[Missing]:
-    for kind in Kind:
+def _missing(
+    controller: Configured, hardware: OfferedHardware, distro: str, names: Collection[_Name]
+) -> Iterator[MissingInterface]:
+    for kind in ClaimKind:
         for claim in controller.claimed(kind):
             chained = distro in CHAINING[kind] and (controller.controller.namespace, before_slash(claim)) in names
             absence = hardware.absence(kind, claim.component, claim.interface)
             if absence is not None and not chained and not claim.best_effort:
-                yield Missing(kind, claim, absence)
+                yield MissingInterface(kind, claim, absence)
 
 
 def before_slash(claim: Claim) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware.interfaces import Hardware
+from urdfctl.control.hardware.interfaces import OfferedHardware
 
 _OF_JOINTS = ("position", "velocity", "acceleration", "effort")
 _OF_JOINTS_IN_ROS1 = ("JointInterface", "JointStateInterface")
@@ -14,7 +14,7 @@ def is_of_joint(claim: Claim) -> bool:
     return claim.interface in _OF_JOINTS or claim.interface.endswith(_OF_JOINTS_IN_ROS1)
 
 
-def is_misnamed(claim: Claim, hardware: Hardware) -> bool:
+def is_misnamed(claim: Claim, hardware: OfferedHardware) -> bool:
     """Return whether a parameter names a joint that neither robot nor hardware has, or that is fixed.
 
     Names with a slash are interfaces of other controllers, and not misnamed.

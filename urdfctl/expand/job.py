@@ -18,7 +18,7 @@ from urdfctl.model.project import Project
 from urdfctl.startup.records import NamedTuple
 
 
-class Expanded(NamedTuple):
+class ExpandedText(NamedTuple):
     """The expanded text.
 
     text: None if a problem ended the expansion.
@@ -31,13 +31,13 @@ class Expanded(NamedTuple):
     crashed: bool = False
 
 
-def expand_file(path: str, arguments: Mapping[str, str], settings: Settings) -> Expanded:
+def expand_file(path: str, arguments: Mapping[str, str], settings: Settings) -> ExpandedText:
     """Return the expansion of one file."""
     target = Target(path, tuple(arguments.items()))
     result, outcome = run_on_one(expand_work, target, settings)
     if result is None:
-        return Expanded(None, tuple(outcome.diagnostics), outcome.crashed)
-    return Expanded(result["text"], tuple(outcome.diagnostics), outcome.crashed)
+        return ExpandedText(None, tuple(outcome.diagnostics), outcome.crashed)
+    return ExpandedText(result["text"], tuple(outcome.diagnostics), outcome.crashed)
 
 
 def expand_work(work: Work) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from urdfctl.source.xml.dom import CDATA, COMMENT, TEXT, Document, DocumentType, Element, Instruction, Node, Text
+from urdfctl.source.xml.dom import CDATA, COMMENT, TEXT, Document, DocumentType, Element, Instruction, XmlNode, XmlText
 
 Escape = Callable[[str], str]
 
@@ -50,14 +50,14 @@ def _banner(name: str) -> Iterator[str]:
     yield f" {'=' * 83} "
 
 
-def _lines(node: Node, indent: str, attribute: Escape, text: Escape) -> Iterator[str]:
+def _lines(node: XmlNode, indent: str, attribute: Escape, text: Escape) -> Iterator[str]:
     if isinstance(node, Element):
         yield from _element_lines(node, indent, attribute, text)
     elif isinstance(node, Instruction):
         yield f"{indent}<?{node.target} {node.data}?>\n"
     elif isinstance(node, DocumentType):
         yield _doctype(node)
-    elif isinstance(node, Text):
+    elif isinstance(node, XmlText):
         if node.nodeType == CDATA:
             yield f"<![CDATA[{node.data}]]>"
         elif node.nodeType == COMMENT:
@@ -72,12 +72,12 @@ def _element_lines(element: Element, indent: str, attribute: Escape, text: Escap
     first = element.firstChild
     if first is None:
         yield f"{start}/>\n"
-    elif first.nextSibling is None and isinstance(first, Text) and first.nodeType == TEXT:
+    elif first.nextSibling is None and isinstance(first, XmlText) and first.nodeType == TEXT:
         yield f"{start}>{text(first.data)}</{element.tagName}>\n"
     else:
         yield f"{start}>\n"
         for child in element.children():
-            blank = isinstance(child, Text) and child.nodeType == TEXT and not child.data.strip()
+            blank = isinstance(child, XmlText) and child.nodeType == TEXT and not child.data.strip()
             if not blank:
                 yield from _lines(child, indent + "  ", attribute, text)
         yield f"{indent}</{element.tagName}>\n"

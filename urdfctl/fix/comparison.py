@@ -15,7 +15,7 @@ from urdfctl.fix.edits import Shift, Splice
 from urdfctl.source.disk.files import is_yaml
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import Call, SourceText
-from urdfctl.source.xml.dom import COMMENT, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 from urdfctl.source.xml.parsing import parse
 from urdfctl.startup.records import NamedTuple
 
@@ -187,7 +187,7 @@ def _is_call_edited(call: Call | None, state: _Before | _After, known: dict[int,
 
 
 def _content(element: Element) -> object:
-    texts = (node.data for node in element.children() if isinstance(node, Text) and node.nodeType != COMMENT)
+    texts = (node.data for node in element.children() if isinstance(node, XmlText) and node.nodeType != COMMENT)
     return element.tagName, element.attrs, [text for text in texts if text.strip()]
 
 

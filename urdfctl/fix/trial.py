@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from urdfctl.diagnostic import Diagnostic, Severity, Step
+from urdfctl.diagnostic import CallStep, Diagnostic, Severity
 from urdfctl.fix.comparison import EditedFile, edited_file, same_file, same_tree
 from urdfctl.fix.edits import Splice
 from urdfctl.lint.job import Work
@@ -17,7 +17,7 @@ from urdfctl.lint.target import LintedTarget, lint_target
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
-Chain = tuple[Step, ...]
+Chain = tuple[CallStep, ...]
 
 
 class TrialResult(NamedTuple):
@@ -166,7 +166,8 @@ class _Trial:
 def _chain(element: Element) -> Chain:
     calls = element.call.chain() if element.call else ()
     return tuple(
-        Step(call.source.path, *call.source.position(call.offset), f"{call.kind} {call.name}".strip()) for call in calls
+        CallStep(call.source.path, *call.source.position(call.offset), f"{call.kind} {call.name}".strip())
+        for call in calls
     )
 
 

@@ -10,7 +10,7 @@ from urdfctl.catalog.catalog import Catalog
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.creation import controllers
 from urdfctl.generate.controllers.fit import check_fit
-from urdfctl.generate.controllers.parameters import Controller
+from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.files.bringup import dependencies, launch_file, launch_name, package_files
 from urdfctl.generate.files.controllers_file import controllers_file
 from urdfctl.generate.files.descriptions import (
@@ -23,7 +23,7 @@ from urdfctl.generate.files.descriptions import (
 from urdfctl.generate.files.hardware import has_host, takes_namespace
 from urdfctl.generate.files.mjcf import MODEL, commanded, mjcf_file
 from urdfctl.generate.files.moveit import moveit_file
-from urdfctl.generate.options import File, Options
+from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.generate.robot.mounting import needs_world
 from urdfctl.generate.text.parse_again import checked
@@ -36,7 +36,7 @@ class Order(NamedTuple):
     """The input of a generator."""
 
     joints: tuple[JointFacts, ...]
-    options: Options
+    options: GeneratorOptions
     catalog: Catalog
     robot: RobotFacts
     templates: Templates
@@ -46,11 +46,11 @@ class Order(NamedTuple):
         """The robot's name in comments and titles."""
         return f"'{self.robot.name}'" if self.robot.name else "these joints"
 
-    def controllers(self) -> tuple[Controller, ...]:
+    def controllers(self) -> tuple[GeneratedController, ...]:
         """Return the requested controllers."""
         return controllers(self.joints, self.options, self.catalog, self.robot)
 
-    def made_if_typed(self) -> tuple[Controller, ...]:
+    def made_if_typed(self) -> tuple[GeneratedController, ...]:
         """Return the requested controllers. Empty if no type is given."""
         return self.controllers() if self.options.types or self.options.requests else ()
 
@@ -95,7 +95,7 @@ def _ros2_control(order: Order) -> list[File]:
     return [_wrapped(order, "urdf/ros2_control.xacro", block)]
 
 
-def _component(order: Order, made: Sequence[Controller]) -> str | None:
+def _component(order: Order, made: Sequence[GeneratedController]) -> str | None:
     return component(
         joints=order.joints,
         options=order.options,
@@ -114,7 +114,7 @@ def _launch(order: Order) -> list[File]:
     return [_launch_file(order, _typed(order))]
 
 
-def _launch_file(order: Order, made: Sequence[Controller]) -> File:
+def _launch_file(order: Order, made: Sequence[GeneratedController]) -> File:
     options = order.options
     if options.ros == 1 or options.form == "xml":
         options = options._replace(command=_one_dash(options.command))
@@ -122,7 +122,7 @@ def _launch_file(order: Order, made: Sequence[Controller]) -> File:
     return launch_file(made, options, order.templates, order.robot, movable=movable)
 
 
-def _typed(order: Order) -> tuple[Controller, ...]:
+def _typed(order: Order) -> tuple[GeneratedController, ...]:
     if not (order.options.types or order.options.requests):
         raise UserError("--type is missing: use e.g. --type effort, --type trajectory or --type diff_drive")
     made = order.controllers()
@@ -134,7 +134,7 @@ def _typed(order: Order) -> tuple[Controller, ...]:
     return made
 
 
-def _check_joints(made: Sequence[Controller], robot: RobotFacts) -> None:
+def _check_joints(made: Sequence[GeneratedController], robot: RobotFacts) -> None:
     """UserError if a controller of ROS 1 commands a joint that the robot does not have."""
     known = {joint.name for joint in robot.joints}
     for controller in made if known else ():
@@ -143,7 +143,7 @@ def _check_joints(made: Sequence[Controller], robot: RobotFacts) -> None:
             raise UserError(f"'{controller.type.type}' requires joint '{unknown[0]}', which the robot does not have")
 
 
-def _check_simulated(controller: Controller, order: Order) -> None:
+def _check_simulated(controller: GeneratedController, order: Order) -> None:
     """UserError if gazebo_ros_control does not simulate an interface that a controller of ROS 1 requires."""
     known = order.catalog.hardware_interfaces(order.options.distro)
     for name in controller.type.hardware_interfaces:
@@ -224,7 +224,7 @@ def _ending(path: str) -> str:
     return os.path.splitext(path)[1].lower()
 
 
-def _mujoco(order: Order, made: Sequence[Controller]) -> list[File]:
+def _mujoco(order: Order, made: Sequence[GeneratedController]) -> list[File]:
     """The model of the robot for mujoco_ros2_control, with its meshes."""
     if order.options.simulator != "mujoco" or order.robot.skeleton is None:
         return []

@@ -37,7 +37,7 @@ class Request(NamedTuple):
     interfaces: tuple[str, ...] = ()
 
 
-class Options(NamedTuple):
+class GeneratorOptions(NamedTuple):
     """The user's options. `command` is the command line that generates the files again.
 
     `types` are short names or full names of controller types, `requests` are controllers with their joints.

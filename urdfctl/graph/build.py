@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from urdfctl.control.chains import chained_claims
 from urdfctl.control.claims import Claim
 from urdfctl.control.groups import Groups
-from urdfctl.control.hardware.interfaces import Absence, Kind
+from urdfctl.control.hardware.interfaces import Absence, ClaimKind
 from urdfctl.control.session import Configured, Session, session_of
 from urdfctl.diagnostic import Diagnostic, Severity, located
-from urdfctl.graph.parts import Edge, Graph, Node
+from urdfctl.graph.parts import Edge, Graph, GraphNode
 from urdfctl.graph.topics import topics_of
 from urdfctl.model.project import Project
 from urdfctl.rules.claims.common import home, place_of
@@ -28,7 +28,7 @@ def graph_of(project: Project, findings: Sequence[Diagnostic]) -> Graph:
     findings: what lint found in it.
     """
     session = session_of(project, project.distro or project.distros[-1])
-    builder = _Builder(project, session, _Errors(findings))
+    builder = _GraphBuilder(project, session, _Errors(findings))
     builder.build()
     robot = project.robot.name if project.robot and project.robot.name else ""
     return Graph(
@@ -80,10 +80,10 @@ class _Hardware(NamedTuple):
     at: tuple[Place, ...]
 
 
-class _Builder:
+class _GraphBuilder:
     def __init__(self, project: Project, session: Session, errors: _Errors) -> None:
         self.project, self.session, self.errors = project, session, errors
-        self.nodes: dict[str, Node] = {}
+        self.nodes: dict[str, GraphNode] = {}
         self.edges: dict[tuple[str, str], Edge] = {}
         self._keys: dict[int, str] = {}
 
@@ -94,7 +94,7 @@ class _Builder:
         for each in self.session.controllers:
             self._claims(each)
             self._topics(each)
-        for kind in Kind:
+        for kind in ClaimKind:
             for offers in self.session.hardware.offers(kind).values():
                 for offer in offers:
                     self._behind(kind, Claim(offer.component, offer.interface), active=False)
@@ -103,7 +103,7 @@ class _Builder:
     def _node(self, kind: str, name: str, detail: str = "", *, active: bool = True, rules: Sequence[str] = ()) -> str:
         """Make a node, or add to it, and return its id."""
         key = f"{kind}:{_shown(name)}"
-        known = self.nodes.get(key, Node(key, kind, _shown(name), active=False))
+        known = self.nodes.get(key, GraphNode(key, kind, _shown(name), active=False))
         rules = tuple(dict.fromkeys((*known.rules, *rules)))
         self.nodes[key] = known._replace(
             detail=_shown(detail) or known.detail, active=active or known.active, rules=rules
@@ -130,7 +130,7 @@ class _Builder:
     def _claims(self, each: Configured) -> None:
         key, active = self._keys[id(each)], self._is_active(each)
         following = {(one.kind, one.claim.name): one.following for one in chained_claims(self.session, each)}
-        for kind in Kind:
+        for kind in ClaimKind:
             for claim in each.claimed(kind):
                 other = following.get((kind, claim.name))
                 if other is None:
@@ -138,7 +138,7 @@ class _Builder:
                 else:
                     interface = self._exported(kind, claim, self._keys[id(other)], active=active)
                 rules = self._rules_of(each, claim)
-                if kind is Kind.COMMAND:
+                if kind is ClaimKind.COMMAND:
                     self._edge(key, interface, "claims", active=active, rules=rules)
                 else:
                     self._edge(interface, key, "reads", active=active, rules=rules)
@@ -181,23 +181,23 @@ class _Builder:
 
     # -- interfaces --------------------------------------------------------------------------------------------------
 
-    def _exported(self, kind: Kind, claim: Claim, other: str, *, active: bool) -> str:
+    def _exported(self, kind: ClaimKind, claim: Claim, other: str, *, active: bool) -> str:
         """Make the interface of another controller, and return its id."""
         key = self._node(kind.value, claim.name, claim.interface, active=active)
-        if kind is Kind.COMMAND:
+        if kind is ClaimKind.COMMAND:
             self._edge(key, other, "commands", active=active)
         else:
             self._edge(other, key, "publishes", active=active)
         return key
 
-    def _behind(self, kind: Kind, claim: Claim, *, active: bool) -> str:
+    def _behind(self, kind: ClaimKind, claim: Claim, *, active: bool) -> str:
         """Make an interface of the hardware, and the way from it to the joint or back, and return its id."""
         key = self._node(kind.value, claim.name, claim.interface, active=active)
         if self.session.hardware.absence(kind, claim.component, claim.interface) is Absence.SURE:
             return key
         rules = [code for place in self._places_of(claim.component) for code in self.errors.at(place)]
         joint = self._node("joint", claim.component, self._type_of(claim.component), active=active, rules=rules)
-        if kind is Kind.STATE:
+        if kind is ClaimKind.STATE:
             self._edge(joint, key, "measures", active=active)
             return key
         for hardware in self._hardware(claim):
@@ -210,7 +210,7 @@ class _Builder:
     def _hardware(self, claim: Claim) -> list[_Hardware]:
         """The hardware components that offer a command interface; in ROS 1, the joint's transmissions."""
         robot = self.project.robot
-        offers = self.session.hardware.of(Kind.COMMAND, claim.component)
+        offers = self.session.hardware.of(ClaimKind.COMMAND, claim.component)
         names = {offer.by for offer in offers if offer.interface == claim.interface and offer.by}
         found = []
         for component in robot.ros2_controls if robot else ():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfctl.graph.parts import KINDS, Graph, Node
+from urdfctl.graph.parts import KINDS, Graph, GraphNode
 from urdfctl.startup.records import NamedTuple
 
 HEIGHT = 24.0
@@ -20,7 +20,7 @@ _MOST_CHAINED = 20
 class Box(NamedTuple):
     """A node on the page: the left upper corner and the width, in pixels."""
 
-    node: Node
+    node: GraphNode
     x: float
     y: float
     width: float
@@ -50,7 +50,7 @@ def laid_out(graph: Graph) -> Layout:
     return Layout(boxes, max(x - _BETWEEN + _MARGIN, 2 * _MARGIN), height)
 
 
-def _columns(graph: Graph) -> list[list[Node]]:
+def _columns(graph: Graph) -> list[list[GraphNode]]:
     """The nodes by column. Controllers that others command are to the right of those, and their interfaces between."""
     depths = {node.id: 0 for node in graph.nodes}
     kinds = {node.id: node.kind for node in graph.nodes}
@@ -70,7 +70,7 @@ def _columns(graph: Graph) -> list[list[Node]]:
             break
     deepest = max((depths[node.id] for node in graph.nodes if node.kind == "controller"), default=0)
     driven = {edge.source for edge in graph.edges if edge.kind == "drives"}
-    columns: dict[tuple[int, int, int], list[Node]] = {}
+    columns: dict[tuple[int, int, int], list[GraphNode]] = {}
     for node in graph.nodes:
         place = KINDS.index(node.kind)
         if node.kind in {"controller", "command"}:
@@ -82,7 +82,7 @@ def _columns(graph: Graph) -> list[list[Node]]:
     return [columns[key] for key in sorted(columns)]
 
 
-def _ordered(graph: Graph, columns: list[list[Node]]) -> list[list[Node]]:
+def _ordered(graph: Graph, columns: list[list[GraphNode]]) -> list[list[GraphNode]]:
     """The columns with each node near the middle of what it is connected with."""
     beside: dict[str, list[str]] = {node.id: [] for node in graph.nodes}
     for edge in graph.edges:
@@ -106,6 +106,6 @@ def _mean(values: list[float]) -> float:
     return sum(values) / len(values)
 
 
-def _places(columns: list[list[Node]]) -> dict[str, float]:
+def _places(columns: list[list[GraphNode]]) -> dict[str, float]:
     """The place of each node in its column, from 0 to 1."""
     return {node.id: (number + 0.5) / len(column) for column in columns for number, node in enumerate(column)}

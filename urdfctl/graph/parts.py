@@ -13,7 +13,7 @@ KINDS = (
 """The kinds of nodes, from left to right."""
 
 
-class Node(NamedTuple):
+class GraphNode(NamedTuple):
     """A part of what is wired.
 
     id: identifies it in the graph: its kind and its name.
@@ -69,10 +69,10 @@ class Graph(NamedTuple):
     file: str
     distro: str
     complete: bool
-    nodes: tuple[Node, ...]
+    nodes: tuple[GraphNode, ...]
     edges: tuple[Edge, ...]
 
-    def node(self, key: str) -> Node:
+    def node(self, key: str) -> GraphNode:
         """Return the node with an id. KeyError if there is none."""
         return {node.id: node for node in self.nodes}[key]
 
@@ -94,7 +94,8 @@ class Graph(NamedTuple):
     def from_json(cls, data: dict[str, Any]) -> Graph:
         """Return the graph that `to_json` made `data` from."""
         nodes = tuple(
-            Node(**{**node, "rules": tuple(node["rules"]), "members": tuple(node["members"])}) for node in data["nodes"]
+            GraphNode(**{**node, "rules": tuple(node["rules"]), "members": tuple(node["members"])})
+            for node in data["nodes"]
         )
         edges = tuple(Edge(**{**edge, "rules": tuple(edge["rules"])}) for edge in data["edges"])
         rest = {name: value for name, value in data.items() if name not in {"version", "nodes", "edges"}}

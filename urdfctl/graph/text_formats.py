@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.graph.parts import Edge, Graph, Node
+from urdfctl.graph.parts import Edge, Graph, GraphNode
 from urdfctl.output.printing import visible
 
 _SHAPES = {
@@ -38,7 +38,7 @@ def mermaid(graph: Graph) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _mermaid_text(node: Node) -> str:
+def _mermaid_text(node: GraphNode) -> str:
     texts = [node.label, *([node.detail] if _has_detail(node) else []), " ".join(node.rules)]
     return "<br/>".join("".join(_ENTITIES.get(letter, letter) for letter in visible(text)) for text in texts if text)
 
@@ -49,7 +49,7 @@ def _arrow(edge: Edge) -> str:
     return "-->" if edge.active else "-.->"
 
 
-def _has_detail(node: Node) -> bool:
+def _has_detail(node: GraphNode) -> bool:
     """Whether the detail of a node is shown: that of an interface is in its name already."""
     return bool(node.detail) and node.kind not in {"command", "state", "input", "output"}
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.errors import UserError
-from urdfctl.graph.parts import Edge, Graph, Node
+from urdfctl.graph.parts import Edge, Graph, GraphNode
 from urdfctl.names import did_you_mean
 
 _ALIKE = ("joint", "command", "state")
@@ -67,14 +67,14 @@ def collapsed(graph: Graph) -> Graph:
             what = nodes[other].detail if kind in _ALIKE else other
             around[own].append((way, kind, what, str(edge.active), *edge.rules))
     joint_of = _joints(graph)
-    groups: dict[tuple[object, ...], list[Node]] = {}
+    groups: dict[tuple[object, ...], list[GraphNode]] = {}
     for node in graph.nodes:
         if node.kind in _ALIKE:
             # interfaces belong together if their joints do
             joint = joint_of.get(node.id, "")
             alike = (*sorted(around[node.id]), *sorted(around.get(joint, [])))
             groups.setdefault((node.kind, node.detail, node.active, node.rules, alike), []).append(node)
-    merged: dict[str, Node] = {}
+    merged: dict[str, GraphNode] = {}
     for members in groups.values():
         one = members[0] if len(members) == 1 else _one_of(members)
         merged.update({node.id: one for node in members})
@@ -97,7 +97,7 @@ def _joints(graph: Graph) -> dict[str, str]:
     return {key: joint for key, joint in pairs if joint in known}
 
 
-def _one_of(members: list[Node]) -> Node:
+def _one_of(members: list[GraphNode]) -> GraphNode:
     first = members[0]
     names = [node.name.removesuffix(f"/{first.detail}") if first.kind != "joint" else node.name for node in members]
     shown = ", ".join(names[:_NAMED]) + (f" and {len(names) - _NAMED} more" if len(names) > _NAMED else "")

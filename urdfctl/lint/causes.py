@@ -43,7 +43,7 @@ def below_its_path(cause: Diagnostic, finding: Diagnostic) -> bool:
     return any(path.startswith(f"{folder}/") for folder in _NAME.findall(cause.message))
 
 
-class Link(NamedTuple):
+class CausalLink(NamedTuple):
     """The codes of a cause and of what follows from it, and how the two belong together."""
 
     cause: str
@@ -51,24 +51,24 @@ class Link(NamedTuple):
     explains: Explains
 
 
-_UNDEFINED = Link("UC007", ("UC019",), of_its_name)
+_UNDEFINED = CausalLink("UC007", ("UC019",), of_its_name)
 LINKS = (
-    Link("UC003", ("UC150",), of_its_name),
+    CausalLink("UC003", ("UC150",), of_its_name),
     _UNDEFINED,
-    Link("UC023", ("UC002",), below_its_path),
-    Link("UC028", ("UC004", "UC007"), in_its_line),
-    Link("UC136", ("UC137",), at_its_place),
-    Link("UC151", ("UC149",), at_its_place),
-    Link("UC303", ("UC305",), at_its_place),
-    Link("UC324", ("UC450", "UC451"), of_its_name),
-    Link("UC324", ("UC472",), of_its_robot),
-    Link("UC345", ("UC355",), at_its_place),
-    Link("UC361", ("UC471", "UC513"), of_its_robot),
-    Link("UC436", ("UC435",), at_its_place),
-    Link("UC450", ("UC464",), of_its_name),
-    Link("UC471", ("UC021", "UC330"), of_its_robot),
-    Link("UC524", ("UC525",), of_its_robot),
-    Link("UC601", ("UC603",), of_its_robot),
+    CausalLink("UC023", ("UC002",), below_its_path),
+    CausalLink("UC028", ("UC004", "UC007"), in_its_line),
+    CausalLink("UC136", ("UC137",), at_its_place),
+    CausalLink("UC151", ("UC149",), at_its_place),
+    CausalLink("UC303", ("UC305",), at_its_place),
+    CausalLink("UC324", ("UC450", "UC451"), of_its_name),
+    CausalLink("UC324", ("UC472",), of_its_robot),
+    CausalLink("UC345", ("UC355",), at_its_place),
+    CausalLink("UC361", ("UC471", "UC513"), of_its_robot),
+    CausalLink("UC436", ("UC435",), at_its_place),
+    CausalLink("UC450", ("UC464",), of_its_name),
+    CausalLink("UC471", ("UC021", "UC330"), of_its_robot),
+    CausalLink("UC524", ("UC525",), of_its_robot),
+    CausalLink("UC601", ("UC603",), of_its_robot),
 )
 LINKS_OF_RUN = (_UNDEFINED, *(link for link in LINKS if link.explains is at_its_place))
 """Those that also hold between the findings of several projects."""
@@ -76,7 +76,7 @@ _CONSEQUENCES = {code for link in LINKS for code in link.consequences}
 _NAME = re.compile(r"'([^']+)'")
 
 
-def without_consequences(findings: Sequence[Diagnostic], links: Sequence[Link] = LINKS) -> Sequence[Diagnostic]:
+def without_consequences(findings: Sequence[Diagnostic], links: Sequence[CausalLink] = LINKS) -> Sequence[Diagnostic]:
     """Return the findings of a project without those that another one explains.
 
     The cause gets their severity if it is worse, and a note that counts those elsewhere.

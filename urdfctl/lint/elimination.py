@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Remark, Severity
-from urdfctl.lint.planning import Origin, PlannedTarget
+from urdfctl.lint.planning import PlannedTarget, TargetOrigin
 from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
@@ -99,4 +99,4 @@ def as_started(entry: PlannedTarget, result: TargetResult, launched: Iterable[Ta
 def _is_with_defaults(entry: PlannedTarget) -> bool:
     target = entry.target
     settings: Sequence[object] = (target.arguments, target.controllers, target.launch)
-    return entry.origin is Origin.FOUND and not any(settings)
+    return entry.origin is TargetOrigin.FOUND and not any(settings)

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable
 
 from urdfctl.lint.results import TargetResult
 from urdfctl.source.disk.gate import is_file
-from urdfctl.source.xml.dom import COMMENT, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 _ENDINGS = (".urdf.xacro", ".xacro", ".urdf")
 
@@ -25,7 +25,7 @@ def twin_digest(path: str, root: Element | None) -> str | None:
     pending = [root]
     while pending:
         element = pending.pop()
-        texts = (c.data.strip() for c in element.children() if isinstance(c, Text) and c.nodeType != COMMENT)
+        texts = (c.data.strip() for c in element.children() if isinstance(c, XmlText) and c.nodeType != COMMENT)
         attributes = sorted((k, v) for k, v in element.attrs.items() if not k.startswith("xmlns"))
         children = element.elements()
         facts = (element.tagName, attributes, "".join(texts), len(children))

@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 
 from urdfctl.catalog.distros import APPLIES
-from urdfctl.diagnostic import Diagnostic, Remark, Repair, Replacement, Severity
+from urdfctl.diagnostic import Diagnostic, Remark, Repair, Severity, ShownEdit
 from urdfctl.lint.likeness import shape
 
 MOST_ERRORS = 3
@@ -157,9 +157,9 @@ def _fix(fixes: Sequence[Repair]) -> Repair | None:
     return Repair(title, all(fix.safe for fix in fixes), edits)
 
 
-def _together(edits: Sequence[Replacement]) -> tuple[Replacement, ...]:
+def _together(edits: Sequence[ShownEdit]) -> tuple[ShownEdit, ...]:
     """Return edits that do not overlap. Texts that are inserted at one place are joined."""
-    kept: dict[tuple[str, int, int], Replacement] = {}
+    kept: dict[tuple[str, int, int], ShownEdit] = {}
     end: dict[str, int] = {}
     for edit in sorted(dict.fromkeys(edits), key=lambda edit: (edit.file, edit.start, edit.end)):
         place = edit.file, edit.start, edit.end

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Arguments = tuple[tuple[str, str], ...]
 
 
-class Origin(Enum):
+class TargetOrigin(Enum):
     """Why something is a target, which decides whether its result is reported."""
 
     NAMED = "named"
@@ -44,26 +44,26 @@ class PlannedTarget(NamedTuple):
     """
 
     target: Target
-    origin: Origin
+    origin: TargetOrigin
     focus: tuple[str, ...] = ()
 
     @property
     def is_launched(self) -> bool:
         """Whether it is a launch file that the user did not name."""
-        return self.origin in (Origin.LAUNCHED, Origin.AROUND)
+        return self.origin in (TargetOrigin.LAUNCHED, TargetOrigin.AROUND)
 
     @property
     def must_read(self) -> tuple[str, ...]:
         """The files and folders of which something must be read for the target to be reported; empty if none."""
-        return self.focus if self.origin is Origin.AROUND else ()
+        return self.focus if self.origin is TargetOrigin.AROUND else ()
 
     def is_reported(self, result: TargetResult) -> bool:
         """Return whether the result of the target is reported."""
-        if self.origin is Origin.FOUND:
+        if self.origin is TargetOrigin.FOUND:
             return is_robot(result)
-        if self.origin is Origin.AROUND:
+        if self.origin is TargetOrigin.AROUND:
             return bool(self.read(result))
-        if self.origin is Origin.LAUNCHED:
+        if self.origin is TargetOrigin.LAUNCHED:
             findings = result.outcome.diagnostics
             return bool(result.controllers) or result.links == 0 or any(_is_own(finding) for finding in findings)
         return True
@@ -115,7 +115,7 @@ def planned(
     """Return what to load. Controller files and launch files named beside a single robot belong to it, otherwise those
     of its [[robot]] entry do."""
     descriptions = files.descriptions()
-    targets: dict[Target, Origin] = {}
+    targets: dict[Target, TargetOrigin] = {}
     is_single = len(descriptions) == 1
     controllers, launches = (tuple(files.controllers), tuple(files.launches)) if is_single else ((), ())
     for path, is_named in descriptions:
@@ -123,13 +123,13 @@ def planned(
             for variant, launch in product(robot.variants, launches or robot.launches or (None,)):
                 given = tuple({**dict(variant), **dict(arguments)}.items())
                 target = Target(path, given, controllers=controllers or robot.controllers, launch=launch)
-                targets[target] = Origin.NAMED if is_named else Origin.FOUND
+                targets[target] = TargetOrigin.NAMED if is_named else TargetOrigin.FOUND
     if not is_single:
-        targets.update({Target(path, arguments): Origin.NAMED for path in files.launches})
+        targets.update({Target(path, arguments): TargetOrigin.NAMED for path in files.launches})
     configured = {os.path.abspath(path) for robot in robots for path in robot.launches}
     candidates = (path for path in files.launch_candidates if os.path.abspath(path) not in configured)
-    targets.update({Target(path): Origin.LAUNCHED for path in candidates})
-    targets.update({Target(path): Origin.AROUND for path in files.around})
+    targets.update({Target(path): TargetOrigin.LAUNCHED for path in candidates})
+    targets.update({Target(path): TargetOrigin.AROUND for path in files.around})
     focus = tuple(files.focus)
     return [PlannedTarget(target, origin, focus) for target, origin in targets.items()]
 
@@ -149,7 +149,7 @@ def is_launched_already(entry: PlannedTarget, launched: Collection[tuple[str, Ar
     target = entry.target
     is_paired = target.controllers or target.launch
     known = (os.path.abspath(target.path), target.arguments) in launched
-    return entry.origin is Origin.FOUND and not is_paired and known
+    return entry.origin is TargetOrigin.FOUND and not is_paired and known
 
 
 def with_bringups(
@@ -157,12 +157,12 @@ def with_bringups(
 ) -> list[PlannedTarget]:
     """Return the plan without the files that launch files around them start; a description that the user gives
     arguments is planned with those, and with each launch file that starts it."""
-    around = [(entry.read(result), result) for entry, result in launched if entry.origin is Origin.AROUND]
+    around = [(entry.read(result), result) for entry, result in launched if entry.origin is TargetOrigin.AROUND]
     started: list[PlannedTarget] = []
     for entry in plan:
         path = os.path.abspath(entry.target.path)
         launches = [result.launch for read, result in around if path in read and result.launch]
-        if not launches or entry.origin is not Origin.NAMED or entry.target.launch:
+        if not launches or entry.origin is not TargetOrigin.NAMED or entry.target.launch:
             started.append(entry)
         elif entry.target.arguments:
             started += [entry._replace(target=entry.target._replace(launch=launch)) for launch in launches]

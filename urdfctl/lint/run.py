@@ -19,7 +19,7 @@ from urdfctl.lint import merging, planning
 from urdfctl.lint.elimination import as_started, pairs_by_elimination
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.job import launch_variants, lint_all
-from urdfctl.lint.planning import Arguments, Origin, PlannedTarget, is_launched_already, of_shard, with_bringups
+from urdfctl.lint.planning import Arguments, PlannedTarget, TargetOrigin, is_launched_already, of_shard, with_bringups
 from urdfctl.lint.results import Report, TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.load.loader import Loader
@@ -261,7 +261,7 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
 
 def _is_silent(entry: PlannedTarget, result: TargetResult) -> bool:
     """Whether a launch file in a folder starts a robot, and is not worth mentioning."""
-    return entry.origin is Origin.LAUNCHED and not entry.is_reported(result) and not is_launch(result.path)
+    return entry.origin is TargetOrigin.LAUNCHED and not entry.is_reported(result) and not is_launch(result.path)
 
 
 def _not_launched(plan: Sequence[PlannedTarget], launched: LaunchedTargets) -> list[PlannedTarget]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
+from urdfctl.diagnostic import CallStep, Diagnostic, Location, Remark, Repair, Severity, ShownEdit
 from urdfctl.lint.results import Outcome, SuppressionUse, TargetResult
 from urdfctl.load.bringup import Bringup
 
@@ -71,9 +71,9 @@ def diagnostic_from_json(data: dict[str, Any]) -> Diagnostic:
         severity=Severity(data["severity"]),
         message=data["message"],
         at=Location(*data["at"]),
-        expanded_from=tuple(tuple(Step(*step) for step in chain) for chain in data["expanded_from"]),
+        expanded_from=tuple(tuple(CallStep(*step) for step in chain) for chain in data["expanded_from"]),
         notes=tuple(Remark(message, Location(*at) if at else None) for message, at in data["notes"]),
-        fix=Repair(fix[0], fix[1], tuple(Replacement(Location(*at), text) for at, text in fix[2])) if fix else None,
+        fix=Repair(fix[0], fix[1], tuple(ShownEdit(Location(*at), text) for at, text in fix[2])) if fix else None,
         excerpt=data["excerpt"],
         url=data["url"],
         excerpt_column=data["excerpt_column"],

@@ -69,7 +69,7 @@ def read_controllers(
     robot: its ros2_control plugins name files in `<parameters>`.
     launch: its nodes load files.
     """
-    reader = _Reader(files, is_started=launch is not None)
+    reader = _ControllerFileReader(files, is_started=launch is not None)
     for text, at, is_named in _named_by(robot, launch):
         reader.reference(text, at, is_named=is_named)
     loads = launch.loads if launch else ()
@@ -124,7 +124,7 @@ def _joints(node: Node, depth: int = 0) -> Iterator[str]:
             yield from _joints(entry.value, depth + 1)
 
 
-class _Reader:
+class _ControllerFileReader:
     def __init__(self, files: Files, *, is_started: bool) -> None:
         self.files = files
         self.is_started = is_started

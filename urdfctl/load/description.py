@@ -26,16 +26,16 @@ _OF_INCLUDES = {
 }
 
 
-class Expanded(NamedTuple):
+class ExpandedDescription(NamedTuple):
     """An expansion, and what expanded it."""
 
     expander: Expander
     expansion: Expansion
 
 
-def expanded_by(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expanded:
+def expanded_by(expander: Expander, path: str, arguments: Mapping[str, str]) -> ExpandedDescription:
     """Return the expansion of a description by one expander."""
-    return Expanded(expander, expansion_of(expander, path, arguments))
+    return ExpandedDescription(expander, expansion_of(expander, path, arguments))
 
 
 def expansion_of(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expansion:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfctl.load.description import Expanded, MakeExpander, expanded_by, is_library, names_twice
+from urdfctl.load.description import ExpandedDescription, MakeExpander, expanded_by, is_library, names_twice
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.xacro.expanded import HARMLESS
@@ -13,7 +13,7 @@ from urdfctl.source.xacro.expansion import Expander
 
 def expanded(
     make: MakeExpander, path: str, arguments: Mapping[str, str], *, fragment: bool = False, alone: bool = True
-) -> Expanded:
+) -> ExpandedDescription:
     """Return the expansion of a description.
 
     fragment: True if the description is only a part, which other files include.
@@ -46,7 +46,9 @@ def _kind(fragment: bool, arguments: Mapping[str, str]) -> type[Expander]:  # no
     return Expander
 
 
-def _with_distinct_names(make: MakeExpander, path: str, arguments: Mapping[str, str], first: Expanded) -> Expanded:
+def _with_distinct_names(
+    make: MakeExpander, path: str, arguments: Mapping[str, str], first: ExpandedDescription
+) -> ExpandedDescription:
     from urdfctl.load.incomplete import expanded_with_distinct_names
 
     return expanded_with_distinct_names(make, path, arguments, first=first)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfctl.load.description import Expanded, MakeExpander, expanded_by, is_library, names_twice
+from urdfctl.load.description import ExpandedDescription, MakeExpander, expanded_by, is_library, names_twice
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
@@ -16,7 +16,9 @@ from urdfctl.source.xacro.unknown import UnknownExpander
 _MOST_ROUNDS = 4
 
 
-def completed(make: MakeExpander, path: str, arguments: Mapping[str, str], *, alone: bool, first: Expanded) -> Expanded:
+def completed(
+    make: MakeExpander, path: str, arguments: Mapping[str, str], *, alone: bool, first: ExpandedDescription
+) -> ExpandedDescription:
     """Return the first expansion, or a better one if the description needs arguments or is a macro library."""
     read = first
     if not first.expander.is_library and any(p.kind not in HARMLESS for p in first.expansion.problems):
@@ -29,8 +31,8 @@ def completed(make: MakeExpander, path: str, arguments: Mapping[str, str], *, al
 
 
 def expanded_with_unknown(
-    make: MakeExpander, path: str, arguments: Mapping[str, str], *, alone: bool, first: Expanded
-) -> Expanded:
+    make: MakeExpander, path: str, arguments: Mapping[str, str], *, alone: bool, first: ExpandedDescription
+) -> ExpandedDescription:
     """Return the expansion with unknown values for what the description needs, and one problem that names it.
 
     It needs arguments that it uses and that have no default, and those whose empty default makes something fail. The
@@ -55,8 +57,8 @@ def expanded_with_unknown(
 
 
 def expanded_with_distinct_names(
-    make: MakeExpander, path: str, arguments: Mapping[str, str], *, first: Expanded
-) -> Expanded:
+    make: MakeExpander, path: str, arguments: Mapping[str, str], *, first: ExpandedDescription
+) -> ExpandedDescription:
     """Return the expansion with unknown values for the arguments that would make repeated names different.
 
     A description of two arms takes a prefix for each. Both are empty by default, and every start sets them. The first
@@ -76,8 +78,8 @@ def expanded_with_distinct_names(
 
 
 def expanded_with_prefixes(
-    make: MakeExpander, path: str, arguments: Mapping[str, str], *, alone: bool, first: Expanded
-) -> Expanded:
+    make: MakeExpander, path: str, arguments: Mapping[str, str], *, alone: bool, first: ExpandedDescription
+) -> ExpandedDescription:
     """Return the expansion in which tags without the prefix are read as if they had it.
 
     The problems that are gone then follow from the missing prefix.

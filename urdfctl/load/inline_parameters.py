@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from urdfctl.model.launch import InlineParameters
-from urdfctl.source.yaml.tree import Entry, Mapping, Scalar, YamlFile, read_yaml_in
+from urdfctl.source.yaml.tree import Mapping, Scalar, YamlEntry, YamlFile, read_yaml_in
 
 _CDATA = re.compile(rb"<!\[CDATA\[|\]\]>")
 
@@ -16,7 +16,7 @@ def inline_tree(inline: InlineParameters) -> YamlFile:
     if inline.name and "\n" not in span.text.strip() and not span.text.lstrip().startswith(("[", "{")):
         name = Scalar(text=inline.name, style="", tag=None, source=source, start=span.start, end=span.end)
         value = Scalar(text=span.text.strip(), style="", tag=None, source=source, start=span.start, end=span.end)
-        document = Mapping((Entry(name, value),), None, source, span.start, span.end)
+        document = Mapping((YamlEntry(name, value),), None, source, span.start, span.end)
         return YamlFile(source, (document,), (), ())
     text = _CDATA.sub(lambda mark: b" " * len(mark[0]), source.data[span.start : span.end])
     start = source.line_starts()[source.position(span.start).line - 1]
@@ -24,5 +24,5 @@ def inline_tree(inline: InlineParameters) -> YamlFile:
     if not inline.name or not read.documents:
         return read
     name = Scalar(text=inline.name, style="", tag=None, source=source, start=span.start, end=span.start)
-    document = Mapping((Entry(name, read.documents[0]),), None, source, span.start, span.end)
+    document = Mapping((YamlEntry(name, read.documents[0]),), None, source, span.start, span.end)
     return read._replace(documents=(document,))

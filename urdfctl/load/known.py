@@ -44,16 +44,16 @@ class Described(NamedTuple):
     influence: Callable[[Place], Influence]
 
 
-class Known:
+class KnownRobots:
     """The last descriptions, and the controllers of the last robot."""
 
     def __init__(self) -> None:
         self._described: dict[tuple[object, ...], Described] = {}
         self._controllers: tuple[tuple[object, ...], Controllers] | None = None
 
-    def unless_read(self, changed: Collection[str], overlay: Mapping[str, bytes]) -> Known:
+    def unless_read(self, changed: Collection[str], overlay: Mapping[str, bytes]) -> KnownRobots:
         """Return the descriptions that read none of some files, for a loader with other texts. Paths are real paths."""
-        other = Known()
+        other = KnownRobots()
         for key, found in self._described.items():
             if not any(os.path.realpath(source.path) in changed for source in found.files.sources()):
                 other._described[key] = found._replace(files=found.files.holding(overlay))

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.launch import InlineParameters, Launch, Reference, Word
+from urdfctl.model.launch import InlineParameters, Launch, LaunchedFile, Word
 from urdfctl.model.launch.build_launch import is_of_ros2, launch_of
 from urdfctl.model.launch.package import package_around
 from urdfctl.model.launch.scope import Sources
@@ -54,7 +54,7 @@ def read_launch(
     path: str, arguments: Mapping[str, str], files: Files, packages: Packages, environ: Mapping[str, str]
 ) -> LaunchFile:
     """Return the facts of a launch file that is started with some arguments."""
-    reader = _Reader(path, files, packages, environ)
+    reader = _LaunchFileReader(path, files, packages, environ)
     launch = reader.launch(arguments)
     if launch is not None:
         launch = _without_needed(launch, arguments, reader)
@@ -67,7 +67,7 @@ def read_launch(
     return LaunchFile(launch, files, tuple(reader.problems))
 
 
-def _has_siblings(reference: Reference) -> bool:
+def _has_siblings(reference: LaunchedFile) -> bool:
     """Whether a missing file should be there: its folder has another one with its ending, or is missing too."""
     path = reference.file.path
     if reference.use != "argument" or reference.file.exists is not False or not path:
@@ -96,7 +96,7 @@ def _misspelt(named: Iterable[Word], packages: Packages, path: str) -> tuple[tup
     return tuple(found.values())
 
 
-def _without_needed(launch: Launch, arguments: Mapping[str, str], reader: _Reader) -> Launch:
+def _without_needed(launch: Launch, arguments: Mapping[str, str], reader: _LaunchFileReader) -> Launch:
     """The launch file, where it is not known whether a file exists if its path needs an argument that is not given.
 
     An argument with an empty default is one that is not given, also in an included launch file.
@@ -118,7 +118,7 @@ def _without_needed(launch: Launch, arguments: Mapping[str, str], reader: _Reade
     )
 
 
-class _Reader:
+class _LaunchFileReader:
     def __init__(self, path: str, files: Files, packages: Packages, environ: Mapping[str, str]) -> None:
         self.path = path
         self.files = files
@@ -167,7 +167,7 @@ class _Reader:
 
     def ros2(self, arguments: Mapping[str, str]) -> Launch | None:
         """Return the facts of a ROS 2 launch file. Its reader is imported only here."""
-        from urdfctl.model.launch.ros2 import Sources as SourcesOfRos2
+        from urdfctl.model.launch.ros2 import Ros2Sources as SourcesOfRos2
         from urdfctl.model.launch.ros2 import launch_of_ros2
 
         sources = SourcesOfRos2(

@@ -11,7 +11,7 @@ from urdfctl.config.settings import ALL_STARTED, Settings
 from urdfctl.load.build_files import absent_sources
 from urdfctl.load.distro import Beside, detect_distro
 from urdfctl.load.evidence import ament_package
-from urdfctl.load.known import Described, Known
+from urdfctl.load.known import Described, KnownRobots
 from urdfctl.load.open_decisions import decisions_in, unread
 from urdfctl.load.target import Target
 from urdfctl.model.project import NO_OWN_TYPES, Evidence, OwnTypes, Project
@@ -30,7 +30,7 @@ from urdfctl.startup.records import NamedTuple
 if TYPE_CHECKING:
     from urdfctl.load.controller_files import ControllerFiles
     from urdfctl.load.launch_files import LaunchFile
-    from urdfctl.load.own_types import Exports
+    from urdfctl.load.own_types import ExportedClasses
     from urdfctl.model.launch import Description, Launch
     from urdfctl.model.moveit import MoveIt
 
@@ -56,11 +56,11 @@ class Loader:
         self.settings = settings
         self._overlay = overlay or {}
         self._indexes: dict[str, PackageIndex] = {}
-        self._exports: dict[str, list[Exports]] = {}
+        self._exports: dict[str, list[ExportedClasses]] = {}
         self._own_types: dict[tuple[str, frozenset[str]], OwnTypes] = {}
         self._files: dict[str, Files] = {}
         self._decisions: dict[str, list[tuple[str, Place]]] = {}
-        self._known = Known()
+        self._known = KnownRobots()
 
     def with_overlay(self, overlay: Mapping[str, bytes], changed: Collection[str] | None = None) -> Loader:
         """Return a loader with the same packages that reads these bytes instead of the files with these real paths.
@@ -317,7 +317,7 @@ class Loader:
 
         return without_copies(own_types(wanted, self._exports_around(path), self.reading(path)[0]))
 
-    def _exports_around(self, path: str) -> list[Exports]:
+    def _exports_around(self, path: str) -> list[ExportedClasses]:
         """What the packages of a file's workspace export."""
         from urdfctl.load.own_types import exports_in
 

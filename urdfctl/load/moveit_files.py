@@ -45,7 +45,7 @@ def read_moveit(
     found = given or _beside(path, controllers)
     if found is None:
         return None
-    return _Reader(files, expander).read(found, is_given=given is not None, ros=launch.ros if launch else None)
+    return _MoveItReader(files, expander).read(found, is_given=given is not None, ros=launch.ros if launch else None)
 
 
 def _given(launch: Launch) -> MoveItFiles:
@@ -104,7 +104,7 @@ def _start_of(path: str) -> Place:
     return Place(SourceText(path, b""), 0, end=0)
 
 
-class _Reader:
+class _MoveItReader:
     def __init__(self, files: Files, expander: Callable[[], Expander]) -> None:
         self.files = files
         self._expander = expander

@@ -23,7 +23,7 @@ _DECLARES = re.compile(r"\b(?:declare_parameters?|auto_declare|get_parameters?|g
 _PREFIXED = re.compile(r"ParamListener\b[^;]{0,300}?\(\s*(?:this->)?(?:get_node\(\)|node_?)\s*,\s*\S")
 
 
-class Exports(NamedTuple):
+class ExportedClasses(NamedTuple):
     """The classes that a package exports."""
 
     package: str
@@ -31,13 +31,13 @@ class Exports(NamedTuple):
     classes: tuple[ExportedClass, ...]
 
 
-def exports_in(packages: Iterable[tuple[str, str]], files: Files) -> list[Exports]:
+def exports_in(packages: Iterable[tuple[str, str]], files: Files) -> list[ExportedClasses]:
     """Return the exports of packages, given by name and folder."""
-    found = (Exports(name, folder, tuple(exported_classes(folder, files))) for name, folder in packages)
+    found = (ExportedClasses(name, folder, tuple(exported_classes(folder, files))) for name, folder in packages)
     return [exports for exports in found if exports.classes]
 
 
-def own_types(wanted: Collection[str], exports: Iterable[Exports], files: Files) -> OwnTypes:
+def own_types(wanted: Collection[str], exports: Iterable[ExportedClasses], files: Files) -> OwnTypes:
     """Return what the packages export that define some types, or whose name is the prefix of one.
 
     wanted: the names of controllers and hardware.
@@ -93,7 +93,7 @@ def _pattern(name: str) -> str:
     return re.sub("<[^<>]*>", "<>", name)
 
 
-def _controller(one: ExportedClass, exports: Exports, wanted: Collection[str], files: Files) -> dict[str, Any]:
+def _controller(one: ExportedClass, exports: ExportedClasses, wanted: Collection[str], files: Files) -> dict[str, Any]:
     """The catalogue entry of an exported controller; its parameters only if somebody wants to know them."""
     entry: dict[str, Any] = {"type": one.name, "package": exports.package, "origin": "workspace", "open": True}
     if one.name in wanted:
@@ -104,7 +104,7 @@ def _controller(one: ExportedClass, exports: Exports, wanted: Collection[str], f
     return entry
 
 
-def _definition(one: ExportedClass, exports: Exports, sources: str, files: Files) -> Definition | None:
+def _definition(one: ExportedClass, exports: ExportedClasses, sources: str, files: Files) -> Definition | None:
     """The definition of a controller's parameters: its code includes the generated header."""
     if _PREFIXED.search(sources):
         return None

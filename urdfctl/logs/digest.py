@@ -8,9 +8,9 @@ from itertools import chain, islice
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.catalog.log_messages import KINDS, LogMessage
-from urdfctl.logs.evidence import Reading, reading
+from urdfctl.logs.evidence import MessageMeaning, reading
 from urdfctl.logs.index import Hit, Spelling, found_among, index, loose_index
-from urdfctl.logs.line import PROCESS, Line, plain, records
+from urdfctl.logs.line import PROCESS, LogLine, plain, records
 from urdfctl.logs.partial import partial
 from urdfctl.logs.pattern import single_blanks
 from urdfctl.startup.records import NamedTuple
@@ -37,7 +37,7 @@ _SAYS_NOTHING = re.compile(r"\s*\* /|\W*(?:\w+\W*){0,2}$")
 """Lines of at most two words, and roslaunch's list of parameters, are not listed as unknown."""
 
 
-class Known(NamedTuple):
+class KnownMessage(NamedTuple):
     """A known message in a log.
 
     line: the number of its first line. times: how often it occurs. text: the text of its first occurrence.
@@ -51,7 +51,7 @@ class Known(NamedTuple):
     text: str
     values: tuple[dict[str, str], ...]
     settled: int = 0
-    reading: Reading = Reading("", (), "")
+    reading: MessageMeaning = MessageMeaning("", (), "")
 
     @property
     def kind(self) -> str:
@@ -85,7 +85,7 @@ class Digest(NamedTuple):
     """
 
     lines: int
-    known: tuple[Known, ...]
+    known: tuple[KnownMessage, ...]
     unknown: tuple[Unknown, ...]
     distro: str = ""
 
@@ -98,7 +98,7 @@ def digest(lines: Iterable[str], *, pasted: bool) -> Digest:
     """
     rest = iter(lines)
     first = list(islice(rest, _SHORT + 1))
-    reader = _Reader(pasted=pasted, short=len(first) <= _SHORT)
+    reader = _LogReader(pasted=pasted, short=len(first) <= _SHORT)
     for line in chain(first, rest):
         reader.read(line)
     return reader.finished()
@@ -111,14 +111,14 @@ class _Wrapped(NamedTuple):
     """
 
     number: int
-    line: Line
+    line: LogLine
     text: str
     hits: tuple[Hit, ...]
     lines: int = 1
     quiet: bool = False
 
 
-class _Reader:
+class _LogReader:
     """Read lines one by one and collect the messages."""
 
     def __init__(self, *, pasted: bool, short: bool) -> None:
@@ -128,7 +128,7 @@ class _Reader:
         self._short = short
         self._number = 0
         self._distro = ""
-        self._known: dict[str, Known] = {}
+        self._known: dict[str, KnownMessage] = {}
         self._last: dict[str, dict[str, int]] = {}
         """By the id of a message, the last line in which each process prints it."""
         self._settling: dict[str, dict[str, int]] = {}
@@ -150,7 +150,7 @@ class _Reader:
         for record in records(line):
             self._read(record)
 
-    def _read(self, line: Line) -> None:
+    def _read(self, line: LogLine) -> None:
         hits = self._index.hits(line.text)
         wrapped, self._wrapped = self._wrapped, None
         if wrapped and (not hits or wrapped.quiet) and self._continues(wrapped, line):
@@ -176,7 +176,7 @@ class _Reader:
         unknown = sorted(self._unknown.values(), key=lambda entry: _LEVELS.index(entry.level))
         return Digest(self._number, tuple(shown), tuple(unknown), self._distro)
 
-    def _read_in_context(self, known: Known, seen: Iterable[str]) -> Known:
+    def _read_in_context(self, known: KnownMessage, seen: Iterable[str]) -> KnownMessage:
         message = known.message
         return known._replace(
             settled=self._settled(message.id) if message.kind in _URGENT else 0,
@@ -198,7 +198,7 @@ class _Reader:
             settled = max(settled, *later)
         return settled
 
-    def _is_searched(self, line: Line) -> bool:
+    def _is_searched(self, line: LogLine) -> bool:
         """Whether a line without known messages is searched for partial ones, and listed as unknown."""
         if self._pasted:
             return line.level != "info" or not self._known
@@ -206,7 +206,7 @@ class _Reader:
             return line.level != "info"
         return self._short and _SAYS_NOTHING.match(line.text) is None
 
-    def _search_partial(self, line: Line) -> None:
+    def _search_partial(self, line: LogLine) -> None:
         """Search for a message that is written differently or truncated in a line without a complete one."""
         text = plain(line.text)
         hits = loose_index().hits(text)
@@ -223,7 +223,7 @@ class _Reader:
         else:
             self._record(cut)
 
-    def _search_open_end(self, hit: Hit, line: Line) -> None:
+    def _search_open_end(self, hit: Hit, line: LogLine) -> None:
         """Search for the beginning of a message behind one that names its reason, which goes on in the next line."""
         rest = single_blanks(line.text)[hit.match.end :].strip(" :")
         if hit.message.kind != "consequence" or " " not in rest:
@@ -241,7 +241,7 @@ class _Reader:
             self._searched[shape] = tuple(self._partial.cut(text)) or tuple(self._partial.similar(text))
         return self._searched[shape]
 
-    def _continues(self, wrapped: _Wrapped, line: Line) -> bool:
+    def _continues(self, wrapped: _Wrapped, line: LogLine) -> bool:
         """Whether a line continues the message in which the line before ends."""
         text = single_blanks(PROCESS.sub("", line.text, count=1))
         spellings = [Spelling(hit.message, hit.pattern) for hit in wrapped.hits]
@@ -267,7 +267,7 @@ class _Reader:
         else:
             self._keep_unknown(cut)
 
-    def _keep(self, hit: Hit, number: int, line: Line, *, loose: bool = False) -> None:
+    def _keep(self, hit: Hit, number: int, line: LogLine, *, loose: bool = False) -> None:
         message = hit.message
         if message.id in self._ended or (line.level == "info" and message.kind in _URGENT and not message.info):
             return
@@ -280,7 +280,7 @@ class _Reader:
         if known is None:
             text = single_blanks(line.text)
             start = text.rfind(" ", 0, hit.match.start) + 1 if not hit.pattern.literals[0] else hit.match.start
-            self._known[message.id] = Known(message, number, 1, text if loose else text[start:], (values,))
+            self._known[message.id] = KnownMessage(message, number, 1, text if loose else text[start:], (values,))
             return
         more = (values,) if values not in known.values and len(known.values) < _MOST_VALUES else ()
         self._known[message.id] = known._replace(times=known.times + 1, values=known.values + more)

@@ -56,7 +56,7 @@ class LikelyCause(NamedTuple):
     found: tuple[FoundCause, ...] = ()
 
 
-class Reading(NamedTuple):
+class MessageMeaning(NamedTuple):
     """What a message means in a log. causes: most likely first."""
 
     meaning: str
@@ -74,16 +74,16 @@ class Reading(NamedTuple):
         return self.causes[0].fix if self.causes and self.causes[0].fix else self.fix
 
 
-def reading(message: LogMessage, values: Mapping[str, str], seen: Collection[str]) -> Reading:
+def reading(message: LogMessage, values: Mapping[str, str], seen: Collection[str]) -> MessageMeaning:
     """Return the meaning, causes and fix of a message with these values, in a log with the messages `seen`."""
     values = {**values, **_meant(message, values)}
     causes = [cause for cause in message.causes if not cause.only_if or holds(cause.only_if, values, seen)]
     causes.sort(key=lambda cause: not (cause.first_if and holds(cause.first_if, values, seen)))
     likely = [LikelyCause(filled(cause.text, values), cause.rules, filled(cause.fix, values)) for cause in causes]
-    return Reading(filled(message.meaning, values), tuple(likely), filled(message.fix, values))
+    return MessageMeaning(filled(message.meaning, values), tuple(likely), filled(message.fix, values))
 
 
-def with_findings(known: Reading, findings: Sequence[FoundCause], values: Collection[str]) -> Reading:
+def with_findings(known: MessageMeaning, findings: Sequence[FoundCause], values: Collection[str]) -> MessageMeaning:
     """Return the reading with the places where rules found its causes, those causes first.
 
     values: of the log. Findings that name one of them come first, and if no cause was found, they are a cause of their

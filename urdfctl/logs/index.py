@@ -10,7 +10,7 @@ from functools import lru_cache
 from urdfctl.catalog.log_messages import LogMessage, log_messages
 from urdfctl.logs.line import cleaned
 from urdfctl.logs.loose import loosened, lower
-from urdfctl.logs.pattern import Match, Pattern, found_in, parsed, single_blanks
+from urdfctl.logs.pattern import Match, MessagePattern, found_in, parsed, single_blanks
 from urdfctl.startup.records import NamedTuple
 
 WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]{2,}")
@@ -23,7 +23,7 @@ class Spelling(NamedTuple):
     """One of a message's patterns."""
 
     message: LogMessage
-    pattern: Pattern
+    pattern: MessagePattern
 
     @property
     def words(self) -> set[str]:
@@ -42,7 +42,7 @@ class Hit(NamedTuple):
     """A message in a line."""
 
     message: LogMessage
-    pattern: Pattern
+    pattern: MessagePattern
     match: Match
 
 

@@ -40,7 +40,7 @@ _ERROR = re.compile(r"\b(?:ERROR|Error|FATAL)\b\s*:|what\(\):|\b[A-Z]\w+(?:Error
 _WARNING = re.compile(r"\b(?:WARN|WARNING|Warning|warning|error)\b\s*:|\b[Ee]xception\b")
 
 
-class Line(NamedTuple):
+class LogLine(NamedTuple):
     """A record of a log.
 
     text: the record with its prefixes. level: "error", "warning", "info", or "" if it has none.
@@ -52,7 +52,7 @@ class Line(NamedTuple):
     process: str = ""
 
 
-def records(line: str) -> list[Line]:
+def records(line: str) -> list[LogLine]:
     """Return the records in a line: usually one, several if lines were joined."""
     text = cleaned(line)
     levels = sum(map(text.count, _RECORD_LEVELS))
@@ -83,16 +83,16 @@ def _joined(text: str) -> list[str]:
     return [*parts, text[start:]]
 
 
-def _record(text: str) -> Line:
+def _record(text: str) -> LogLine:
     if "[" not in text:
-        return Line(text, _spoken(text))
+        return LogLine(text, _spoken(text))
     text = text.strip()
     end, level, process = _behind_prefixes(text)
     if "[" in text[end:]:
         text = text[:end] + _INNER_PROCESS.sub("", text[end:])
     if process:
         text = PROCESS.sub("", text, count=1)
-    return Line(text, level or _spoken(text), process)
+    return LogLine(text, level or _spoken(text), process)
 
 
 def _behind_prefixes(text: str) -> tuple[int, str, str]:

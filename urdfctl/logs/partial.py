@@ -13,7 +13,7 @@ from functools import cached_property, lru_cache
 
 from urdfctl.logs.index import WORD, Hit, Index, Spelling, index
 from urdfctl.logs.loose import loosened
-from urdfctl.logs.pattern import Match, Pattern, single_blanks
+from urdfctl.logs.pattern import Match, MessagePattern, single_blanks
 
 _MOST_CANDIDATES = 40
 """Patterns compared with a text."""
@@ -97,7 +97,7 @@ def partial() -> Partial:
     return Partial(index())
 
 
-def _cut(pattern: Pattern, text: str) -> tuple[int, Match | None]:
+def _cut(pattern: MessagePattern, text: str) -> tuple[int, Match | None]:
     """The number of literal letters of a pattern in a text that is truncated at its end, its beginning or both."""
     whole = max(pattern.literals, key=len)
     if len(text) < len(whole) and text in whole:

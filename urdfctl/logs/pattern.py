@@ -29,7 +29,7 @@ class Gap(NamedTuple):
     first: bool = False
 
 
-class Pattern(NamedTuple):
+class MessagePattern(NamedTuple):
     """A message in parts.
 
     literals: the texts before, between and after the gaps; the first and last may be empty.
@@ -57,7 +57,7 @@ class Match(NamedTuple):
     values: Mapping[str, str]
 
 
-def parsed(text: str) -> Pattern:
+def parsed(text: str) -> MessagePattern:
     """Return the pattern for a text of the catalogue."""
     literals, gaps, at = [""], [], 0
     text = single_blanks(text)
@@ -70,7 +70,7 @@ def parsed(text: str) -> Pattern:
             gaps.append(Gap(gap[1], gap[2] == ":word", gap[2] == ":first"))
             literals.append("")
     literals[-1] += text[at:]
-    return Pattern(tuple(literals), tuple(gaps))
+    return MessagePattern(tuple(literals), tuple(gaps))
 
 
 def filled(text: str, values: Mapping[str, str]) -> str:
@@ -83,7 +83,7 @@ def single_blanks(text: str) -> str:
     return " ".join(text.split())
 
 
-def found_in(pattern: Pattern, line: str, source: str | None = None) -> Match | None:
+def found_in(pattern: MessagePattern, line: str, source: str | None = None) -> Match | None:
     """Return the first match of a pattern in a line with single blanks, None if there is none.
 
     source: the line as it was, of the same length, from which the values are taken.
@@ -106,7 +106,7 @@ def found_in(pattern: Pattern, line: str, source: str | None = None) -> Match | 
     return Match(start, places[-1][1] if literals[-1] else places[-2][1], values)
 
 
-def _values(pattern: Pattern, line: str, places: list[tuple[int, int]]) -> dict[str, str] | None:
+def _values(pattern: MessagePattern, line: str, places: list[tuple[int, int]]) -> dict[str, str] | None:
     """The values of the gaps. A gap at the beginning gets the word before, a gap at the end the rest of the line."""
     values: dict[str, str] = {}
     for number, gap in enumerate(pattern.gaps):

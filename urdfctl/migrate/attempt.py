@@ -10,8 +10,8 @@ from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
 from urdfctl.fix.edits import Shift, Splice, Taken, clash, edited
 from urdfctl.migrate.acceptance import Before, Objection, objections
-from urdfctl.migrate.packages import Lint, Linted, Packages
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
+from urdfctl.migrate.packages import Lint, Linted, MigratedPackages
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.migrate.todo import with_todos
 from urdfctl.output.change import bytes_of
 
@@ -28,7 +28,7 @@ class Noted:
 
     __slots__ = ("entry", "offset", "step")
 
-    def __init__(self, step: str, entry: Entry) -> None:
+    def __init__(self, step: str, entry: ReportEntry) -> None:
         self.step, self.entry = step, entry
         self.offset = entry.at.span.start if entry.at else 0
 
@@ -57,7 +57,7 @@ class Attempt:
     noted: the entries for the report, with those of an accepted attempt before, on whose result this one is based.
     """
 
-    def __init__(self, packages: Packages, barred: Barred, earlier: Sequence[Noted] = ()) -> None:
+    def __init__(self, packages: MigratedPackages, barred: Barred, earlier: Sequence[Noted] = ()) -> None:
         self.packages = packages
         self.barred = barred
         self.touched: dict[Key, None] = {}
@@ -127,7 +127,7 @@ class Attempt:
         """Note the files of proposals that clash with themselves, or with others until the last round."""
         for file in sorted({file for proposal in proposals for file in proposal.files}):
             message = f"not changed by step '{step.name}': its changes overlap"
-            self.noted.append(Noted(step.name, Entry(EntryKind.FOR_YOU, message, file=file)))
+            self.noted.append(Noted(step.name, ReportEntry(EntryKind.FOR_YOU, message, file=file)))
 
     def _edit(self, splices: dict[str, set[Splice]]) -> Iterator[str]:
         for file, own in splices.items():

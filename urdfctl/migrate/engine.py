@@ -14,7 +14,7 @@ from urdfctl.migrate.fixes import fixes_of_lint
 from urdfctl.migrate.installs import installs_for_launch_files
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.options import MigrationOptions
-from urdfctl.migrate.packages import Lint, Linted, Packages
+from urdfctl.migrate.packages import Lint, Linted, MigratedPackages
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind, Step
@@ -59,7 +59,7 @@ def migrate(
     left_out: dict[Key, str] = {}
     for _ in range(MOST_PASSES):
         target = lint(settings._replace(distro=options.target))
-        packages = Packages(scratch, options, settings, linted=source, known=known, began=first)
+        packages = MigratedPackages(scratch, options, settings, linted=source, known=known, began=first)
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())
         if not options.only:
@@ -165,6 +165,6 @@ def _mending(lint: Lint, settings: Settings, source: Linted, state: Before) -> l
     return [make(lambda: lint(settings), is_new) for make in (installs_for_launch_files, fixes_of_lint)]
 
 
-def _is_wanted(step: Step, packages: Packages) -> bool:
+def _is_wanted(step: Step, packages: MigratedPackages) -> bool:
     only = packages.options.only
     return (not only or step.part in only) and (step.generation != 1 or packages.is_ros1)

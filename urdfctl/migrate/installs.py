@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator
 
 from urdfctl.diagnostic import Diagnostic, Edit
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Linted, Packages
+from urdfctl.migrate.packages import Linted, MigratedPackages
 from urdfctl.migrate.shared.install_rules import install_rule
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.source.disk.gate import is_file, is_folder
 from urdfctl.source.span import SourceSpan, SourceText
 
@@ -22,7 +22,7 @@ _END = b"ament_package("
 def installs_for_launch_files(lint: Callable[[], Linted], is_new: Callable[[Diagnostic], bool]) -> Step:
     """Return the step. lint, is_new: as in `fixes_of_lint`."""
 
-    def propose(packages: Packages) -> Iterator[Proposal]:
+    def propose(packages: MigratedPackages) -> Iterator[Proposal]:
         missing: dict[str, dict[str, None]] = {}
         for _, result in lint():
             for finding in result.outcome.diagnostics:
@@ -32,7 +32,9 @@ def installs_for_launch_files(lint: Callable[[], Linted], is_new: Callable[[Diag
         for build_file, names in missing.items():
             edit = Edit(_end(packages.read(build_file)), _rules(os.path.dirname(build_file), list(names)))
             message = f"{', '.join(names)}: installed, because launch files use it"
-            yield Proposal((edit,), entries=(Entry(EntryKind.DONE, message, file=build_file, authority=_AUTHORITY),))
+            yield Proposal(
+                (edit,), entries=(ReportEntry(EntryKind.DONE, message, file=build_file, authority=_AUTHORITY),)
+            )
 
     return Step("installed-files", Part.MANIFEST, "Install rules for what launch files use", propose)
 

@@ -6,11 +6,11 @@ import os
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from typing import Generic, TypeVar
 
-from urdfctl.migrate.scratch import Scratch, Written
+from urdfctl.migrate.scratch import Scratch, WrittenFile
 from urdfctl.startup.records import NamedTuple
 
 Value = TypeVar("Value")
-State = Mapping[str, Written]
+State = Mapping[str, WrittenFile]
 
 _OF_PACKAGES = frozenset({"package.xml", "CMakeLists.txt", "setup.py", "urdfctl.toml", "pyproject.toml"})
 """Files that decide more than what reads them."""

@@ -13,7 +13,7 @@ from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.options import MigrationOptions
-from urdfctl.migrate.scratch import Scratch, Written
+from urdfctl.migrate.scratch import Scratch, WrittenFile
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.disk.files import MAX_BYTES, first_bytes
 from urdfctl.source.disk.gate import exists
@@ -28,7 +28,7 @@ Lint = Callable[[Settings], Linted]
 """Lints the packages as they are now, as `urdfctl lint` does, and returns every target with its result."""
 
 
-class Packages:
+class MigratedPackages:
     """The packages to migrate, as they are after the proposals so far. All paths are of the copy that is migrated.
 
     options: what the user wants.
@@ -52,7 +52,7 @@ class Packages:
         self.settings = settings
         self.linted = linted
         self._known, self._began = known, began
-        self._sources: dict[str, tuple[Written | None, SourceText]] = {}
+        self._sources: dict[str, tuple[WrittenFile | None, SourceText]] = {}
         self._loaded: dict[str | None, list[LoadedTarget]] = {}
         self._files: list[str] = []
         self._found: dict[object, object] = {}
@@ -111,7 +111,7 @@ class Packages:
             self._sources[path] = written, source
         return source
 
-    def found(self, find: Callable[[Packages], Value]) -> Value:
+    def found(self, find: Callable[[MigratedPackages], Value]) -> Value:
         """Return what a function finds in the packages; it is called once for each state of them."""
         if find not in self._found:
             self._found[find] = find(self)

@@ -23,7 +23,7 @@ _COPIED = 1 << 20
 """Larger files are linked: only texts are edited."""
 
 
-class Written(NamedTuple):
+class WrittenFile(NamedTuple):
     """The content that was written to a file; None if it was deleted.
 
     is_new: whether the user does not have the file.
@@ -62,7 +62,7 @@ class Scratch:
         others = (os.path.realpath(folder) for folder in package_folders(self._workspace))
         outside = (folder for folder in others if not any(_is_below(folder, copied) for copied in real))
         self.others = [folder for folder in outside if _name(folder) not in mine]
-        self.written: dict[str, Written] = {}
+        self.written: dict[str, WrittenFile] = {}
         self._originals: dict[str, bytes | None] = {}
 
     def close(self) -> None:
@@ -101,7 +101,7 @@ class Scratch:
         original = self._originals[path]
         self.written.pop(path, None)
         if data != original:
-            self.written[path] = Written(data, is_new=original is None)
+            self.written[path] = WrittenFile(data, is_new=original is None)
         if data is None:
             if os.path.lexists(path):
                 os.unlink(path)
@@ -112,7 +112,7 @@ class Scratch:
         with open(path, "wb") as file:
             file.write(data)
 
-    def restore(self, written: Mapping[str, Written]) -> None:
+    def restore(self, written: Mapping[str, WrittenFile]) -> None:
         """Return to an earlier state: a copy of what `written` was then."""
         for path in {**self.written, **written}:
             if self.written.get(path) != written.get(path):

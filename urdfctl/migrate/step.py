@@ -13,7 +13,7 @@ from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
-    from urdfctl.migrate.packages import Packages
+    from urdfctl.migrate.packages import MigratedPackages
 
 
 class EntryKind(Enum):
@@ -24,7 +24,7 @@ class EntryKind(Enum):
     FOR_YOU = "for you"
 
 
-class Entry(NamedTuple):
+class ReportEntry(NamedTuple):
     """A line of the report.
 
     at: the place that it is about, as the step found it; None for a file that the step writes, or for the package.
@@ -55,7 +55,7 @@ class Proposal(NamedTuple):
     edits: tuple[Edit, ...] = ()
     created: tuple[tuple[str, str], ...] = ()
     deleted: tuple[str, ...] = ()
-    entries: tuple[Entry, ...] = ()
+    entries: tuple[ReportEntry, ...] = ()
     fixes: tuple[str, ...] = ()
     moves: frozenset[str] = frozenset()
 
@@ -98,7 +98,7 @@ class Step(NamedTuple):
     name: str
     part: Part
     summary: str
-    propose: Callable[[Packages], Iterator[Proposal]]
+    propose: Callable[[MigratedPackages], Iterator[Proposal]]
     rows: tuple[Row, ...] = ()
     generation: int = 2
     is_needed: bool = False

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.step import Entry, EntryKind, Proposal
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.source.todo import MARK
 
@@ -33,7 +33,7 @@ def for_you(at: Place, text: str, *, authority: str = "") -> Proposal:
     line = source.data[start : line_end if line_end >= 0 else len(source.data)]
     indent = line[: len(line) - len(line.lstrip())].decode("utf-8", "surrogateescape")
     comment = todo_line(source.path, text)
-    entry = Entry(EntryKind.FOR_YOU, text, at, authority=authority)
+    entry = ReportEntry(EntryKind.FOR_YOU, text, at, authority=authority)
     if without_punctuation(source.data[max(start - _MOST_BEFORE, 0) : start]).endswith(
         without_punctuation(comment.encode())
     ):

@@ -9,8 +9,8 @@ from itertools import takewhile
 from urdfctl.config.settings import Settings
 from urdfctl.migrate.acceptance import Before, Objection, errors_in
 from urdfctl.migrate.attempt import Attempt, Barred, Key, Noted
-from urdfctl.migrate.packages import Lint, Packages
-from urdfctl.migrate.scratch import Written
+from urdfctl.migrate.packages import Lint, MigratedPackages
+from urdfctl.migrate.scratch import WrittenFile
 from urdfctl.migrate.step import Step
 from urdfctl.startup.records import NamedTuple
 
@@ -29,7 +29,7 @@ class Trials:
 
     def __init__(
         self,
-        packages: Packages,
+        packages: MigratedPackages,
         steps: Sequence[Step],
         state: Before,
         lint: Lint,
@@ -123,7 +123,7 @@ class _Stage(NamedTuple):
     """An attempt before a step, and the state of the files."""
 
     attempt: Attempt
-    written: Mapping[str, Written]
+    written: Mapping[str, WrittenFile]
 
 
 def _files_of(step: Step, barred: Barred) -> set[str]:

@@ -24,7 +24,7 @@ _MOST_BYTES = 64 << 20
 _TEXTS = ("code", "file", "message", "mark")
 
 
-class Known(NamedTuple):
+class KnownFinding(NamedTuple):
     """A finding in a baseline.
 
     file: relative to the baseline's folder.
@@ -39,7 +39,7 @@ class Known(NamedTuple):
     times: int
 
 
-class Comparison(NamedTuple):
+class BaselineComparison(NamedTuple):
     """Findings compared with a baseline.
 
     new: findings that the baseline does not contain.
@@ -49,10 +49,10 @@ class Comparison(NamedTuple):
 
     new: list[Diagnostic]
     known: int
-    fixed: list[Known]
+    fixed: list[KnownFinding]
 
 
-def read_baseline(path: str) -> list[Known]:
+def read_baseline(path: str) -> list[KnownFinding]:
     """Return the findings in a baseline. UserError if the file is not a baseline."""
     try:
         text = first_bytes(path, _MOST_BYTES + 1)
@@ -74,35 +74,35 @@ def read_baseline(path: str) -> list[Known]:
     return [_known(entry, number, path) for number, entry in enumerate(whole["findings"], 1)]
 
 
-def _known(entry: Any, number: int, path: str) -> Known:
+def _known(entry: Any, number: int, path: str) -> KnownFinding:
     is_valid = isinstance(entry, dict) and all(isinstance(entry.get(name), str) for name in _TEXTS)
     times = entry.get("times", 1) if is_valid else 0
     if type(times) is not int or times < 1:
         raise UserError(f"'{path}' is not a baseline: finding {number} has a missing or malformed field")
-    return Known(entry["code"], entry["file"], entry["message"], entry["mark"], times)
+    return KnownFinding(entry["code"], entry["file"], entry["message"], entry["mark"], times)
 
 
 def baseline_text(findings: Iterable[Diagnostic], path: str) -> str:
     """Return the text of a baseline at `path` with some findings. Crashes of urdfctl are left out."""
     folder = _folder(path)
-    counts: Counter[Known] = Counter()
+    counts: Counter[KnownFinding] = Counter()
     for finding in findings:
         if finding.code != _CRASH:
             file = path_from(finding.at.file, folder)
-            counts[Known(finding.code, file, message_from(finding, folder), mark(finding, folder), 0)] += 1
+            counts[KnownFinding(finding.code, file, message_from(finding, folder), mark(finding, folder), 0)] += 1
     entries = [known._replace(times=count)._asdict() for known, count in sorted(counts.items(), key=_by_file)]
     lines = ",\n".join(f"  {json.dumps(entry)}" for entry in entries)
     return f'{{"version": {_VERSION}, "tool": "urdfctl", "findings": [\n{lines}\n]}}\n'
 
 
-def _by_file(counted: tuple[Known, int]) -> tuple[str, str, str, str]:
+def _by_file(counted: tuple[KnownFinding, int]) -> tuple[str, str, str, str]:
     known = counted[0]
     return known.file, known.code, known.message, known.mark
 
 
 def compare(
-    findings: Sequence[Diagnostic], known: Iterable[Known], path: str, was_checked: Callable[[str, str], bool]
-) -> Comparison:
+    findings: Sequence[Diagnostic], known: Iterable[KnownFinding], path: str, was_checked: Callable[[str, str], bool]
+) -> BaselineComparison:
     """Compare findings with the baseline at a path.
 
     was_checked: returns whether the run checked a rule, given by its code, in a file.
@@ -125,7 +125,7 @@ def compare(
         left[entry.mark] -= times
         if times and was_checked(entry.code, os.path.normpath(os.path.join(folder, entry.file))):
             fixed.append(entry._replace(times=times))
-    return Comparison(new, len(findings) - len(new), fixed)
+    return BaselineComparison(new, len(findings) - len(new), fixed)
 
 
 def _folder(path: str) -> str:
@@ -141,7 +141,7 @@ class Baseline(NamedTuple):
     """
 
     path: str | None
-    known: list[Known]
+    known: list[KnownFinding]
     to_write: str | None
     selection: Selection
 
@@ -177,6 +177,6 @@ def open_baseline(path: str | None, to_write: str | None, selection: Selection) 
     return Baseline(path, known, to_write, selection)
 
 
-def _counted(known: Collection[Known]) -> str:
+def _counted(known: Collection[KnownFinding]) -> str:
     number = sum(finding.times for finding in known)
     return f"{number} finding{'' if number == 1 else 's'}"

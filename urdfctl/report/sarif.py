@@ -14,7 +14,7 @@ from typing import Any
 from urllib.parse import quote
 
 from urdfctl import __version__
-from urdfctl.diagnostic import Diagnostic, Location, Repair, Severity, Step
+from urdfctl.diagnostic import CallStep, Diagnostic, Location, Repair, Severity
 from urdfctl.fault import Fault
 from urdfctl.lint.results import Report
 from urdfctl.report.common import as_json, as_text, relative
@@ -126,7 +126,7 @@ def _full_message(diagnostic: Diagnostic) -> str:
     return "\n".join([*lines, f"fix: {fix_in_words(diagnostic.fix)}"] if diagnostic.fix else lines)
 
 
-def _flow(chain: Sequence[Step], diagnostic: Diagnostic) -> Json:
+def _flow(chain: Sequence[CallStep], diagnostic: Diagnostic) -> Json:
     """Return the steps from the outermost call to the finding."""
     steps = [
         {"location": _location(_place(step), _call(step)), "nestingLevel": depth}
@@ -136,11 +136,11 @@ def _flow(chain: Sequence[Step], diagnostic: Diagnostic) -> Json:
     return {"threadFlows": [{"locations": [*steps, end]}]}
 
 
-def _place(step: Step) -> Location:
+def _place(step: CallStep) -> Location:
     return Location(file=step.file, line=step.line, column=step.column, end_line=0, end_column=0, start=0, end=0)
 
 
-def _call(step: Step) -> str:
+def _call(step: CallStep) -> str:
     kind, _, name = step.what.partition(" ")
     if kind == "macro":
         return f"macro '{name}' is called"

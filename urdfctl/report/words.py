@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Step
+from urdfctl.diagnostic import CallStep, Diagnostic, Location, Remark, Repair
 from urdfctl.lint.likeness import named
 
 MOST_CHAINS = 3
@@ -80,7 +80,7 @@ def _where(at: Location, current: str) -> str:
     return f"line {at.line}" if at.file == current else f"{at.file}:{at.line}:{at.column}"
 
 
-def _chain(chain: tuple[Step, ...]) -> str:
+def _chain(chain: tuple[CallStep, ...]) -> str:
     """Return the calls and includes of a chain, innermost first. The middle of a long chain is left out."""
     steps = [_step(step) for step in chain]
     if len(steps) > _MOST_STEPS:
@@ -88,7 +88,7 @@ def _chain(chain: tuple[Step, ...]) -> str:
     return ", ".join(steps)
 
 
-def _step(step: Step) -> str:
+def _step(step: CallStep) -> str:
     kind, _, name = step.what.partition(" ")
     place = f"{step.file}:{step.line}:{step.column}"
     if kind == "macro":

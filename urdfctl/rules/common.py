@@ -28,7 +28,7 @@ def label(kind: str, name: str | None) -> str:
     return f"{kind} '{name}'" if name else f"a {kind} without name"
 
 
-class Names:
+class KnownNames:
     """The names that a reference can use. Only the first unknown names are compared with all of them, which is slow.
 
     taken: names that other references use, so that none of them is meant where another name is unknown.
@@ -117,7 +117,7 @@ def in_words(names: Iterable[str], most: int = 5) -> str:
 
 
 __all__ = [
-    "Names",
+    "KnownNames",
     "attribute_respelt",
     "in_words",
     "is_all_there",

@@ -14,14 +14,14 @@ _PARAMETER = re.compile(r"\$\{\s*([A-Za-z_]\w*)\s*\}")
 _SUBSTITUTED = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
-class Written(NamedTuple):
+class WrittenName(NamedTuple):
     """The place where a wrong name, or the wrong part of it, is written, and the fix that corrects it there, if any."""
 
     at: Place
     fix: Fix | None = None
 
 
-def where_written(at: Place, wrong: str, meant: str | None) -> Written:
+def where_written(at: Place, wrong: str, meant: str | None) -> WrittenName:
     """Return where a name is written that is wrong, with the fix that makes it `meant`.
 
     at: where the robot uses the name, which may be a parameter of a macro. Then the call is to be edited, not the
@@ -32,7 +32,7 @@ def where_written(at: Place, wrong: str, meant: str | None) -> Written:
         return passed
     text = at.span.text.replace("\r\n", "\n")
     new = _corrected(text, wrong, meant) if meant else None
-    return Written(at, Fix(f"write '{new}'", (Edit(at.span, new),))) if new else Written(at)
+    return WrittenName(at, Fix(f"write '{new}'", (Edit(at.span, new),))) if new else WrittenName(at)
 
 
 def at_written(used: Place, wrong: str, meant: str | None, message: str, notes: Sequence[Note] = ()) -> Finding:
@@ -47,7 +47,7 @@ def at_written(used: Place, wrong: str, meant: str | None, message: str, notes: 
     return Finding(at, message, (*notes, *here), fix)
 
 
-def _passed(at: Place, wrong: str, meant: str | None, depth: int) -> Written | None:
+def _passed(at: Place, wrong: str, meant: str | None, depth: int) -> WrittenName | None:
     """The place in a macro call of the part that is wrong; None if the part is not passed by a call."""
     if at.call is None or not depth:
         return None
@@ -62,9 +62,9 @@ def _passed(at: Place, wrong: str, meant: str | None, depth: int) -> Written | N
             continue
         new = _between(wrong, part, meant) if meant else None
         if new:
-            return Written(value, Fix(f"write '{new}'", (Edit(value.span, new),)))
+            return WrittenName(value, Fix(f"write '{new}'", (Edit(value.span, new),)))
         if meant is None and not own:
-            return Written(value)
+            return WrittenName(value)
     return None
 
 

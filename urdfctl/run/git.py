@@ -46,7 +46,7 @@ _OF_REPOSITORY = (
 _FILTERS = r"^filter\..*\.(clean|smudge|process|required)$"
 
 
-class Entry(NamedTuple):
+class TreeEntry(NamedTuple):
     """A file in a tree.
 
     mode: 100644 or 100755 for a file, 120000 for a symbolic link, 160000 for a submodule; in octal digits.
@@ -106,14 +106,14 @@ def names_of_revisions(repository: str) -> list[str]:
     return _ask(repository, ["for-each-ref", "--format=%(refname:short)"])[1].split()
 
 
-def entries_of(repository: str, commit: str) -> list[Entry]:
+def entries_of(repository: str, commit: str) -> list[TreeEntry]:
     """Return the files of a commit. UserError if they cannot be read, or are more than MOST_ENTRIES."""
     with _started(repository, ["ls-tree", "-r", "-z", "--full-tree", commit]) as process:
-        entries: list[Entry] = []
+        entries: list[TreeEntry] = []
         for line in _parts(process.answers, b"\0"):
             facts, _, name = line.partition(b"\t")
             mode, _, key = facts.decode("ascii", "replace").split()
-            entries.append(Entry(mode, key, os.fsdecode(name)))
+            entries.append(TreeEntry(mode, key, os.fsdecode(name)))
             if len(entries) > MOST_ENTRIES:
                 raise UserError(f"commit {commit[:10]} has more than {MOST_ENTRIES} files")
         process.check()

@@ -15,7 +15,7 @@ from urdfctl.source.problem import ReadError
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xml.dom import Element
 from urdfctl.source.xml.parsing import parse
-from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.kinds import ValueKind
 from urdfctl.source.yaml.tree import Mapping as YamlMap
 from urdfctl.source.yaml.tree import Node, Scalar, Sequence, YamlFile, read_yaml
 from urdfctl.source.yaml.types import typed_by_pyyaml, typed_by_rcl
@@ -25,14 +25,14 @@ _UNKNOWN = object()
 """The value of a text with a substitution, such as `$(var prefix)`."""
 
 
-class Fault(NamedTuple):
+class SchemaFault(NamedTuple):
     """A place in a file that does not fit the schema, and why."""
 
     at: Place
     message: str
 
 
-def faults_in_controllers(source: SourceText, distro: str) -> list[Fault]:
+def faults_in_controllers(source: SourceText, distro: str) -> list[SchemaFault]:
     """Return where a controller file does not fit the schema for the types of its controllers.
 
     Raises UserError if jsonschema is not installed.
@@ -40,15 +40,15 @@ def faults_in_controllers(source: SourceText, distro: str) -> list[Fault]:
     _needs("jsonschema")
     file = read_yaml(source)
     if not file.readable:
-        return [Fault(problem.at, problem.message) for problem in file.problems]
+        return [SchemaFault(problem.at, problem.message) for problem in file.problems]
     validator = _validator(controllers_schema(distro, types_in(file)))
-    found = [Fault(problem.at, f"'{problem.subject}' makes a Python object") for problem in file.refused_tags]
+    found = [SchemaFault(problem.at, f"'{problem.subject}' makes a Python object") for problem in file.refused_tags]
     for document in file.documents:
         value = _plain(document, ros=generation(distro))
         for error in validator.iter_errors(value):
             path = list(error.absolute_path)
             if not _has_unknown(error.instance):
-                found.append(Fault(_place(document, path), _sentence(path, error)))
+                found.append(SchemaFault(_place(document, path), _sentence(path, error)))
     return sorted(dict.fromkeys(found), key=lambda fault: (fault.at.start, fault.message))
 
 
@@ -68,7 +68,7 @@ def types_in(file: YamlFile) -> dict[str, str]:
     return {name: next(iter(kinds)) for name, kinds in types.items() if len(kinds) == 1}
 
 
-def faults_in_robot(source: SourceText, schema: str) -> list[Fault]:
+def faults_in_robot(source: SourceText, schema: str) -> list[SchemaFault]:
     """Return where a robot does not fit an XML Schema.
 
     Raises UserError if lxml is not installed, or if the file is xacro that has to be expanded first.
@@ -79,7 +79,7 @@ def faults_in_robot(source: SourceText, schema: str) -> list[Fault]:
     try:
         document = parse(source, late_declaration=True)
     except ReadError as error:
-        return [Fault(error.problem.at, error.problem.message)]
+        return [SchemaFault(error.problem.at, error.problem.message)]
     root = document.documentElement
     if root is None:
         return []
@@ -91,10 +91,10 @@ def faults_in_robot(source: SourceText, schema: str) -> list[Fault]:
     try:
         tree = etree.fromstring(source.data.strip(), parser)
     except etree.XMLSyntaxError as error:
-        return [Fault(root.at, str(error))]
+        return [SchemaFault(root.at, str(error))]
     validator.validate(tree)
     log: Any = validator.error_log
-    found = [Fault(_element_of(root, mistake, skipped).at, mistake.message) for mistake in log]
+    found = [SchemaFault(_element_of(root, mistake, skipped).at, mistake.message) for mistake in log]
     return sorted(dict.fromkeys(found), key=lambda fault: (fault.at.start, fault.message))
 
 
@@ -124,7 +124,7 @@ def _plain(node: Node, ros: int) -> Any:
     if isinstance(node, Sequence):
         return [_plain(item, ros) for item in node.items]
     typed = typed_by_rcl(node) if ros == 2 else typed_by_pyyaml(node)  # noqa: PLR2004
-    return _UNKNOWN if typed.kind is Kind.UNKNOWN else typed.value
+    return _UNKNOWN if typed.kind is ValueKind.UNKNOWN else typed.value
 
 
 def _has_unknown(value: object) -> bool:

@@ -13,7 +13,7 @@ from typing import Any
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL, generation
-from urdfctl.catalog.entries import ControllerType, Parameter, ParameterRule
+from urdfctl.catalog.entries import ControllerType, ParameterEntry, ParameterRule
 from urdfctl.schemas.parameters import PLAIN_VALUE, ROS_TYPE, Schema, limits_schema, parameter_schema, tree_schema
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -159,7 +159,7 @@ def _of_one(controller: ControllerType, kinds: Container[str]) -> list[Parameter
     return [rule for rule in always if rule.severity == "error" and rule.kind in kinds]
 
 
-def _with_rules(parameter: Parameter, controller: ControllerType, distro: str) -> Schema:
+def _with_rules(parameter: ParameterEntry, controller: ControllerType, distro: str) -> Schema:
     """The schema of a parameter with the constraints that always concern it alone."""
     schema = parameter_schema(parameter, distro)
     more = [
@@ -172,7 +172,7 @@ def _with_rules(parameter: Parameter, controller: ControllerType, distro: str) -
 
 
 def _limits(details: Mapping[str, Any]) -> Schema:
-    own = Parameter("", "none", validators=details["validators"])
+    own = ParameterEntry("", "none", validators=details["validators"])
     return limits_schema(own)
 
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.entries import ParameterEntry
 from urdfctl.catalog.validators import requirement
 from urdfctl.catalog.value_types import is_strict_about_doubles, type_problem
 
@@ -46,7 +46,7 @@ _VALIDATORS: Mapping[str, Callable[[Any], Schema]] = {
 _PLACEHOLDER = re.compile(r"<[^<>]+>")
 
 
-def parameter_schema(parameter: Parameter, distro: str) -> Schema:
+def parameter_schema(parameter: ParameterEntry, distro: str) -> Schema:
     """Return the schema of a parameter's value, with its description and its default."""
     schema = value_schema(parameter)
     if parameter.default is not None and type_problem(parameter.default, parameter, distro) is None:
@@ -57,7 +57,7 @@ def parameter_schema(parameter: Parameter, distro: str) -> Schema:
     return schema
 
 
-def value_schema(parameter: Parameter) -> Schema:
+def value_schema(parameter: ParameterEntry) -> Schema:
     """Return the schema of a parameter's value, without what only a reader needs."""
     kinds = parameter.types
     if "none" in kinds or parameter.ignored:
@@ -72,7 +72,7 @@ def value_schema(parameter: Parameter) -> Schema:
     return {**schema, "allOf": [limits]}
 
 
-def limits_schema(parameter: Parameter) -> Schema:
+def limits_schema(parameter: ParameterEntry) -> Schema:
     """Return the schema of what a parameter's validators accept."""
     limits = [_VALIDATORS[name](limit) for name, limit in parameter.validators.items()]
     return limits[0] if len(limits) == 1 else {"allOf": limits} if limits else {}
@@ -145,7 +145,7 @@ def _size(least: int | None, most: int | None) -> Schema:
     return limits if most is None else {**limits, "maxItems": most, "maxLength": most}
 
 
-def _description(parameter: Parameter, distro: str) -> str:
+def _description(parameter: ParameterEntry, distro: str) -> str:
     words = [f"{parameter.type.replace('|', 'or')}{', required' if parameter.needed else ''}"]
     words += [requirement(name, limit) for name, limit in {**parameter.validators, **parameter.useful}.items()]
     sentences = ["; ".join(words)]

@@ -11,7 +11,7 @@ from urdfctl.diagnostic import Location, located
 from urdfctl.errors import UserError
 from urdfctl.report.fault_explanation import fault_explanation
 from urdfctl.rules import all_faults
-from urdfctl.server.analysis.items import Item
+from urdfctl.server.analysis.items import OfferedItem
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.features.actions import EXPLAIN, FIX_ALL, actions_at, edit_of
 from urdfctl.server.features.completion import items_at
@@ -157,7 +157,7 @@ def _about_completion(server: Window) -> None:
         ]
 
 
-def _replaced(question: Question, item: Item, positions: Positions, at: types.Position) -> types.Range:
+def _replaced(question: Question, item: OfferedItem, positions: Positions, at: types.Position) -> types.Range:
     """The range of the word that is typed already."""
     start = max(1, question.column - item.replaces)
     return types.Range(positions.position_of(question.file, question.line, start), at)

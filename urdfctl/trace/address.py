@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean, enumerated
 from urdfctl.source.disk.files import named_bytes
-from urdfctl.source.xml.dom import COMMENT, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 from urdfctl.startup.records import NamedTuple
 
 _LINE = r"(.+?):(\d+)(?::(\d+))?"
@@ -22,7 +22,7 @@ _MOST_NAMES = 8
 HOW = "write joint:NAME/limit/@velocity, or FILE:LINE"
 
 
-class Value(NamedTuple):
+class ValueAddress(NamedTuple):
     """An attribute of an expanded element; its text if `attribute` is empty."""
 
     element: Element
@@ -34,7 +34,7 @@ class Value(NamedTuple):
         return self.element.attrs[self.attribute] if self.attribute else text_in(self.element)
 
 
-class Line(NamedTuple):
+class LineAddress(NamedTuple):
     """A line of a file, and a column in it; 0 for the whole line. Both count from 1."""
 
     file: str
@@ -42,7 +42,7 @@ class Line(NamedTuple):
     column: int = 0
 
 
-def line_named(text: str) -> Line | None:
+def line_named(text: str) -> LineAddress | None:
     """Return the line that `FILE:LINE[:COL]` names; None for another text. UserError if the file has no such line."""
     found = re.fullmatch(_LINE, text)
     if found is None or not os.path.isfile(found[1]):
@@ -50,14 +50,14 @@ def line_named(text: str) -> Line | None:
     number = len(named_bytes(found[1]).splitlines())
     if not 0 < int(found[2]) <= number:
         raise UserError(f"'{found[1]}' has {number} lines, not {found[2]}")
-    return Line(os.path.abspath(found[1]), int(found[2]), int(found[3] or 0))
+    return LineAddress(os.path.abspath(found[1]), int(found[2]), int(found[3] or 0))
 
 
-def values_at(root: Element, address: str) -> list[Value]:
+def values_at(root: Element, address: str) -> list[ValueAddress]:
     """Return the values that an address names. UserError if there are none, with what was probably meant."""
     elements, rest = _elements(root, address)
     attribute = rest.removeprefix("@")
-    values = [Value(element, attribute) for element in elements if attribute in element.attrs] if rest else []
+    values = [ValueAddress(element, attribute) for element in elements if attribute in element.attrs] if rest else []
     if not rest:
         values = [value for element in elements for value in all_values(element)]
     if not values:
@@ -65,20 +65,20 @@ def values_at(root: Element, address: str) -> list[Value]:
     return values
 
 
-def all_values(element: Element) -> Iterator[Value]:
+def all_values(element: Element) -> Iterator[ValueAddress]:
     """Yield the attributes of an element, and its text if it has one."""
-    yield from (Value(element, name) for name in element.attrs)
+    yield from (ValueAddress(element, name) for name in element.attrs)
     if text_in(element):
-        yield Value(element, "")
+        yield ValueAddress(element, "")
 
 
 def text_in(element: Element) -> str:
     """Return the text of an element without surrounding blanks."""
-    texts = (node.data for node in element.children() if isinstance(node, Text) and node.nodeType != COMMENT)
+    texts = (node.data for node in element.children() if isinstance(node, XmlText) and node.nodeType != COMMENT)
     return "".join(texts).strip()
 
 
-def address_of(value: Value) -> str:
+def address_of(value: ValueAddress) -> str:
     """Return the address of a value."""
     parts = [f"@{value.attribute}"] if value.attribute else []
     element = value.element

@@ -9,7 +9,7 @@ from urdfctl.diagnostic import located
 from urdfctl.model.launch import Launch
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.source.xacro.tracing.recording import Recorder, Step
+from urdfctl.source.xacro.tracing.recording import EvaluatedText, Recorder
 from urdfctl.source.xacro.tracing.replay import (
     candidates,
     deciding_behind,
@@ -20,7 +20,7 @@ from urdfctl.source.xacro.tracing.replay import (
     steps_behind,
     yaml_scalars,
 )
-from urdfctl.trace.address import Value, address_of
+from urdfctl.trace.address import ValueAddress, address_of
 
 _MOST_LINKS = 100
 _MOST_TEXT = 120
@@ -29,7 +29,7 @@ _NAMES = {"forwarded": "parameter", "default": "parameter", "given": "argument"}
 Json = dict[str, Any]
 
 
-def answer(recorder: Recorder, value: Value, launch: Launch | None) -> Json:
+def answer(recorder: Recorder, value: ValueAddress, launch: Launch | None) -> Json:
     """Return where a value comes from.
 
     launch: what gives the description its arguments; None if it is no launch file.
@@ -63,7 +63,7 @@ def readable(text: object) -> str:
     return shown if len(shown) <= _MOST_TEXT else f"{shown[:_MOST_TEXT]}…"
 
 
-def _chain(step: Step, launch: Launch | None, *, depth: int, seen: set[int]) -> Iterator[Json]:
+def _chain(step: EvaluatedText, launch: Launch | None, *, depth: int, seen: set[int]) -> Iterator[Json]:
     """Yield the links of a chain, a link before those that it looked up."""
     if id(step) in seen:
         return
@@ -74,7 +74,7 @@ def _chain(step: Step, launch: Launch | None, *, depth: int, seen: set[int]) -> 
     yield from ({**link, "depth": depth + 1} for link in _yaml_links(step))
 
 
-def _link(step: Step, launch: Launch | None) -> Json:
+def _link(step: EvaluatedText, launch: Launch | None) -> Json:
     place = step.place if step.kind != "given" else _given_at(step.name, launch)
     found: Json = {
         "kind": _NAMES.get(step.kind, step.kind),
@@ -89,7 +89,7 @@ def _link(step: Step, launch: Launch | None) -> Json:
     return found
 
 
-def _giver(step: Step, launch: Launch | None) -> str:
+def _giver(step: EvaluatedText, launch: Launch | None) -> str:
     """What gives a parameter or argument its value: a default, a launch file, the command line; empty for others."""
     if step.kind == "given" and UNKNOWN in step.text:
         return "not given"
@@ -116,7 +116,7 @@ def _calls(place: Place) -> Iterator[Json]:
         yield {"kind": call.kind, "name": call.name, "file": call.source.path, "line": line, "column": column}
 
 
-def _yaml_links(step: Step) -> Iterator[Json]:
+def _yaml_links(step: EvaluatedText) -> Iterator[Json]:
     """Yield the values of YAML files that a step read, and the files that it loaded."""
     for source, keys in step.loads:
         name = ".".join(str(key) for key in keys)
@@ -130,7 +130,7 @@ def _yaml_links(step: Step) -> Iterator[Json]:
 # -- forward ---------------------------------------------------------------------------------------------------------
 
 
-def depends_on(recorder: Recorder, value: Value, span: SourceSpan) -> bool:
+def depends_on(recorder: Recorder, value: ValueAddress, span: SourceSpan) -> bool:
     """Return whether a value was evaluated from what is written in a span: a text, or a value of a YAML file.
 
     If that is a number, it must change the value.

@@ -9,7 +9,7 @@ from urdfctl.errors import UserError
 from urdfctl.lint.job import Work, run_on_targets
 from urdfctl.load.target import Target
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.trace.address import Line, Value, all_values, values_at
+from urdfctl.trace.address import LineAddress, ValueAddress, all_values, values_at
 from urdfctl.trace.answer import answer, depends_on
 from urdfctl.trace.loading import Traced, traced
 from urdfctl.trace.uses import uses_of
@@ -20,7 +20,7 @@ _MOST_VALUES = 50
 Json = dict[str, Any]
 
 
-def why(target: Target, settings: Settings, what: str | Line) -> Json:
+def why(target: Target, settings: Settings, what: str | LineAddress) -> Json:
     """Return the answer as plain data: its `values`, the number of `more` values, and the robot's file.
 
     what: an address, or a line of a file.
@@ -53,16 +53,16 @@ def why_work(work: Work) -> Json:
     return {"version": 1, "file": project.path, "arguments": arguments, "values": answers, "more": more}
 
 
-def _answered(found: Traced, value: Value) -> Json:
+def _answered(found: Traced, value: ValueAddress) -> Json:
     project = found.loaded.project
     uses = [use.as_json() for use in uses_of(project, value.element)]
     return {**answer(found.recorder, value, project.launch), "used_by": uses}
 
 
-def _values(found: Traced, details: Json) -> list[Value]:
+def _values(found: Traced, details: Json) -> list[ValueAddress]:
     if "address" in details:
         return values_at(found.root, details["address"])
-    line = Line(*details["line"])
+    line = LineAddress(*details["line"])
     source = found.loaded.sources.get(line.file)
     if source is None:
         raise UserError(f"'{line.file}' is not read for '{found.loaded.project.path}'")
@@ -78,7 +78,7 @@ def _values(found: Traced, details: Json) -> list[Value]:
     return values
 
 
-def _span_of(source: SourceText, line: Line) -> SourceSpan:
+def _span_of(source: SourceText, line: LineAddress) -> SourceSpan:
     """The span of a line without its indentation, or of the character in a column."""
     if line.column:
         start = source.offset(line.line, line.column)

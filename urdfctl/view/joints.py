@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.graph.parts import Graph, Node
+from urdfctl.graph.parts import Graph, GraphNode
 from urdfctl.model.robot import Joint, Robot
 from urdfctl.report.common import relative
 from urdfctl.smoke.robot import Hinge
@@ -28,7 +28,7 @@ class Wiring:
         self._nodes = {node.id: node for node in graph.nodes} if graph else {}
         self._edges = graph.edges if graph else ()
 
-    def interfaces(self, joint: str, kind: str) -> list[Node]:
+    def interfaces(self, joint: str, kind: str) -> list[GraphNode]:
         """Return the interfaces of a joint; kind: command or state."""
         return [
             node
@@ -36,7 +36,7 @@ class Wiring:
             if node.kind == kind and node.detail and node.name == f"{joint}/{node.detail}"
         ]
 
-    def beside(self, interfaces: Sequence[Node], kinds: Sequence[str]) -> list[Node]:
+    def beside(self, interfaces: Sequence[GraphNode], kinds: Sequence[str]) -> list[GraphNode]:
         """Return what is wired to some interfaces by edges of some kinds."""
         ids = {node.id for node in interfaces}
         found = [
@@ -125,7 +125,7 @@ def _facts(hinge: Hinge, wiring: Wiring) -> Iterator[tuple[str, str]]:
                 yield name, ", ".join(_named(node) for node in others)
 
 
-def _named(node: Node) -> str:
+def _named(node: GraphNode) -> str:
     name = node.name.removeprefix("/")
     return f"{name} ({node.detail})" if node.detail else name
 

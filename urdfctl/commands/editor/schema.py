@@ -18,7 +18,7 @@ from urdfctl.schemas.robot import ros2_control_schema, urdf_schema
 from urdfctl.source.disk.files import FileProblem, Files, is_yaml
 
 if TYPE_CHECKING:
-    from urdfctl.schemas.checking import Fault
+    from urdfctl.schemas.checking import SchemaFault
     from urdfctl.source.span import SourceText
 
 KINDS = ("controllers", "ros2_control", "urdf")
@@ -91,7 +91,7 @@ def _lines(source: SourceText, options: SchemaOptions) -> list[str]:
     return lines
 
 
-def _faults(source: SourceText, options: SchemaOptions) -> list[Fault]:
+def _faults(source: SourceText, options: SchemaOptions) -> list[SchemaFault]:
     from urdfctl.schemas.checking import faults_in_controllers, faults_in_robot
 
     if (options.kind or "controllers") == "controllers" and is_yaml(source.path):

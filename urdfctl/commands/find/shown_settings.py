@@ -17,7 +17,7 @@ from urdfctl.startup.records import NamedTuple
 _WIDTH = 40
 
 
-class Setting(NamedTuple):
+class ShownSetting(NamedTuple):
     """A setting.
 
     key: its name in the configuration.
@@ -57,19 +57,19 @@ def _lines(request: LintRequest, fail_on: Severity, options: Options) -> Iterato
         yield from (f"# [[{kind}]] {entry['type']}" for entry in entries)
 
 
-def _settings(request: LintRequest, fail_on: Severity) -> Iterator[Setting]:
+def _settings(request: LintRequest, fail_on: Severity) -> Iterator[ShownSetting]:
     selection, settings = request.selection, request.settings
-    yield Setting("distro", settings.distro, "distro", "URDFCTL_DISTRO")
-    yield Setting("simulator", settings.simulator, "simulator", "URDFCTL_SIMULATOR")
-    yield Setting("package-paths", settings.package_paths, "package_path", "URDFCTL_PACKAGE_PATHS")
-    yield Setting("select", selection.select, "select", "URDFCTL_SELECT")
-    yield Setting("ignore", selection.ignore, "ignore", "URDFCTL_IGNORE")
-    yield Setting("extend-select", selection.extend, "extend_select", "URDFCTL_EXTEND_SELECT")
-    yield Setting("exclude", request.config.exclude)
-    yield Setting("fail-on", fail_on.value, "fail_on", "URDFCTL_FAIL_ON")
+    yield ShownSetting("distro", settings.distro, "distro", "URDFCTL_DISTRO")
+    yield ShownSetting("simulator", settings.simulator, "simulator", "URDFCTL_SIMULATOR")
+    yield ShownSetting("package-paths", settings.package_paths, "package_path", "URDFCTL_PACKAGE_PATHS")
+    yield ShownSetting("select", selection.select, "select", "URDFCTL_SELECT")
+    yield ShownSetting("ignore", selection.ignore, "ignore", "URDFCTL_IGNORE")
+    yield ShownSetting("extend-select", selection.extend, "extend_select", "URDFCTL_EXTEND_SELECT")
+    yield ShownSetting("exclude", request.config.exclude)
+    yield ShownSetting("fail-on", fail_on.value, "fail_on", "URDFCTL_FAIL_ON")
 
 
-def _origin(setting: Setting, options: Options, file_config: Config) -> str:
+def _origin(setting: ShownSetting, options: Options, file_config: Config) -> str:
     field = setting.key.replace("-", "_")
     if setting.option and getattr(options, setting.option):
         return f"--{setting.option.replace('_', '-')}"

@@ -18,14 +18,14 @@ from urdfctl.config.settings import Settings
 from urdfctl.discover.paths import check_description
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.cautions import cautions
-from urdfctl.generate.controllers.parameters import Controller
+from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.controllers.wanted import needs_joints, with_requests
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.files.again import words_of_generated_file
 from urdfctl.generate.files.next_steps import steps_after
 from urdfctl.generate.files.package import around_package
 from urdfctl.generate.files.writing import Writing, deliver
-from urdfctl.generate.options import File, Options, Roles
+from urdfctl.generate.options import File, GeneratorOptions, Roles
 from urdfctl.generate.request.choice import chosen, stuck
 from urdfctl.generate.request.joint_list import joints_listed
 from urdfctl.generate.robot.distro import known_distro, made_for_newest, simulator_of
@@ -68,7 +68,7 @@ _ANY_DISTRO = "rolling"
 _PARTS = ("gen-transmissions", "gen-ros2-control", "gen-gazebo")
 
 
-class Unreadable(Exception):
+class UnreadableRobot(Exception):
     """The robot cannot be read. The message contains its problems."""
 
 
@@ -88,7 +88,7 @@ def run_generate(options: GenerateOptions) -> int:
         settings = settings._replace(simulator="mujoco")
     try:
         robot, listed = _sources(options, settings, config)
-    except Unreadable as error:
+    except UnreadableRobot as error:
         sys.stderr.write(str(error))
         return 1
     words = list(options.words)
@@ -138,9 +138,9 @@ def _delivered(options: GenerateOptions, robot: RobotFacts | None, made: Made) -
 class Made(NamedTuple):
     """Generated files with the options and controllers that they are made from, and the proposal of controllers."""
 
-    options: Options
+    options: GeneratorOptions
     files: list[File]
-    controllers: tuple[Controller, ...]
+    controllers: tuple[GeneratedController, ...]
     proposal: str
 
 
@@ -178,7 +178,7 @@ def _sources(
     path = robots[0] if robots and not os.path.isdir(robots[0]) else os.path.relpath(descriptions[0])
     measured = measure_robot(path, arguments, settings, measure_work)
     if measured.facts is None:
-        raise Unreadable("\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n")
+        raise UnreadableRobot("\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n")
     return measured.facts, listed
 
 
@@ -202,12 +202,12 @@ def _text(path: str) -> str:
 
 def _requested(
     options: GenerateOptions, words: Sequence[str], robot: RobotFacts | None, distro: str, simulator: str
-) -> Options:
+) -> GeneratorOptions:
     """What the options ask for, with what follows from the robot. words: those of a command that names the robot."""
-    defaults = Options(distro)
+    defaults = GeneratorOptions(distro)
     package, copied = _package(options, robot), _copied(options.command, robot)
     states = None if not options.state else tuple(name for name in _split([options.state]) if name != "none")
-    return Options(
+    return GeneratorOptions(
         distro=distro,
         simulator=simulator,
         types=tuple(_split(options.types)),
@@ -278,7 +278,7 @@ def _split(given: Iterable[str]) -> list[str]:
 def _repeatable_command(options: GenerateOptions, words: Sequence[str], distro: str, simulator: str) -> str:
     """Return the command that generates the same files: with the detected distro and simulator."""
     repeated = ["urdfctl", options.command, *words]
-    plain = Options(distro)
+    plain = GeneratorOptions(distro)
     for name, option in options.declared.items():
         value = getattr(options, name)
         if name not in _NOT_REPEATED and value not in (option.default, "", getattr(plain, name, option.default)):

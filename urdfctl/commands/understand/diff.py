@@ -10,7 +10,7 @@ from urdfctl.commands.options import FORMAT, ReadingOptions
 from urdfctl.commands.robot_targets import Pair, best_of, robots_of
 from urdfctl.commands.words import configured, output_of, settings_from, split_arguments
 from urdfctl.compare.changes import AREAS, changes
-from urdfctl.compare.reports import FORMATS, Comparison, Robot, rendered
+from urdfctl.compare.reports import FORMATS, ComparedRobot, Comparison, rendered
 from urdfctl.compare.sides import Side, sides_of
 from urdfctl.compare.snapshot import Snapshot, snapshots
 from urdfctl.discover.paths import check_path
@@ -87,7 +87,7 @@ def _compared(before: Side, after: Side, options: ReadingOptions) -> Comparison:
         _taken(side, [robots[name] for name in common], options) for side, robots in ((before, old), (after, new))
     ]
     robots = [
-        Robot(name, changes(left.node, right.node), left.complete and right.complete)
+        ComparedRobot(name, changes(left.node, right.node), left.complete and right.complete)
         for name, left, right in zip(common, one, other, strict=True)
     ]
     gone, come = [name for name in old if name not in new], [name for name in new if name not in old]

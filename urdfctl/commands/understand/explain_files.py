@@ -11,7 +11,7 @@ from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.run import LintRequest, lint, merge
 from urdfctl.lint.selection import Selection, selection_with
-from urdfctl.logs.digest import Digest, Known
+from urdfctl.logs.digest import Digest, KnownMessage
 from urdfctl.logs.evidence import CheckedFolder, FoundCause, with_findings
 from urdfctl.report.common import relative
 
@@ -38,14 +38,14 @@ def _findings(folder: str, distro: str | None) -> list[Diagnostic]:
     return merge(lint(request, watch=with_progress).results, request)
 
 
-def _with(known: Known, found: Sequence[FoundCause]) -> Known:
+def _with(known: KnownMessage, found: Sequence[FoundCause]) -> KnownMessage:
     if known.kind == "harmless":
         return known
     values = {value for values in known.values for value in values.values()}
     return known._replace(reading=with_findings(known.reading, found, values))
 
 
-def _others(findings: Sequence[Diagnostic], known: Sequence[Known]) -> int:
+def _others(findings: Sequence[Diagnostic], known: Sequence[KnownMessage]) -> int:
     """The number of errors that no message has as a cause."""
     codes = {found.code for entry in known for cause in entry.reading.causes for found in cause.found}
     return sum(one.severity is Severity.ERROR and one.code not in codes for one in findings)

@@ -17,7 +17,7 @@ from urdfctl.output.printing import print_text
 from urdfctl.output.writing import write_file
 from urdfctl.report.common import as_json, shown
 from urdfctl.source.workspaces.packages import package_around
-from urdfctl.trace.address import HOW, Line, line_named
+from urdfctl.trace.address import HOW, LineAddress, line_named
 from urdfctl.trace.job import why
 from urdfctl.trace.text import render
 
@@ -75,7 +75,7 @@ def _named(path: str, given: list[str], config: Config, settings: Settings) -> T
 
 def _around(line: Any, given: list[str], config: Config, settings: Settings) -> Target:
     """The robot that a file is read for: itself, or one of its package."""
-    assert isinstance(line, Line)  # noqa: S101 (for mypy)
+    assert isinstance(line, LineAddress)  # noqa: S101 (for mypy)
     folder = package_around(os.path.dirname(line.file)) or os.path.dirname(line.file)
     for word in (line.file, folder):
         found = best_of(robots_of([word, *given], config, settings), lambda result: line.file in result.files)

@@ -11,7 +11,7 @@ from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 
-class Kind(Enum):
+class ClaimKind(Enum):
     """The use of an interface by a controller. In ROS 1, command claims are the exclusive ones."""
 
     COMMAND = "command"
@@ -42,7 +42,7 @@ Offers = Mapping[str, tuple[Offer, ...]]
 NO_OFFERS: Offers = MappingProxyType({})
 
 
-class Hardware(NamedTuple):
+class OfferedHardware(NamedTuple):
     """All interfaces that hardware offers, by component, in the order of the description."""
 
     command: Offers = NO_OFFERS
@@ -61,11 +61,11 @@ class Hardware(NamedTuple):
     """Components of drivers that export interfaces of their own: the description lists none at all, or the catalogue
     says so."""
 
-    def offers(self, kind: Kind) -> Offers:
+    def offers(self, kind: ClaimKind) -> Offers:
         """Return the command or the state interfaces."""
-        return self.command if kind is Kind.COMMAND else self.state
+        return self.command if kind is ClaimKind.COMMAND else self.state
 
-    def of(self, kind: Kind, component: str) -> tuple[Offer, ...]:
+    def of(self, kind: ClaimKind, component: str) -> tuple[Offer, ...]:
         """Return the offered interfaces of one component."""
         return self.offers(kind).get(component, ())
 
@@ -73,7 +73,7 @@ class Hardware(NamedTuple):
         """Return whether the hardware has this component."""
         return component in self.exact or component in self.command or component in self.state
 
-    def absence(self, kind: Kind, component: str, interface: str) -> Absence | None:
+    def absence(self, kind: ClaimKind, component: str, interface: str) -> Absence | None:
         """Return how certain it is that an interface is missing; None if it is offered, or may be."""
         offered = any(offer.interface == interface for offer in self.of(kind, component))
         if offered or not self.known:
@@ -98,4 +98,4 @@ def by_component(offers: Iterable[Offer]) -> Offers:
     return grouped
 
 
-UNKNOWN_HARDWARE = Hardware(known=False)
+UNKNOWN_HARDWARE = OfferedHardware(known=False)

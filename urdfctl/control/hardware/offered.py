@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from urdfctl.catalog.distros import generation
-from urdfctl.control.hardware.interfaces import UNKNOWN_HARDWARE, Hardware
+from urdfctl.control.hardware.interfaces import UNKNOWN_HARDWARE, OfferedHardware
 from urdfctl.model.project import Project
 
 
-def hardware_of(project: Project, distro: str) -> Hardware:
+def hardware_of(project: Project, distro: str) -> OfferedHardware:
     """Return the hardware of a robot in one distro."""
     if project.robot is None:
         return UNKNOWN_HARDWARE

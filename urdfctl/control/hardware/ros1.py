@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.hardware.interfaces import UNKNOWN_HARDWARE, Hardware, Offer, by_component, fixed_joints
-from urdfctl.model.robot import Robot, Text, Transmission
+from urdfctl.control.hardware.interfaces import UNKNOWN_HARDWARE, Offer, OfferedHardware, by_component, fixed_joints
+from urdfctl.model.robot import ElementText, Robot, Transmission
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
@@ -20,10 +20,10 @@ JOINT_STATES = f"{PREFIX}JointStateInterface"
 
 class _Registered(NamedTuple):
     joint: str
-    interface: Text
+    interface: ElementText
 
 
-def simulated_hardware(robot: Robot) -> Hardware:
+def simulated_hardware(robot: Robot) -> OfferedHardware:
     """Return the interfaces that the simulation offers of a robot's joints."""
     if any(_is_unknown(transmission) for transmission in robot.transmissions):
         return UNKNOWN_HARDWARE
@@ -32,7 +32,7 @@ def simulated_hardware(robot: Robot) -> Hardware:
         Offer(each.joint, _qualified(each.interface.value), each.interface.at) for each in registered
     )
     state = by_component(Offer(each.joint, JOINT_STATES, each.interface.at) for each in registered)
-    return Hardware(command, state, joints=frozenset(robot.joint_names), fixed=fixed_joints(robot))
+    return OfferedHardware(command, state, joints=frozenset(robot.joint_names), fixed=fixed_joints(robot))
 
 
 def _registered(transmission: Transmission) -> Iterator[_Registered]:

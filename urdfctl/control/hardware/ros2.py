@@ -11,12 +11,12 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.hardware import HardwareType
-from urdfctl.control.hardware.interfaces import UNKNOWN_HARDWARE, Hardware, Offer, by_component, fixed_joints
-from urdfctl.model.robot import Interface, Part, Robot, Ros2Control
+from urdfctl.control.hardware.interfaces import UNKNOWN_HARDWARE, Offer, OfferedHardware, by_component, fixed_joints
+from urdfctl.model.robot import ComponentPart, Interface, Robot, Ros2Control
 from urdfctl.source.opaque import UNKNOWN
 
 
-def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
+def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> OfferedHardware:
     """Return the interfaces that all hardware components of a robot offer."""
     controls = tuple(control for control in robot.ros2_controls if control.parent == robot.element)
     if not controls or _is_partly_unknown(controls):
@@ -39,7 +39,7 @@ def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
                 bare |= {part.name.strip() for part in control.parts if part.name}
     joints = frozenset(robot.joint_names)
     fixed = fixed_joints(robot)
-    return Hardware(
+    return OfferedHardware(
         by_component(command),
         by_component(state),
         frozenset(exact),
@@ -89,7 +89,7 @@ def _commanded_states(control: Ros2Control, plugin: HardwareType | None) -> set[
     return {kind for name, kind in plugin.states_commanded.items() if name in true}
 
 
-def _offers(control: Ros2Control, part: Part, interfaces: tuple[Interface, ...]) -> Iterator[Offer]:
+def _offers(control: Ros2Control, part: ComponentPart, interfaces: tuple[Interface, ...]) -> Iterator[Offer]:
     for interface in interfaces:
         if part.name and interface.name:
             yield Offer(part.name.strip(), interface.name.strip(), interface.at, control.name)

@@ -19,7 +19,7 @@ from urdfctl.startup.records import NamedTuple
 _ALIKE = 0.9
 
 
-class Typed(NamedTuple):
+class TypedController(NamedTuple):
     """A controller with the type given in its file."""
 
     controller: Controller
@@ -38,7 +38,7 @@ class Typed(NamedTuple):
 
 
 @once_for_the_last
-def typed(project: Project) -> tuple[Typed, ...]:
+def typed(project: Project) -> tuple[TypedController, ...]:
     """Return the controllers with a literal type in their file."""
     controllers = []
     for controller in controllers_in(project).controllers:
@@ -47,11 +47,11 @@ def typed(project: Project) -> tuple[Typed, ...]:
         distros = tuple(distro for distro in project.distros if distro in family)
         if kind is not None and controller.type is not None and distros:
             known_in = distros if kind in project.own.controllers else project.catalog.distros_of(kind)
-            controllers.append(Typed(controller, kind, controller.type, distros, known_in))
+            controllers.append(TypedController(controller, kind, controller.type, distros, known_in))
     return tuple(controllers)
 
 
-def typed_upstream(project: Project) -> Iterator[Typed]:
+def typed_upstream(project: Project) -> Iterator[TypedController]:
     """Yield the controllers with a literal type that no package of the workspace defines."""
     return (each for each in typed(project) if each.type not in project.own.controllers)
 
@@ -63,7 +63,7 @@ def _known(catalog: Catalog) -> tuple[dict[str, str], dict[str, str]]:
     return tuple(dict(chain.from_iterable(types)) for types in by_generation)  # type: ignore[return-value]
 
 
-def meant_by(project: Project, unknown: Typed) -> str | None:
+def meant_by(project: Project, unknown: TypedController) -> str | None:
     """Return the known type that an unknown type means; None if it may be from another package."""
     own = nearest(unknown.type.strip(), project.own.controllers)
     if own is not None:
@@ -71,7 +71,7 @@ def meant_by(project: Project, unknown: Typed) -> str | None:
     return _meant_in(project.catalog, unknown.ros, unknown.type.strip(" '\"").replace("::", "/"))
 
 
-def _of_same_class(catalog: Catalog, unknown: Typed, own: str) -> str | None:
+def _of_same_class(catalog: Catalog, unknown: TypedController, own: str) -> str | None:
     """The known type with the class that is written, which no package of the workspace has: a copy of its section."""
     wanted = unknown.type.strip().rpartition("/")[2]
     if own.rpartition("/")[2] == wanted:

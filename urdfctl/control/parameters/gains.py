@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from enum import Enum
 
 from urdfctl.catalog.distros import generation
-from urdfctl.catalog.entries import ControllerType, Parameter
+from urdfctl.catalog.entries import ControllerType, ParameterEntry
 from urdfctl.catalog.map_parameters import expanded, matching
 from urdfctl.catalog.values import is_known
 from urdfctl.control.parameters.rules import applies
@@ -62,7 +62,7 @@ def _proportional(kind: ControllerType, values: Values) -> Iterator[MissingGain]
                 yield MissingGain(name, _element(name, kind), fate)
 
 
-def _fate(parameter: Parameter) -> Fate | None:
+def _fate(parameter: ParameterEntry) -> Fate | None:
     if parameter.required:
         return Fate.REFUSED
     return {"crash": Fate.CRASH, "idle": Fate.IDLE}.get(parameter.if_absent or "")

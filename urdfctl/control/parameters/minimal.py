@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from urdfctl.catalog.entries import ControllerType, Parameter, ParameterRule
+from urdfctl.catalog.entries import ControllerType, ParameterEntry, ParameterRule
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.values import elements, is_set
@@ -63,7 +63,7 @@ def _obey(rule: ParameterRule, controller: ControllerType, values: dict[str, obj
             values[plain[0]] = _example(controller.parameters[plain[0]], controller, values)
 
 
-def _example(parameter: Parameter, controller: ControllerType, values: Mapping[str, object]) -> object:
+def _example(parameter: ParameterEntry, controller: ControllerType, values: Mapping[str, object]) -> object:
     kind = parameter.types[-1]
     if kind.endswith("_array"):
         limits = parameter.validators
@@ -76,7 +76,9 @@ def _number(value: object) -> int:
     return value if isinstance(value, int) else 0
 
 
-def _list(parameter: Parameter, size: int, controller: ControllerType, values: Mapping[str, object]) -> list[object]:
+def _list(
+    parameter: ParameterEntry, size: int, controller: ControllerType, values: Mapping[str, object]
+) -> list[object]:
     items: list[object] = []
     for _ in range(size):
         choices = _fitting(parameter, controller, {**values, parameter.name: items})
@@ -84,7 +86,7 @@ def _list(parameter: Parameter, size: int, controller: ControllerType, values: M
     return items
 
 
-def _fitting(parameter: Parameter, controller: ControllerType, values: Mapping[str, object]) -> Iterator[object]:
+def _fitting(parameter: ParameterEntry, controller: ControllerType, values: Mapping[str, object]) -> Iterator[object]:
     """Values, or elements of a list, that the validators accept."""
     kind = parameter.types[-1].removesuffix("_array")
     is_list = parameter.types[-1] != kind
@@ -97,7 +99,7 @@ def _fitting(parameter: Parameter, controller: ControllerType, values: Mapping[s
 
 
 def _choices(
-    kind: str, parameter: Parameter, controller: ControllerType, values: Mapping[str, object]
+    kind: str, parameter: ParameterEntry, controller: ControllerType, values: Mapping[str, object]
 ) -> Iterator[object]:
     allowed = parameter.validators.get("one_of", parameter.validators.get("subset_of"))
     taken = elements(values.get(parameter.name))
@@ -111,7 +113,7 @@ def _choices(
         yield from _NUMBERS if kind == "double" else map(int, _NUMBERS)
 
 
-def _names(parameter: Parameter, controller: ControllerType, values: Mapping[str, object]) -> Iterator[str]:
+def _names(parameter: ParameterEntry, controller: ControllerType, values: Mapping[str, object]) -> Iterator[str]:
     """Strings for a parameter: an interface, a full interface name, or a component that no other parameter names."""
     rules = [rule for part in (*(controller.claims or ()), *controller.exports) for rule in part]
     taken = {part for value in values.values() for part in elements(value)}
@@ -127,7 +129,7 @@ def _names(parameter: Parameter, controller: ControllerType, values: Mapping[str
             yield name
 
 
-def _bare(parameter: Parameter) -> tuple[str, ...]:
+def _bare(parameter: ParameterEntry) -> tuple[str, ...]:
     """The parameter's name, and the name without its placeholder."""
     before, _, after = parameter.name.partition("<")
     return parameter.name, before + after.partition(">")[2]

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 
 from urdfctl.catalog.distros import applies_to, generation, since
-from urdfctl.catalog.entries import ControllerType, FormerParameter, Parameter
+from urdfctl.catalog.entries import ControllerType, FormerParameter, ParameterEntry
 from urdfctl.control.parameters.given import given_values
 from urdfctl.control.robots import whole_robot_in
 from urdfctl.diagnostic import Finding, Note, Severity
-from urdfctl.model.controllers import Controller, Controllers, Kind, Manager, Parameters
+from urdfctl.model.controllers import Controller, Controllers, Manager, Parameters, ValueKind
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import Place
@@ -30,7 +30,7 @@ class Reader(NamedTuple):
     """Its name in messages."""
     at: Place | None
     """Its section, or else its declaration below the manager."""
-    known: Mapping[str, Parameter]
+    known: Mapping[str, ParameterEntry]
     """The parameters that it reads, including those of every node; for a manager also those of its controllers."""
     former: Mapping[str, FormerParameter]
     """Parameters that it reads only in other distros."""
@@ -141,7 +141,7 @@ def _type(project: Project, name: str, distro: str) -> ControllerType | None:
 def type_of(controller: Controller) -> str | None:
     """Return the controller's type if it is a literal string, else None."""
     kind = controller.type
-    return kind.text if kind is not None and kind.kind is Kind.STRING and kind.is_known else None
+    return kind.text if kind is not None and kind.kind is ValueKind.STRING and kind.is_known else None
 
 
 def is_of_ros2(project: Project, controller: Controller) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from urdfctl.catalog.entries import Condition, ControllerType, ParameterRule
+from urdfctl.catalog.entries import ControllerType, ParameterCondition, ParameterRule
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.values import elements, is_known, is_list, is_set
@@ -37,7 +37,7 @@ def applies(rule: ParameterRule, values: Values) -> bool:
     return any_met and all(_is_met(condition, values) for condition in rule.when)
 
 
-def _is_met(condition: Condition, values: Values) -> bool:
+def _is_met(condition: ParameterCondition, values: Values) -> bool:
     value = values.get(condition.param)
     if not is_known(value):
         return False

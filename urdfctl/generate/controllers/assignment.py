@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers.parameters import Controller
-from urdfctl.generate.controllers.recipes import Kind
-from urdfctl.generate.options import Options, Request, Roles
+from urdfctl.generate.controllers.parameters import GeneratedController
+from urdfctl.generate.controllers.recipes import NamedType
+from urdfctl.generate.options import GeneratorOptions, Request, Roles
 from urdfctl.generate.request.requests import joints_of
 from urdfctl.generate.robot.anatomy import Anatomy, anatomy_of
 from urdfctl.generate.robot.facts import JointFacts, PartFacts, RobotFacts
@@ -20,7 +20,7 @@ class Wish(NamedTuple):
     """A requested controller with the kind of its type."""
 
     request: Request
-    kind: Kind
+    kind: NamedType
 
     @property
     def moves(self) -> bool:
@@ -42,14 +42,14 @@ class Assignment(NamedTuple):
     """A controller to create: its kind, its joints, and the options and the robot that it is created with."""
 
     request: Request
-    kind: Kind
+    kind: NamedType
     joints: tuple[JointFacts, ...]
-    options: Options
+    options: GeneratorOptions
     robot: RobotFacts
 
 
 def assigned(
-    wishes: Sequence[Wish], joints: Sequence[JointFacts], options: Options, robot: RobotFacts
+    wishes: Sequence[Wish], joints: Sequence[JointFacts], options: GeneratorOptions, robot: RobotFacts
 ) -> Iterator[tuple[int, Assignment]]:
     """Yield the index of each wish and its joints.
 
@@ -107,7 +107,7 @@ _ON_TWO_SIDES = ("diff_drive", "mecanum")
 
 
 def _fitting(
-    wish: Wish, free: Sequence[JointFacts], parts: Anatomy, rest: list[Wish], options: Options
+    wish: Wish, free: Sequence[JointFacts], parts: Anatomy, rest: list[Wish], options: GeneratorOptions
 ) -> tuple[JointFacts, ...]:
     """The joints of one of several controllers whose joints the user did not name."""
     if wish.kind.roles:
@@ -132,7 +132,7 @@ def _fitting(
     return tuple(free)
 
 
-def _interface(wish: Wish, options: Options) -> str | None:
+def _interface(wish: Wish, options: GeneratorOptions) -> str | None:
     asked = wish.request.interfaces[0] if wish.request.interfaces else options.interface
     return asked if asked in wish.kind.fit else wish.kind.interface
 
@@ -154,7 +154,9 @@ def _without(free: list[JointFacts], wish: Wish, members: Sequence[JointFacts], 
     return free
 
 
-def _reading(wish: Wish, joints: Sequence[JointFacts], options: Options, robot: RobotFacts) -> Iterator[Assignment]:
+def _reading(
+    wish: Wish, joints: Sequence[JointFacts], options: GeneratorOptions, robot: RobotFacts
+) -> Iterator[Assignment]:
     """A controller for each sensor that a request names, or one for all gpios that it names."""
     request, kind = wish
     if kind.short == "gpio":
@@ -183,13 +185,13 @@ def _part(name: str, kind: str, robot: RobotFacts) -> PartFacts:
 # -- conflicts -------------------------------------------------------------------------------------------------------
 
 
-def without_conflicts(made: Sequence[Controller], named: set[str]) -> list[Controller]:
+def without_conflicts(made: Sequence[GeneratedController], named: set[str]) -> list[GeneratedController]:
     """Return the controllers; of two with the same command interface, the later one waits until it is started.
 
     named: the controllers whose joints the user named. UserError if others command the same interface.
     """
-    owners: dict[str, Controller] = {}
-    result: list[Controller] = []
+    owners: dict[str, GeneratedController] = {}
+    result: list[GeneratedController] = []
     for one in made:
         claimed = claims(one.type, one.name, one.values)
         mine = [claim.name for claim in claimed.command] if claimed else []

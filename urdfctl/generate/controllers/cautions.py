@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from urdfctl.control.claims import claims
-from urdfctl.generate.controllers.parameters import Controller
-from urdfctl.generate.options import Options
+from urdfctl.generate.controllers.parameters import GeneratedController
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.names import enumerated
 
 _MOST_NAMED = 3
 
 
-def cautions(made: Sequence[Controller], robot: RobotFacts, options: Options) -> Iterator[str]:
+def cautions(made: Sequence[GeneratedController], robot: RobotFacts, options: GeneratorOptions) -> Iterator[str]:
     """Yield what will not work: a robot without masses, motors that are too weak, fingers that nothing moves."""
     if options.simulated and robot.joints and not any(joint.inertia for joint in robot.joints):
         yield "the robot has no masses, and a simulator drops moving links without them: add <inertial> to its links"
@@ -32,7 +32,7 @@ def cautions(made: Sequence[Controller], robot: RobotFacts, options: Options) ->
         yield f"{_named(followers)} will hang: Gazebo Classic moves no mimic joints in ROS 1; add a plugin that does"
 
 
-def _commanded(made: Sequence[Controller]) -> Iterator[str]:
+def _commanded(made: Sequence[GeneratedController]) -> Iterator[str]:
     for controller in made:
         claimed = claims(controller.type, controller.name, controller.values)
         yield from dict.fromkeys(claim.component for claim in claimed.command) if claimed else ()

@@ -10,19 +10,19 @@ from urdfctl.catalog.distros import since
 from urdfctl.control.claims import claims, exports
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.assignment import Wish, assigned, without_conflicts
-from urdfctl.generate.controllers.parameters import Controller, controller
-from urdfctl.generate.controllers.recipes import BROADCASTER, Kind, kind_of, only_deprecated, type_of
+from urdfctl.generate.controllers.parameters import GeneratedController, controller
+from urdfctl.generate.controllers.recipes import BROADCASTER, NamedType, kind_of, only_deprecated, type_of
 from urdfctl.generate.controllers.tasks import tasks_of
 from urdfctl.generate.controllers.values import Task
-from urdfctl.generate.options import Options, Request
+from urdfctl.generate.options import GeneratorOptions, Request
 from urdfctl.generate.robot.facts import NO_ROBOT, JointFacts, RobotFacts
 
 _CHAINING = since("humble")
 
 
 def controllers(
-    joints: Sequence[JointFacts], options: Options, catalog: Catalog, robot: RobotFacts = NO_ROBOT
-) -> tuple[Controller, ...]:
+    joints: Sequence[JointFacts], options: GeneratorOptions, catalog: Catalog, robot: RobotFacts = NO_ROBOT
+) -> tuple[GeneratedController, ...]:
     """Return the requested controllers in the order in which they are started, the joint state broadcaster first.
 
     UserError if the distro does not have a type, or if the joints do not fit.
@@ -41,10 +41,10 @@ def controllers(
 
 
 def _side_by_side(
-    wishes: Sequence[Wish], joints: Sequence[JointFacts], options: Options, catalog: Catalog, robot: RobotFacts
-) -> list[Controller]:
+    wishes: Sequence[Wish], joints: Sequence[JointFacts], options: GeneratorOptions, catalog: Catalog, robot: RobotFacts
+) -> list[GeneratedController]:
     """Controllers that command the hardware, each for its own joints."""
-    made: list[tuple[int, Controller]] = []
+    made: list[tuple[int, GeneratedController]] = []
     named: set[str] = set()
     for index, job in assigned(wishes, joints, options, robot):
         kind, request, its = job.kind, job.request, job.options
@@ -66,15 +66,19 @@ def _side_by_side(
 
 
 def _chained(
-    wanted: Sequence[Kind], joints: Sequence[JointFacts], options: Options, catalog: Catalog, robot: RobotFacts
-) -> list[Controller]:
+    wanted: Sequence[NamedType],
+    joints: Sequence[JointFacts],
+    options: GeneratorOptions,
+    catalog: Catalog,
+    robot: RobotFacts,
+) -> list[GeneratedController]:
     """Controllers in a chain: each commands the one that is created, and started, before it."""
     if options.distro not in _CHAINING:
         raise UserError(f"{options.distro} does not support chained controllers; they require humble or later")
     drives = [kind for kind in wanted if kind.roles]
     for kind in drives:
         joints = next(tasks_of(kind, joints, options, robot)).joints
-    made: list[Controller] = []
+    made: list[GeneratedController] = []
     for kind in reversed(wanted):
         tasks = list(tasks_of(kind, joints, options, robot))
         if len(tasks) > 1 or kind.each:
@@ -88,7 +92,7 @@ def _chained(
     return made
 
 
-def _before(below: Controller, task: Task) -> Task:
+def _before(below: GeneratedController, task: Task) -> Task:
     """The task of a controller that commands the interfaces exported by another one."""
     offered = exports(below.type, below.name, below.values)
     interfaces = tuple(dict.fromkeys(claim.interface for claim in offered.reference)) or task.interfaces
@@ -96,7 +100,7 @@ def _before(below: Controller, task: Task) -> Task:
     return task._replace(interfaces=interfaces, states=states or task.states, below=f"{below.name}/")
 
 
-def _check_chain(upper: Controller, below: Controller) -> None:
+def _check_chain(upper: GeneratedController, below: GeneratedController) -> None:
     """UserError if a controller commands an interface that the one below it does not export."""
     offered = {claim.name for claim in exports(below.type, below.name, below.values).reference}
     claimed = claims(upper.type, upper.name, upper.values)
@@ -106,7 +110,7 @@ def _check_chain(upper: Controller, below: Controller) -> None:
             raise UserError(f"'{upper.name}' commands '{claim.name}', but '{below.name}' accepts {accepted}")
 
 
-def _of_task(kind: Kind, task: Task, catalog: Catalog) -> Iterator[Controller]:
+def _of_task(kind: NamedType, task: Task, catalog: Catalog) -> Iterator[GeneratedController]:
     of_type = type_of(kind, task.interfaces, catalog, task.options)
     if kind.each and not task.joints:
         raise UserError(f"'{kind.name}' requires a joint")
@@ -124,7 +128,7 @@ def _sensors(task: Task) -> Iterator[Task]:
         yield task._replace(options=task.options._replace(sensor=part.name))
 
 
-def _is_offered(made: Controller) -> bool:
+def _is_offered(made: GeneratedController) -> bool:
     """Whether a sensor of the robot offers every state that a controller reads from it."""
     offered = {part.name: part.states for part in made.task.robot.of_kind("sensor")}
     claimed = claims(made.type, made.name, made.values)
@@ -132,13 +136,13 @@ def _is_offered(made: Controller) -> bool:
     return bool(read) and all(claim.interface in offered[claim.component] for claim in read)
 
 
-def _renamed(made: Sequence[Controller], options: Options) -> tuple[Controller, ...]:
+def _renamed(made: Sequence[GeneratedController], options: GeneratorOptions) -> tuple[GeneratedController, ...]:
     """Controllers with unique names: the name given by the user for a single one, and a number for duplicates."""
     own = [created for created in made if "joint_state" not in created.type.type]
     if options.name and len(own) == 1:
         made = [created._replace(name=options.name) if created is own[0] else created for created in made]
     taken: dict[str, int] = {}
-    unique: list[Controller] = []
+    unique: list[GeneratedController] = []
     for created in made:
         count = taken[created.name] = taken.get(created.name, 0) + 1
         unique.append(created if count == 1 else created._replace(name=f"{created.name}_{count}"))

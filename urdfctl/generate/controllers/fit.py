@@ -7,14 +7,14 @@ from collections.abc import Sequence
 
 from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers.parameters import Controller
-from urdfctl.generate.options import Options
+from urdfctl.generate.controllers.parameters import GeneratedController
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.facts import RobotFacts
 
 _ROS1 = re.compile(r"(?:hardware_interface/)?(\w+)JointInterface")
 
 
-def check_fit(made: Sequence[Controller], robot: RobotFacts, options: Options) -> None:
+def check_fit(made: Sequence[GeneratedController], robot: RobotFacts, options: GeneratorOptions) -> None:
     """UserError if a controller commands a joint through an interface that its part of the robot does not have.
 
     Joints that the robot does not offer at all are no fault: they can be added.
@@ -31,21 +31,23 @@ def check_fit(made: Sequence[Controller], robot: RobotFacts, options: Options) -
             raise UserError(_message(controller, claim.component, interface, there, options))
 
 
-def offered_by(robot: RobotFacts, options: Options) -> dict[str, tuple[str, ...]]:
+def offered_by(robot: RobotFacts, options: GeneratorOptions) -> dict[str, tuple[str, ...]]:
     """Return the command interfaces that each joint of a robot already has, from its transmissions or components."""
     if options.ros == 1:
         return dict(robot.interfaces)
     return {part.name: part.commands for part in robot.of_kind("joint") if part.commands}
 
 
-def _plain(interface: str, options: Options) -> str | None:
+def _plain(interface: str, options: GeneratorOptions) -> str | None:
     if options.ros == 2:  # noqa: PLR2004
         return interface
     match = _ROS1.fullmatch(interface)
     return match[1].lower() if match else None
 
 
-def _message(controller: Controller, joint: str, interface: str, there: tuple[str, ...], options: Options) -> str:
+def _message(
+    controller: GeneratedController, joint: str, interface: str, there: tuple[str, ...], options: GeneratorOptions
+) -> str:
     has = " and ".join(there)
     title = f"'{controller.name}' ({controller.type.type}) commands '{interface}' of joint '{joint}'"
     use = f"--controller {controller.name}={controller.task.kind}[{there[0]}]" if options.requests else ""
@@ -58,6 +60,6 @@ def _message(controller: Controller, joint: str, interface: str, there: tuple[st
     return f"{title}, which has only '{has}' in <ros2_control>: {other}, or {change}"
 
 
-def _choices(controller: Controller) -> tuple[str, ...]:
+def _choices(controller: GeneratedController) -> tuple[str, ...]:
     """The interfaces that controllers of this kind can command."""
     return controller.task.fit

@@ -13,13 +13,13 @@ from urdfctl.control.parameters.minimal import minimal_parameters
 from urdfctl.control.parameters.rules import breaches
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.values import TODO, Task
-from urdfctl.generate.text.settings import Setting
+from urdfctl.generate.text.settings import WrittenParameter
 
 _EXAMPLE = re.compile(r"joint(\d+)(?:/position)?")
 _OF_JOINTS = {"position", "velocity", "effort", "acceleration"}
 
 
-def minimal_settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
+def minimal_settings(controller: ControllerType, task: Task) -> Iterator[WrittenParameter]:
     """Yield a setting for each required parameter. Names of joints are the robot's, other values are marked TODO."""
     minimal = minimal_parameters(controller)
     of_joints = _joint_parameters(controller)
@@ -30,17 +30,17 @@ def minimal_settings(controller: ControllerType, task: Task) -> Iterator[Setting
     for name, value in wide.items():
         pattern, element = matching(name, controller.parameters) or (name, None)
         if element is None:
-            yield Setting(pattern, tuple(name.split(".")), value, "" if name in of_joints else _todo())
+            yield WrittenParameter(pattern, tuple(name.split(".")), value, "" if name in of_joints else _todo())
             continue
         if element != "joint1":
             continue
         placeholder = pattern.partition("<")[2].partition(">")[0]
         for name_of_joint in elements(wide.get(placeholder)) or [joint.name for joint in task.joints]:
             path = tuple(str(name_of_joint) if part.startswith("<") else part for part in pattern.split("."))
-            yield Setting(pattern, path, value, _todo())
+            yield WrittenParameter(pattern, path, value, _todo())
 
 
-def checked(setting: Setting, task: Task) -> Setting:
+def checked(setting: WrittenParameter, task: Task) -> WrittenParameter:
     """Return the setting if it names only the robot's joints. UserError if the robot has too few."""
     named = setting.value if isinstance(setting.value, list) else [setting.value]
     joints = {joint.name for joint in task.joints}

@@ -17,18 +17,18 @@ from urdfctl.generate.controllers.minimal_parameters import checked, minimal_set
 from urdfctl.generate.controllers.recipes import recipe_of
 from urdfctl.generate.controllers.values import Left, Task, answer, gains
 from urdfctl.generate.robot.facts import JointFacts
-from urdfctl.generate.text.settings import Setting
+from urdfctl.generate.text.settings import WrittenParameter
 from urdfctl.startup.records import NamedTuple
 
 _PLACEHOLDER = re.compile(r"<([^<>]+)>")
 
 
-class Controller(NamedTuple):
+class GeneratedController(NamedTuple):
     """A generated controller. `waits`: it is loaded and not started, because another one commands its joints."""
 
     name: str
     type: ControllerType
-    settings: tuple[Setting, ...]
+    settings: tuple[WrittenParameter, ...]
     task: Task
     waits: bool = False
 
@@ -43,14 +43,14 @@ class Controller(NamedTuple):
         return self.type.broadcaster or "joint_state" in self.type.type
 
 
-def controller(name: str, kind: ControllerType, task: Task) -> Controller:
+def controller(name: str, kind: ControllerType, task: Task) -> GeneratedController:
     """Return a controller with its parameters. UserError if they do not fit what the catalogue knows of the type."""
-    made = Controller(name, kind, tuple(_settings(kind, task)), task)
+    made = GeneratedController(name, kind, tuple(_settings(kind, task)), task)
     _check(made)
     return made
 
 
-def _check(made: Controller) -> None:
+def _check(made: GeneratedController) -> None:
     """UserError if a controller's parameters break a rule of the catalogue."""
     named = expected(made.type.parameters, Values(made.type, made.values))
     for setting in made.settings:
@@ -66,7 +66,7 @@ def _check(made: Controller) -> None:
         raise UserError(f"'{made.type.type}' requires '{missing[0]}', but its value is unknown")
 
 
-def _settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
+def _settings(controller: ControllerType, task: Task) -> Iterator[WrittenParameter]:
     recipe = recipe_of(controller)
     if recipe is None:
         yield from (checked(setting, task) for setting in minimal_settings(controller, task))
@@ -84,7 +84,7 @@ def _settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
             yield checked(setting, task)
 
 
-def _of_parameter(name: str, value: Any, comment: str, task: Task) -> Iterator[Setting]:
+def _of_parameter(name: str, value: Any, comment: str, task: Task) -> Iterator[WrittenParameter]:
     if not _PLACEHOLDER.search(name):
         yield from _setting(name=name, path=tuple(name.split(".")), value=value, comment=comment, task=task, joint=None)
         return
@@ -102,7 +102,7 @@ def _of_parameter(name: str, value: Any, comment: str, task: Task) -> Iterator[S
 
 def _setting(
     name: str, path: tuple[str, ...], value: Any, comment: str, task: Task, joint: JointFacts | None
-) -> Iterator[Setting]:
+) -> Iterator[WrittenParameter]:
     how, filled = "", value
     if isinstance(value, str) and value.startswith("$"):
         value_found = answer(value[1:], task, joint)
@@ -118,7 +118,7 @@ def _setting(
         plain = comment.replace("$how", how).replace("$unit", unit)
         both = "; ".join(part for part in (plain, how) if part)
         text = plain if "$how" in comment or not how or how == plain else both
-    yield Setting(name, path, filled, text)
+    yield WrittenParameter(name, path, filled, text)
 
 
 def _element(part: object, task: Task, joint: JointFacts | None) -> object:
@@ -129,7 +129,7 @@ def _element(part: object, task: Task, joint: JointFacts | None) -> object:
     return part if isinstance(value, Left) else value.value
 
 
-def _fitted(setting: Setting, kind: str) -> Setting:
+def _fitted(setting: WrittenParameter, kind: str) -> WrittenParameter:
     """The setting with its value converted to the type of the parameter. In ROS 1 a single wheel is a string."""
     value = setting.value
     if isinstance(value, list) and len(value) == 1 and "string_array" not in kind:

@@ -8,7 +8,7 @@ from itertools import takewhile
 
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.fit import offered_by
-from urdfctl.generate.options import Options, Request
+from urdfctl.generate.options import GeneratorOptions, Request
 from urdfctl.generate.robot.anatomy import Base, Tool, anatomy_of
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 
@@ -29,7 +29,7 @@ _ARM = 3
 _ONLY_ROS2 = ("mecanum", "omni", "bicycle", "tricycle", "tricycle_steering")
 
 
-def proposed(robot: RobotFacts, joints: Sequence[JointFacts], options: Options) -> tuple[Request, ...]:
+def proposed(robot: RobotFacts, joints: Sequence[JointFacts], options: GeneratorOptions) -> tuple[Request, ...]:
     """Return controllers for all parts of a robot that some joints form. UserError if one of them is unclear."""
     parts, offered = anatomy_of(robot, joints), offered_by(robot, options)
     found = [
@@ -51,7 +51,7 @@ def _shown_joints(request: Request) -> str:
     return f":{text}" if text else ""
 
 
-def _of_base(base: Base, options: Options, offered: Mapping[str, tuple[str, ...]]) -> Iterator[Request]:
+def _of_base(base: Base, options: GeneratorOptions, offered: Mapping[str, tuple[str, ...]]) -> Iterator[Request]:
     if base.kind == "passive":
         return
     other = _other_than("velocity", base.joints, offered)

@@ -11,7 +11,7 @@ from typing import Any
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.errors import UserError
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.names import did_you_mean
 from urdfctl.startup.records import NamedTuple
 
@@ -20,7 +20,7 @@ BROADCASTER = "joint_state_broadcaster"
 _MARKS = ("each", "several")
 
 
-class Kind(NamedTuple):
+class NamedType(NamedTuple):
     """A short name of `--type`, or a full type name with the short name that means it.
 
     `label` is the name of its controller, `interface` the default command interface, and `roles` the roles of its
@@ -48,7 +48,7 @@ def recipes() -> dict[str, Any]:
     return plain
 
 
-def kind_of(name: str, catalog: Catalog, options: Options) -> Kind:
+def kind_of(name: str, catalog: Catalog, options: GeneratorOptions) -> NamedType:
     """Return the kind for a short name or a full type name. UserError if the distro does not have it."""
     plain = recipes()["kinds"].get(name)
     if plain is None:
@@ -58,10 +58,10 @@ def kind_of(name: str, catalog: Catalog, options: Options) -> Kind:
     return _kind(name, plain, listed, label, [key for key in listed if key not in _MARKS])._replace(short=name)
 
 
-def _kind(name: str, plain: Mapping[str, Any], listed: Mapping[str, Any], label: str, fit: Sequence[str]) -> Kind:
+def _kind(name: str, plain: Mapping[str, Any], listed: Mapping[str, Any], label: str, fit: Sequence[str]) -> NamedType:
     roles, default = tuple(plain.get("roles", {}).items()), plain.get("interface")
     interface = default if default in fit or "any" in fit else next(iter(fit), None)
-    return Kind(
+    return NamedType(
         name=name,
         label=label,
         interface=default and interface,
@@ -72,7 +72,7 @@ def _kind(name: str, plain: Mapping[str, Any], listed: Mapping[str, Any], label:
     )
 
 
-def type_of(kind: Kind, interfaces: Sequence[str], catalog: Catalog, options: Options) -> ControllerType:
+def type_of(kind: NamedType, interfaces: Sequence[str], catalog: Catalog, options: GeneratorOptions) -> ControllerType:
     """Return the controller type of a kind. UserError if the distro has none for the interfaces."""
     plain = recipes()["kinds"].get(kind.name)
     if plain is None:
@@ -94,7 +94,7 @@ def type_of(kind: Kind, interfaces: Sequence[str], catalog: Catalog, options: Op
     return next((entry for entry in available if not entry.deprecated), available[0])
 
 
-def only_deprecated(kind: Kind, interface: str, catalog: Catalog, options: Options) -> bool:
+def only_deprecated(kind: NamedType, interface: str, catalog: Catalog, options: GeneratorOptions) -> bool:
     """Return whether a distro has no types of a kind for an interface but deprecated ones, and others for its own."""
     plain = recipes()["kinds"].get(kind.short)
     listed = _listed(plain, options) if plain else {}
@@ -117,7 +117,7 @@ def recipe_of(controller: ControllerType) -> Mapping[str, Any] | None:
     return recipe
 
 
-def _listed(plain: Mapping[str, Any], options: Options) -> Mapping[str, Any]:
+def _listed(plain: Mapping[str, Any], options: GeneratorOptions) -> Mapping[str, Any]:
     ros = f"ros{options.ros}"
     listed: Mapping[str, Any] | None = plain.get(f"{ros}_group") if options.group else None
     listed = listed or plain.get(ros)
@@ -126,7 +126,7 @@ def _listed(plain: Mapping[str, Any], options: Options) -> Mapping[str, Any]:
     return listed
 
 
-def _kind_of_type(name: str, catalog: Catalog, options: Options) -> Kind:
+def _kind_of_type(name: str, catalog: Catalog, options: GeneratorOptions) -> NamedType:
     kinds: Mapping[str, Any] = recipes()["kinds"]
     if "/" not in name:
         raise UserError(
@@ -140,7 +140,7 @@ def _kind_of_type(name: str, catalog: Catalog, options: Options) -> Kind:
     ]
     of_name = [use for use in uses if use[3]]
     if not of_name:
-        return Kind(name, _snake(name.rpartition("/")[2]), short=name)
+        return NamedType(name, _snake(name.rpartition("/")[2]), short=name)
     short, plain, listed, _ = of_name[0]
     label = plain["name"] if len(of_name) == 1 else name.partition("/")[0]
     kind = _kind(name, plain, listed, label, [key for *_, fit in of_name for key in fit])

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers.recipes import Kind
+from urdfctl.generate.controllers.recipes import NamedType
 from urdfctl.generate.controllers.values import Task
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.request.choice import joint_named
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.generate.robot.wheels import driven_and_steered, sides
@@ -15,7 +15,9 @@ from urdfctl.generate.robot.wheels import driven_and_steered, sides
 _READ = ("position", "velocity")
 
 
-def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: RobotFacts) -> Iterator[Task]:
+def tasks_of(
+    kind: NamedType, joints: Sequence[JointFacts], options: GeneratorOptions, robot: RobotFacts
+) -> Iterator[Task]:
     """Yield a task for each controller of a kind. Joints with different interfaces get different controllers.
 
     UserError if the joints do not fit, or if a controller of the kind cannot command all requested interfaces.
@@ -49,12 +51,14 @@ def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: 
         )
 
 
-def _offered(kind: Kind, joint: JointFacts, robot: RobotFacts) -> tuple[str, ...]:
+def _offered(kind: NamedType, joint: JointFacts, robot: RobotFacts) -> tuple[str, ...]:
     """The interfaces of a joint that a kind can command."""
     return tuple(name for name in robot.interfaces.get(joint.name, ()) if name in kind.fit or "any" in kind.fit)
 
 
-def _commanded(kind: Kind, joint: JointFacts, options: Options, there: tuple[str, ...]) -> tuple[str, ...]:
+def _commanded(
+    kind: NamedType, joint: JointFacts, options: GeneratorOptions, there: tuple[str, ...]
+) -> tuple[str, ...]:
     """The command interfaces of a joint: from the joint list, from the user, or those that it or another joint has."""
     if joint.interface:
         return (joint.interface,)
@@ -67,7 +71,11 @@ def _commanded(kind: Kind, joint: JointFacts, options: Options, there: tuple[str
 
 
 def _read(
-    kind: Kind, interfaces: Sequence[str], joints: Sequence[JointFacts], options: Options, robot: RobotFacts
+    kind: NamedType,
+    interfaces: Sequence[str],
+    joints: Sequence[JointFacts],
+    options: GeneratorOptions,
+    robot: RobotFacts,
 ) -> tuple[str, ...]:
     """The state interfaces to read: from the user, or those that all joints offer."""
     if options.states is not None:
@@ -79,14 +87,14 @@ def _read(
     return tuple(name for name in _READ if all(name in states for states in known)) or _READ
 
 
-def _gpios(options: Options, robot: RobotFacts) -> list[JointFacts]:
+def _gpios(options: GeneratorOptions, robot: RobotFacts) -> list[JointFacts]:
     """The gpios that the user names, or the robot's gpios, as joints."""
     named = [name.rpartition("/")[0] for name in (*options.interfaces, *(options.states or ())) if "/" in name]
     names = named or [part.name for part in robot.of_kind("gpio")]
     return [JointFacts(name) for name in dict.fromkeys(names or ["gpio"])]
 
 
-def _drive(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: RobotFacts) -> Task:
+def _drive(kind: NamedType, joints: Sequence[JointFacts], options: GeneratorOptions, robot: RobotFacts) -> Task:
     """The wheels by role: from the user, or determined by their positions."""
     known = robot if robot.joints else None
     roles = [role for role, _ in kind.roles]
@@ -118,7 +126,7 @@ def _drive(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: Ro
     )
 
 
-def _count(kind: Kind, role: str, count: int, members: Sequence[JointFacts]) -> None:
+def _count(kind: NamedType, role: str, count: int, members: Sequence[JointFacts]) -> None:
     """UserError if a role does not have the required number of joints."""
     if members and count in (0, len(members)):
         return

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.generate.controllers.gains import Gains, Loop, starting_gains
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.drive_limits import DRIVE_LIMITS, drive_limit
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.generate.robot.wheels import Measure, across, along, from_centre, radius
@@ -38,7 +38,7 @@ class Task(NamedTuple):
     interfaces: tuple[str, ...]
     joints: tuple[JointFacts, ...]
     robot: RobotFacts
-    options: Options
+    options: GeneratorOptions
     states: tuple[str, ...]
     left: tuple[JointFacts, ...] = ()
     right: tuple[JointFacts, ...] = ()

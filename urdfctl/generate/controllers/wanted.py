@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.generate.controllers.proposals import proposed, shown
 from urdfctl.generate.controllers.recipes import kind_of
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.request.requests import of_list, requested
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 
@@ -15,8 +15,12 @@ _OF_CONTROLLERS = ("gen-controllers", "gen-launch", "gen-all")
 
 
 def with_requests(
-    options: Options, command: str, texts: Sequence[str], joints: Sequence[JointFacts], robot: RobotFacts | None
-) -> tuple[Options, str]:
+    options: GeneratorOptions,
+    command: str,
+    texts: Sequence[str],
+    joints: Sequence[JointFacts],
+    robot: RobotFacts | None,
+) -> tuple[GeneratorOptions, str]:
     """Return the options with the requested controllers, and a line about those that were proposed, or an empty one.
 
     UserError if the requests are malformed or unclear.
@@ -32,7 +36,7 @@ def with_requests(
     return options._replace(requests=found), line
 
 
-def needs_joints(options: Options, catalog: Catalog) -> bool:
+def needs_joints(options: GeneratorOptions, catalog: Catalog) -> bool:
     """Return whether one of the requested controllers commands joints, or none is requested."""
     types = (*options.types, *(request.type for request in options.requests))
     kinds = [kind_of(name, catalog, options) for name in types]

@@ -27,7 +27,7 @@ _FORBIDDEN = re.compile(
 who runs it."""
 
 
-class Origin(NamedTuple):
+class GeneratedOrigin(NamedTuple):
     """A generated file or package.
 
     path: the file, or the folder of the package.
@@ -66,7 +66,7 @@ def run_again(paths: Sequence[str], run_words: Callable[[Sequence[str]], int], *
     return int(stale)
 
 
-def _origins(paths: Sequence[str]) -> Iterator[Origin]:
+def _origins(paths: Sequence[str]) -> Iterator[GeneratedOrigin]:
     for path in paths:
         if not os.path.exists(path):
             raise UserError(f"file or folder '{path}' does not exist")
@@ -106,7 +106,7 @@ def words_of_generated_file(file: str) -> tuple[str, ...] | None:
     return None
 
 
-def _origin(file: str, words: tuple[str, ...], workspace: str) -> Origin | None:
+def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigin | None:
     """Return how to generate a file again. None if that is not possible; the reason is printed."""
     first = takewhile(lambda word: word == "-" or not word.startswith("-"), words[1:])
     inputs = [word for word in first if ":=" not in word]
@@ -130,8 +130,8 @@ def _origin(file: str, words: tuple[str, ...], workspace: str) -> Origin | None:
         print_message(f"'{file}' is skipped: {why}")
         return None
     if words[0] != "gen-all":
-        return Origin(os.path.abspath(file), words, os.path.abspath(home), workspace)
-    return Origin(package, words, os.path.abspath(home), workspace)
+        return GeneratedOrigin(os.path.abspath(file), words, os.path.abspath(home), workspace)
+    return GeneratedOrigin(package, words, os.path.abspath(home), workspace)
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import since
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers.parameters import Controller
+from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.files.hardware import hardware, host
 from urdfctl.generate.files.launch_arguments import (
     NAMESPACE,
@@ -18,7 +18,7 @@ from urdfctl.generate.files.launch_arguments import (
     namespace_argument,
     passed,
 )
-from urdfctl.generate.options import File, Options
+from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.generate.text.scalars import python_text, xml_text
 from urdfctl.generate.text.templates import Templates
@@ -41,7 +41,12 @@ _NAMED = re.compile(r"(?:package://|\$\(find )\s*([A-Za-z0-9_-]+)")
 
 
 def launch_file(
-    made: Sequence[Controller], options: Options, templates: Templates, robot: RobotFacts, *, movable: bool
+    made: Sequence[GeneratedController],
+    options: GeneratorOptions,
+    templates: Templates,
+    robot: RobotFacts,
+    *,
+    movable: bool,
 ) -> File:
     """Return the launch file that starts the controllers, in this order. UserError if the options do not fit.
 
@@ -91,7 +96,7 @@ def launch_file(
     return File(f"launch/{name}", text)
 
 
-def _model_argument(options: Options, robot: RobotFacts) -> list[Argument]:
+def _model_argument(options: GeneratorOptions, robot: RobotFacts) -> list[Argument]:
     """ROS 1 has no expression for the robot's name in the simulator that all of its distros read: it is an argument."""
     if options.ros == 2 or not options.simulated:  # noqa: PLR2004
         return []
@@ -99,7 +104,7 @@ def _model_argument(options: Options, robot: RobotFacts) -> list[Argument]:
     return [Argument("model", name, "name of the robot in the simulator; another one for a second robot")]
 
 
-def _namespaces(options: Options, robot: RobotFacts, *, movable: bool) -> dict[str, str]:
+def _namespaces(options: GeneratorOptions, robot: RobotFacts, *, movable: bool) -> dict[str, str]:
     """The namespace of nodes, and the name of the robot in the simulator, in each form of launch file.
 
     Two robots in one world have different names: those of their namespaces.
@@ -119,7 +124,7 @@ def _namespaces(options: Options, robot: RobotFacts, *, movable: bool) -> dict[s
     }
 
 
-def launch_name(options: Options) -> str:
+def launch_name(options: GeneratorOptions) -> str:
     """Return the name of the launch file."""
     return f"control.{FORMS[options.form] if options.ros == 2 else 'launch'}"  # noqa: PLR2004
 
@@ -134,7 +139,7 @@ def takes_param_file(distro: str) -> bool:
     return distro in since("jazzy")
 
 
-def _spawned(names: list[str], options: Options) -> list[Spawner]:
+def _spawned(names: list[str], options: GeneratorOptions) -> list[Spawner]:
     """The controllers that each spawner starts."""
     if options.distro in _ONE_A_SPAWNER:
         return [Spawner([name]) for name in names]
@@ -142,7 +147,7 @@ def _spawned(names: list[str], options: Options) -> list[Spawner]:
     return [Spawner(part) for part in parts]
 
 
-def _waiting(made: Sequence[Controller], options: Options) -> list[Spawner]:
+def _waiting(made: Sequence[GeneratedController], options: GeneratorOptions) -> list[Spawner]:
     """The spawners of controllers that are loaded and not started."""
     names = [controller.name for controller in made if controller.waits]
     words = ["--stopped"] if options.distro in _ONE_A_SPAWNER else ["--inactive"]
@@ -167,7 +172,7 @@ def gz_names(distro: str) -> dict[str, str]:
     return dict(zip(("package", "launch", "argument", "bridge", "messages"), names, strict=True))
 
 
-def _model_path(options: Options) -> str:
+def _model_path(options: GeneratorOptions) -> str:
     """The environment variable with the folders in which a simulator looks for packages with meshes."""
     if options.simulator != "gz":
         return "GAZEBO_MODEL_PATH"
@@ -175,7 +180,7 @@ def _model_path(options: Options) -> str:
 
 
 def dependencies(
-    made: Sequence[Controller], options: Options, catalog: Catalog, robot_package: str | None
+    made: Sequence[GeneratedController], options: GeneratorOptions, catalog: Catalog, robot_package: str | None
 ) -> list[str]:
     """Return the packages that are required to start the robot, sorted."""
     packages = {"controller_manager", "robot_state_publisher", "xacro"}
@@ -195,7 +200,7 @@ def dependencies(
     return sorted(name for name in packages if name and name != options.package)
 
 
-def _packages_of(controller: Controller) -> Iterator[str]:
+def _packages_of(controller: GeneratedController) -> Iterator[str]:
     """The package of a controller, and those of the plugins and filters that its parameters name."""
     yield controller.type.package
     for setting in controller.settings:
@@ -207,7 +212,7 @@ def _packages_of(controller: Controller) -> Iterator[str]:
 
 
 def package_files(
-    depends: Sequence[str], options: Options, templates: Templates, title: str, xml_command: str
+    depends: Sequence[str], options: GeneratorOptions, templates: Templates, title: str, xml_command: str
 ) -> list[File]:
     """Return package.xml and CMakeLists.txt of the generated package. `xml_command` is the command for a comment."""
     mujoco = options.simulator == "mujoco" and bool(options.model_path)

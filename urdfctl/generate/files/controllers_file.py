@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from urdfctl.generate.controllers.parameters import Controller
+from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.controllers.values import TODO, rate_of, reference
 from urdfctl.generate.files.bringup import spawner, takes_param_file
 from urdfctl.generate.files.hardware import ANY_NAMESPACE
-from urdfctl.generate.options import File, Options
+from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.text.scalars import one_line
 from urdfctl.generate.text.settings import lines_of
 from urdfctl.generate.text.templates import Templates
 
 
-def controllers_file(made: Sequence[Controller], options: Options, templates: Templates, title: str = "") -> File:
+def controllers_file(
+    made: Sequence[GeneratedController], options: GeneratorOptions, templates: Templates, title: str = ""
+) -> File:
     """Return the parameter file of the controllers."""
     space, movable = options.namespace.strip("/"), options.distro in ANY_NAMESPACE
     shown = [_shown(controller, space, "/**" if movable else f"/{space}" * bool(space)) for controller in made]
@@ -35,7 +37,7 @@ def controllers_file(made: Sequence[Controller], options: Options, templates: Te
     return File(options.controllers_file, text)
 
 
-def _start(made: Sequence[Controller], options: Options) -> str:
+def _start(made: Sequence[GeneratedController], options: GeneratorOptions) -> str:
     """The command that starts the controllers."""
     names = [controller.name for controller in made if not controller.waits]
     shown = " ".join(names if len(names) <= _FEW else [*names[:_FEW], "..."])
@@ -49,7 +51,7 @@ def _start(made: Sequence[Controller], options: Options) -> str:
     return one_line(" ".join(words))
 
 
-def _shown(controller: Controller, space: str, above: str) -> dict[str, Any]:
+def _shown(controller: GeneratedController, space: str, above: str) -> dict[str, Any]:
     key = f"/{space}/{controller.name}" if space else controller.name
     return {
         "name": controller.name,
@@ -86,7 +88,7 @@ _DOES = {
 }
 
 
-def _about(controller: Controller, key: str) -> str:
+def _about(controller: GeneratedController, key: str) -> str:
     """A sentence for beginners: what the controller does, and on which topic or action."""
     kind, ros = controller.task.kind, controller.task.options.ros
     if "joint_state" in controller.type.type:

@@ -10,9 +10,9 @@ from urdfctl.catalog.distros import since
 from urdfctl.catalog.hardware import HardwareType
 from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers.parameters import Controller
+from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.files.hardware import hardware, host, takes_namespace
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.facts import NO_ROBOT, JointFacts, RobotFacts
 from urdfctl.generate.text.scalars import yaml_float
 from urdfctl.generate.text.templates import Templates
@@ -23,24 +23,26 @@ _STATES = ("position", "velocity")
 OF_TRANSMISSIONS = tuple(f"{kind}JointInterface" for kind in ("Effort", "Velocity", "Position", "PosVel", "PosVelAcc"))
 
 
-class Command(NamedTuple):
+class CommandInterface(NamedTuple):
     """A command interface, with its minimum and maximum if the robot defines them."""
 
     name: str
     limits: tuple[str, str] | None = None
 
 
-class Part(NamedTuple):
+class PlannedPart(NamedTuple):
     """A joint, sensor or gpio (`kind`) of a component."""
 
     kind: str
     name: str
-    commands: tuple[Command, ...]
+    commands: tuple[CommandInterface, ...]
     states: tuple[str, ...]
     parameters: tuple[tuple[str, str], ...] = ()
 
 
-def transmissions(joints: Sequence[JointFacts], options: Options, templates: Templates, given: dict[str, str]) -> str:
+def transmissions(
+    joints: Sequence[JointFacts], options: GeneratorOptions, templates: Templates, given: dict[str, str]
+) -> str:
     """Return a transmission for each joint that the controllers command, with the interface from `given`.
 
     Without controllers, every joint gets one. UserError if transmissions provide none of the interfaces.
@@ -64,10 +66,10 @@ def transmissions(joints: Sequence[JointFacts], options: Options, templates: Tem
 
 def component(
     joints: Sequence[JointFacts],
-    options: Options,
+    options: GeneratorOptions,
     catalog: Catalog,
     templates: Templates,
-    made: Sequence[Controller],
+    made: Sequence[GeneratedController],
     robot: RobotFacts = NO_ROBOT,
 ) -> str | None:
     """Return a component with the interfaces that the controllers claim, or that the options give for each joint.
@@ -97,7 +99,9 @@ def component(
     )
 
 
-def _mimicking(parts: Sequence[Part], robot: RobotFacts, plugin: HardwareType, there: set[str]) -> Iterator[Part]:
+def _mimicking(
+    parts: Sequence[PlannedPart], robot: RobotFacts, plugin: HardwareType, there: set[str]
+) -> Iterator[PlannedPart]:
     """The joints that mimic one of the parts, with its states. Up to iron, parameters say what they mimic."""
     leaders = {part.name: part for part in parts if part.kind == "joint"}
     for joint in robot.joints:
@@ -107,7 +111,7 @@ def _mimicking(parts: Sequence[Part], robot: RobotFacts, plugin: HardwareType, t
         named = plugin.joint_parameters or {}
         given = {"mimic": joint.mimic[0], "multiplier": yaml_float(float(joint.mimic[1]))}
         parameters = tuple((name, value) for name, value in given.items() if name in named)
-        yield Part("joint", joint.name, (), leader.states, parameters)
+        yield PlannedPart("joint", joint.name, (), leader.states, parameters)
 
 
 def _unused(name: str, taken: Sequence[str]) -> str:
@@ -115,7 +119,7 @@ def _unused(name: str, taken: Sequence[str]) -> str:
     return name if number == 1 else f"{name}{number}"
 
 
-def _check(parts: Sequence[Part], plugin: HardwareType) -> None:
+def _check(parts: Sequence[PlannedPart], plugin: HardwareType) -> None:
     """UserError if a joint is commanded through an interface that the hardware does not accept."""
     if plugin.command_interfaces is None:
         return
@@ -126,7 +130,7 @@ def _check(parts: Sequence[Part], plugin: HardwareType) -> None:
             raise UserError(f"'{plugin.type}' does not accept '{wrong[0]}' for joint '{part.name}'; it accepts {known}")
 
 
-def simulator_plugin(options: Options, catalog: Catalog, templates: Templates) -> str:
+def simulator_plugin(options: GeneratorOptions, catalog: Catalog, templates: Templates) -> str:
     """Return the plugin that runs the controllers in the simulator. Its namespace is an argument of the robot."""
     plugin = host(options, catalog)
     return templates.render(
@@ -141,7 +145,7 @@ def simulator_plugin(options: Options, catalog: Catalog, templates: Templates) -
     )
 
 
-def wanted_interfaces(made: Sequence[Controller]) -> dict[str, str]:
+def wanted_interfaces(made: Sequence[GeneratedController]) -> dict[str, str]:
     """Return the hardware interface that controllers of ROS 1 use for each joint that they command."""
     interfaces: dict[str, str] = {}
     for controller in made:
@@ -151,7 +155,9 @@ def wanted_interfaces(made: Sequence[Controller]) -> dict[str, str]:
     return interfaces
 
 
-def _parts(joints: Sequence[JointFacts], options: Options, made: Sequence[Controller]) -> list[Part]:
+def _parts(
+    joints: Sequence[JointFacts], options: GeneratorOptions, made: Sequence[GeneratedController]
+) -> list[PlannedPart]:
     known = {joint.name: joint for joint in joints}
     commands: dict[str, list[str]] = {}
     states: dict[str, list[str]] = {}
@@ -168,11 +174,13 @@ def _parts(joints: Sequence[JointFacts], options: Options, made: Sequence[Contro
     return [_part(name, known.get(name), commands.get(name, []), states.get(name, []), options) for name in ordered]
 
 
-def _part(name: str, joint: JointFacts | None, commands: list[str], states: list[str], options: Options) -> Part:
+def _part(
+    name: str, joint: JointFacts | None, commands: list[str], states: list[str], options: GeneratorOptions
+) -> PlannedPart:
     kind = "joint" if joint else "gpio" if commands else "sensor"
     own = (options.states or _STATES) if joint else ()
-    limited = tuple(Command(name, _limits(joint, name) if joint else None) for name in dict.fromkeys(commands))
-    return Part(kind, name, limited, tuple(dict.fromkeys((*own, *states))))
+    limited = tuple(CommandInterface(name, _limits(joint, name) if joint else None) for name in dict.fromkeys(commands))
+    return PlannedPart(kind, name, limited, tuple(dict.fromkeys((*own, *states))))
 
 
 def _limits(joint: JointFacts, interface: str) -> tuple[str, str] | None:

@@ -6,7 +6,7 @@ from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import since
 from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
 from urdfctl.errors import UserError
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.names import did_you_mean, enumerated
 
@@ -17,7 +17,7 @@ ANY_NAMESPACE = since("humble")
 _SHORT = {"mock": "mock", "topic-based": "topic", "mujoco": "mujoco", "gz": "gz", "gazebo-classic": "gazebo-classic"}
 
 
-def host(options: Options, catalog: Catalog) -> SimulatorPlugin:
+def host(options: GeneratorOptions, catalog: Catalog) -> SimulatorPlugin:
     """Return the simulator plugin that runs the controllers. UserError if the distro has none for the simulator."""
     hosts = [plugin for plugin in catalog.simulator_plugins(options.distro) if plugin.hosts_control]
     fit = [plugin for plugin in hosts if plugin.simulator == options.simulator]
@@ -31,13 +31,13 @@ def host(options: Options, catalog: Catalog) -> SimulatorPlugin:
     return min(fit, key=lambda plugin: (plugin.deprecated, plugin.id != options.simulator))  # not a manufacturer's
 
 
-def has_host(robot: RobotFacts, options: Options, catalog: Catalog) -> bool:
+def has_host(robot: RobotFacts, options: GeneratorOptions, catalog: Catalog) -> bool:
     """Return whether a robot has a simulator plugin that runs controllers in a distro."""
     known = (catalog.simulator_plugin(name, options.distro) for name in robot.hosts)
     return any(plugin and plugin.hosts_control for plugin in known)
 
 
-def takes_namespace(robot: RobotFacts, options: Options, catalog: Catalog) -> bool:
+def takes_namespace(robot: RobotFacts, options: GeneratorOptions, catalog: Catalog) -> bool:
     """Return whether the namespace of a robot can be chosen when it is started.
 
     Since humble, `/**/` in a controller file stands for any namespace (rclcpp #1839). The simulator plugin of the robot
@@ -49,7 +49,7 @@ def takes_namespace(robot: RobotFacts, options: Options, catalog: Catalog) -> bo
     return not hosted or "namespace" in robot.arguments or not has_host(robot, options, catalog)
 
 
-def hardware(options: Options, catalog: Catalog) -> HardwareType:
+def hardware(options: GeneratorOptions, catalog: Catalog) -> HardwareType:
     """Return the named hardware plugin, or that of the simulator, or mock hardware.
 
     UserError if the distro has none.

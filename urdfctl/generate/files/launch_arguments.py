@@ -7,7 +7,7 @@ import shlex
 from collections.abc import Iterator, Sequence
 
 from urdfctl.errors import UserError
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.generate.robot.mounting import spawn_height
 from urdfctl.startup.records import NamedTuple
@@ -24,7 +24,7 @@ class Argument(NamedTuple):
     about: str = ""
 
 
-def arguments_of_robot(options: Options, robot: RobotFacts) -> tuple[Argument, ...]:
+def arguments_of_robot(options: GeneratorOptions, robot: RobotFacts) -> tuple[Argument, ...]:
     """Return the robot's xacro arguments: those that the user gives, and those with a plain default.
 
     UserError if this form of launch file cannot hold a value.
@@ -44,7 +44,7 @@ def _is_plain(name: str, value: str) -> bool:
     return bool(_NAME.fullmatch(name)) and value != "" and shlex.quote(value) == value and "$" not in value
 
 
-def arguments_of_simulator(options: Options, robot: RobotFacts, *, movable: bool) -> tuple[Argument, ...]:
+def arguments_of_simulator(options: GeneratorOptions, robot: RobotFacts, *, movable: bool) -> tuple[Argument, ...]:
     """Return the arguments of a simulator: whether to start it, its world, its window, and the pose of the robot in it.
 
     movable: True if several robots can be in it, each in a namespace of its own.
@@ -52,14 +52,14 @@ def arguments_of_simulator(options: Options, robot: RobotFacts, *, movable: bool
     return tuple(_of_simulator(options, spawn_height(robot, options), movable=movable))
 
 
-def namespace_argument(options: Options, robot: RobotFacts) -> Argument:
+def namespace_argument(options: GeneratorOptions, robot: RobotFacts) -> Argument:
     """Return the argument with the namespace of the robot."""
     given = {**robot.arguments, **dict(options.arguments)}.get(NAMESPACE, "")
     plain = given.strip("/") if _is_plain(NAMESPACE, given) else ""
     return Argument(NAMESPACE, options.namespace or plain, "namespace of the robot; empty for none")
 
 
-def _of_simulator(options: Options, height: float, *, movable: bool) -> Iterator[Argument]:
+def _of_simulator(options: GeneratorOptions, height: float, *, movable: bool) -> Iterator[Argument]:
     if movable and options.simulator in ("gz", "gazebo-classic"):
         yield Argument("simulator", "true", "false: it runs already")
     if options.simulator == "gz":

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers.parameters import Controller
-from urdfctl.generate.options import File, Options
+from urdfctl.generate.controllers.parameters import GeneratedController
+from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.generate.robot.mounting import is_fixed
 from urdfctl.generate.text.scalars import xml_text
@@ -40,7 +40,7 @@ class Actuator(NamedTuple):
     attributes: str
 
 
-def commanded(made: Sequence[Controller], robot: RobotFacts) -> dict[str, str]:
+def commanded(made: Sequence[GeneratedController], robot: RobotFacts) -> dict[str, str]:
     """Return the command interface of each joint: from the controllers, or else from the robot."""
     found: dict[str, str] = {}
     for controller in made:
@@ -54,7 +54,7 @@ def commanded(made: Sequence[Controller], robot: RobotFacts) -> dict[str, str]:
 
 
 def mjcf_file(
-    robot: RobotFacts, interfaces: Mapping[str, str], options: Options, templates: Templates, name: str
+    robot: RobotFacts, interfaces: Mapping[str, str], options: GeneratorOptions, templates: Templates, name: str
 ) -> File:
     """Return the model. UserError if the robot's bodies are unknown.
 

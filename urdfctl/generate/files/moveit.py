@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from urdfctl.generate.controllers.parameters import Controller
-from urdfctl.generate.options import File, Options
+from urdfctl.generate.controllers.parameters import GeneratedController
+from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.text.scalars import one_line
 from urdfctl.generate.text.templates import Templates
 
@@ -15,7 +15,9 @@ _ACTIONS = {
 }
 
 
-def moveit_file(made: Sequence[Controller], options: Options, templates: Templates, title: str) -> File | None:
+def moveit_file(
+    made: Sequence[GeneratedController], options: GeneratorOptions, templates: Templates, title: str
+) -> File | None:
     """Return moveit_controllers.yaml with the controllers that MoveIt can use. None if there are none.
 
     MoveIt calls actions: of trajectory controllers, and of grippers that accept GripperCommand.

@@ -5,16 +5,18 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from urdfctl.generate.controllers.parameters import Controller
+from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.files.bringup import launch_name
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.facts import JointFacts
 
 _PART = 0.1
 """An example moves a joint by this part of its range."""
 
 
-def steps_after(command: str, made: Sequence[Controller], options: Options, output: str) -> Iterator[str]:
+def steps_after(
+    command: str, made: Sequence[GeneratedController], options: GeneratorOptions, output: str
+) -> Iterator[str]:
     """Yield commands and lines for the user, for files that a generator wrote to an output."""
     package = options.package or "my_robot_control"
     if command == "convert":
@@ -37,7 +39,7 @@ def steps_after(command: str, made: Sequence[Controller], options: Options, outp
         yield f"urdfctl lint {output} && urdfctl smoke {output}"
 
 
-def example_of(controller: Controller) -> str | None:
+def example_of(controller: GeneratedController) -> str | None:
     """Return a command that moves what a controller commands a little. None if there is no such command."""
     task, options = controller.task, controller.task.options
     if controller.reports or controller.waits or task.below:
@@ -57,7 +59,7 @@ def _target(joint: JointFacts) -> float:
     return float(f"{(start + far if start + far <= joint.upper else start - far):.3g}")
 
 
-def _values(controller: Controller) -> list[float]:
+def _values(controller: GeneratedController) -> list[float]:
     reference: Mapping[str, Callable[[JointFacts], float]] = {
         "position": _target,
         "velocity": lambda _: 0.1,
@@ -67,27 +69,27 @@ def _values(controller: Controller) -> list[float]:
     return [reference.get(kind, _target)(joint) for joint in controller.task.joints]
 
 
-def _names(controller: Controller) -> str:
+def _names(controller: GeneratedController) -> str:
     return ", ".join(joint.name for joint in controller.task.joints)
 
 
-def _trajectory(controller: Controller) -> tuple[str, str]:
+def _trajectory(controller: GeneratedController) -> tuple[str, str]:
     return _names(controller), str([_target(joint) for joint in controller.task.joints])
 
 
-def _action(name: str, controller: Controller) -> str:
+def _action(name: str, controller: GeneratedController) -> str:
     joints, positions = _trajectory(controller)
     goal = f"{{joint_names: [{joints}], points: [{{positions: {positions}, time_from_start: {{sec: 2}}}}]}}"
     kind = "control_msgs/action/FollowJointTrajectory"
     return f'ros2 action send_goal {name}/follow_joint_trajectory {kind} "{{trajectory: {goal}}}"'
 
 
-def _array(name: str, controller: Controller) -> str:
+def _array(name: str, controller: GeneratedController) -> str:
     data = _values(controller) * max(1, len(controller.task.interfaces) if controller.task.kind.startswith("m") else 1)
     return f'ros2 topic pub --once {name}/commands std_msgs/msg/Float64MultiArray "{{data: {data}}}"'
 
 
-def _gripper(name: str, controller: Controller) -> str:
+def _gripper(name: str, controller: GeneratedController) -> str:
     joint = controller.task.joints[0]
     if controller.type.package == "parallel_gripper_controller" or "parallel" in controller.type.type:
         goal = f"{{command: {{name: [{joint.name}], position: [{_target(joint)}]}}}}"
@@ -96,8 +98,8 @@ def _gripper(name: str, controller: Controller) -> str:
     return f'ros2 action send_goal {name}/gripper_cmd control_msgs/action/GripperCommand "{goal}"'
 
 
-def _drive(topic: str) -> Callable[[str, Controller], str]:
-    def made(name: str, controller: Controller) -> str:
+def _drive(topic: str) -> Callable[[str, GeneratedController], str]:
+    def made(name: str, controller: GeneratedController) -> str:
         del controller
         twist = "{twist: {linear: {x: 0.2}, angular: {z: 0.0}}}"
         return f'ros2 topic pub -r 10 {name}/{topic} geometry_msgs/msg/TwistStamped "{twist}"'
@@ -105,7 +107,7 @@ def _drive(topic: str) -> Callable[[str, Controller], str]:
     return made
 
 
-def _gpio(name: str, controller: Controller) -> str | None:
+def _gpio(name: str, controller: GeneratedController) -> str | None:
     """All outputs of the first gpio that has any; None if it only publishes inputs."""
     for joint in controller.task.joints:
         outputs = controller.values.get(f"command_interfaces.{joint.name}.interfaces")
@@ -116,43 +118,43 @@ def _gpio(name: str, controller: Controller) -> str | None:
     return None
 
 
-def _admittance(name: str, controller: Controller) -> str:
+def _admittance(name: str, controller: GeneratedController) -> str:
     positions = [_target(joint) for joint in controller.task.joints]
     value = f"{{positions: {positions}, velocities: {[0.0] * len(positions)}}}"
     return f'ros2 topic pub --once {name}/joint_references trajectory_msgs/msg/JointTrajectoryPoint "{value}"'
 
 
-def _pid(name: str, controller: Controller) -> str:
+def _pid(name: str, controller: GeneratedController) -> str:
     value = f"{{dof_names: [{_names(controller)}], values: {_values(controller)}}}"
     return f'ros2 topic pub --once {name}/reference control_msgs/msg/MultiDOFCommand "{value}"'
 
 
-def _number(name: str, controller: Controller) -> str:
+def _number(name: str, controller: GeneratedController) -> str:
     return f'rostopic pub -1 {name}/command std_msgs/Float64 "data: {_values(controller)[0]}"'
 
 
-def _array1(name: str, controller: Controller) -> str:
+def _array1(name: str, controller: GeneratedController) -> str:
     return f'rostopic pub -1 {name}/command std_msgs/Float64MultiArray "{{data: {_values(controller)}}}"'
 
 
-def _trajectory1(name: str, controller: Controller) -> str:
+def _trajectory1(name: str, controller: GeneratedController) -> str:
     joints, positions = _trajectory(controller)
     goal = f"{{joint_names: [{joints}], points: [{{positions: {positions}, time_from_start: {{secs: 2}}}}]}}"
     return f'rostopic pub -1 {name}/command trajectory_msgs/JointTrajectory "{goal}"'
 
 
-def _gripper1(name: str, controller: Controller) -> str:
+def _gripper1(name: str, controller: GeneratedController) -> str:
     joint = controller.task.joints[0]
     goal = f"{{goal: {{command: {{position: {_target(joint)}, max_effort: {joint.effort or 10.0}}}}}}}"
     return f'rostopic pub -1 {name}/gripper_cmd/goal control_msgs/GripperCommandActionGoal "{goal}"'
 
 
-def _drive1(name: str, controller: Controller) -> str:
+def _drive1(name: str, controller: GeneratedController) -> str:
     del controller
     return f'rostopic pub -r 10 {name}/cmd_vel geometry_msgs/Twist "{{linear: {{x: 0.2}}}}"'
 
 
-_Example = Callable[[str, Controller], str | None]
+_Example = Callable[[str, GeneratedController], str | None]
 _ROS2: Mapping[str, _Example] = {
     "JointTrajectoryController": _action,
     **dict.fromkeys(("ForwardCommandController", "MultiInterfaceForwardCommandController"), _array),

@@ -54,7 +54,7 @@ class Anatomy(NamedTuple):
 
 def anatomy_of(robot: RobotFacts, joints: Sequence[JointFacts]) -> Anatomy:
     """Return the parts that some joints of a robot form."""
-    tree = _Tree(robot.joints or joints)
+    tree = _JointTree(robot.joints or joints)
     base = _base(tree, joints, robot.name or "")
     used = {joint.name for joint in (*base.joints, *base.others)} if base else set()
     free = [joint for joint in joints if joint.name not in used and not joint.mimics]
@@ -63,7 +63,7 @@ def anatomy_of(robot: RobotFacts, joints: Sequence[JointFacts]) -> Anatomy:
     return Anatomy(base, tools, tuple(_chains(tree, [joint for joint in free if joint.name not in used])))
 
 
-class _Tree:
+class _JointTree:
     """The joints of a robot by name, and what hangs on them."""
 
     def __init__(self, joints: Iterable[JointFacts]) -> None:
@@ -96,7 +96,7 @@ class _Tree:
 # -- mobile bases ----------------------------------------------------------------------------------------------------
 
 
-def _base(tree: _Tree, joints: Sequence[JointFacts], name: str) -> Base | None:
+def _base(tree: _JointTree, joints: Sequence[JointFacts], name: str) -> Base | None:
     rolling = [joint for joint in joints if _is_wheel(tree, joint)]
     ground = min((_bottom(wheel) for wheel in rolling), default=0.0)
     wheels = [wheel for wheel in rolling if _bottom(wheel) - ground <= _UNEVEN * (wheel.radius or 0.0) + 1e-6]
@@ -115,7 +115,7 @@ def _base(tree: _Tree, joints: Sequence[JointFacts], name: str) -> Base | None:
     return Base(kind, roles, mine, others)
 
 
-def _is_wheel(tree: _Tree, joint: JointFacts) -> bool:
+def _is_wheel(tree: _JointTree, joint: JointFacts) -> bool:
     """Whether a joint turns a wheel: level, endless, and on the base itself, a steering joint or a spring."""
     if joint.type != "continuous" or joint.axis is None or abs(joint.axis[2]) > _LEVEL or joint.at is None:
         return False
@@ -130,7 +130,7 @@ def _is_wheel(tree: _Tree, joint: JointFacts) -> bool:
     return not rockers or (named and all(_carries_wheels(tree, rocker) for rocker in rockers))
 
 
-def _carries_wheels(tree: _Tree, rocker: JointFacts) -> bool:
+def _carries_wheels(tree: _JointTree, rocker: JointFacts) -> bool:
     """Whether a joint only carries wheels, as the rockers of a rover do."""
     return all(joint.type == "continuous" for joint in tree.under(rocker.name))
 
@@ -139,7 +139,7 @@ def _is_upright(joint: JointFacts) -> bool:
     return not joint.slides and joint.axis is not None and abs(joint.axis[2]) > _UPRIGHT
 
 
-def _is_caster(tree: _Tree, wheel: JointFacts) -> bool:
+def _is_caster(tree: _JointTree, wheel: JointFacts) -> bool:
     swivel = next((upper for upper in tree.over(wheel) if _is_upright(upper)), None)
     if _CASTER.search(wheel.name) or _CASTER.search(wheel.link or ""):
         return True
@@ -151,7 +151,7 @@ def _is_caster(tree: _Tree, wheel: JointFacts) -> bool:
 
 
 def _kind_of_base(
-    tree: _Tree, wheels: list[JointFacts], fixed: list[JointFacts], steered: list[JointFacts], name: str
+    tree: _JointTree, wheels: list[JointFacts], fixed: list[JointFacts], steered: list[JointFacts], name: str
 ) -> tuple[str | None, Roles]:
     left, right = ([wheel for wheel in wheels if wheel.at and wheel.at[1] * side > 0] for side in (1, -1))
     if (
@@ -198,7 +198,7 @@ _O = (0.0, 0.0, 0.0)
 # -- tools and chains ------------------------------------------------------------------------------------------------
 
 
-def _tools(tree: _Tree, joints: Sequence[JointFacts]) -> Iterator[Tool]:
+def _tools(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[Tool]:
     """Grippers: a joint that others at the end of a chain mimic, or fingers on one link."""
     names = {joint.name for joint in joints}
     taken: set[str] = set()
@@ -218,14 +218,14 @@ def _tools(tree: _Tree, joints: Sequence[JointFacts]) -> Iterator[Tool]:
             yield Tool(tuple(members), single=len(members) == 1)
 
 
-def _ends(tree: _Tree, joint: JointFacts) -> bool:
+def _ends(tree: _JointTree, joint: JointFacts) -> bool:
     """Whether a joint and those that mimic it carry only joints that mimic it, too."""
     followers = {follower.name for follower in tree.followers[joint.name]}
     carried = [below for name in (joint.name, *followers) for below in tree.under(name)]
     return all(below.name in followers for below in carried)
 
 
-def _chains(tree: _Tree, joints: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:
+def _chains(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:
     """The remaining joints in chains from the root outwards. A chain ends where it branches."""
     names = {joint.name: joint for joint in joints}
     below: dict[str | None, list[JointFacts]] = {}

@@ -18,7 +18,7 @@ DRIVE_LIMITS = tuple(f"{sign}_{kind}" for kind in _KINDS for sign in ("max", "mi
 """The names of the limits in recipes: forward speed and acceleration, turning speed and acceleration."""
 
 
-class Limit(NamedTuple):
+class DriveLimit(NamedTuple):
     """A limit in m/s, m/s2, rad/s or rad/s2, and how it was determined."""
 
     value: float
@@ -27,7 +27,7 @@ class Limit(NamedTuple):
 
 def drive_limit(
     kind: str, left: Sequence[JointFacts], right: Sequence[JointFacts], *, sideways: bool = False
-) -> Limit | None:
+) -> DriveLimit | None:
     """Return a limit of a drive, or None if the robot does not determine it.
 
     sideways: True for mecanum wheels, which turn the robot with the sum of half the track width and half the wheelbase
@@ -42,15 +42,15 @@ def drive_limit(
         return None
     speed, how = min(fastest) * wheel, "velocity limit of the wheels times their radius"
     if kind == "speed":
-        return Limit(round(speed, 3), how)
+        return DriveLimit(round(speed, 3), how)
     push, why = _push(wheels, wheel, speed)
     if kind == "push":
-        return Limit(_short(push), why)
+        return DriveLimit(_short(push), why)
     if not lever:
         return None
     if kind == "turn":
-        return Limit(_short(speed / lever), "both rows of wheels at their velocity limit")
-    return Limit(_short(push / lever), why)
+        return DriveLimit(_short(speed / lever), "both rows of wheels at their velocity limit")
+    return DriveLimit(_short(push / lever), why)
 
 
 def _push(wheels: Sequence[JointFacts], wheel: float, speed: float) -> tuple[float, str]:

@@ -35,7 +35,7 @@ class _Link(NamedTuple):
     link: Link | None
 
 
-class _Writer:
+class _BodyWriter:
     """Writes the bodies of one robot, and collects its meshes and what was left out."""
 
     def __init__(self, robot: Robot, joints: Sequence[JointFacts], mesh_path: MeshPath) -> None:
@@ -146,9 +146,9 @@ class _Writer:
 
 def skeleton_of(robot: Robot, joints: Sequence[JointFacts], mesh_path: MeshPath) -> Skeleton:
     """Return a robot's bodies in MuJoCo's format, with its meshes and what was left out."""
-    fixed = _Writer(robot, joints, mesh_path)
+    fixed = _BodyWriter(robot, joints, mesh_path)
     bodies = fixed.bodies(free=False)
-    free = _Writer(robot, joints, mesh_path).bodies(free=True)
+    free = _BodyWriter(robot, joints, mesh_path).bodies(free=True)
     return Skeleton("\n".join(bodies), "\n".join(free), fixed.assets(), tuple(fixed.notes))
 
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.errors import UserError
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.anatomy import anatomy_of
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.generate.robot.frames import frames_of, geometries_of, number_of, origin_of
@@ -24,7 +24,7 @@ _UNKNOWN = 0.1
 """The height at which a robot without known shapes is spawned, in m."""
 
 
-def is_fixed(robot: RobotFacts, options: Options) -> bool:
+def is_fixed(robot: RobotFacts, options: GeneratorOptions) -> bool:
     """Return whether a robot is to be fixed to the world: it has joints, but no wheels, legs or rotors.
 
     UserError if the user asks for something else than `fixed` or `free`.
@@ -39,13 +39,13 @@ def is_fixed(robot: RobotFacts, options: Options) -> bool:
     return anatomy.base is None and len(legs) <= 1 and not moved
 
 
-def needs_world(robot: RobotFacts, options: Options) -> bool:
+def needs_world(robot: RobotFacts, options: GeneratorOptions) -> bool:
     """Return whether a robot needs a link `world` that Gazebo fixes it to."""
     there = robot.root is None or WORLD in (robot.root, *(joint.link for joint in robot.joints))
     return options.simulator in ("gz", "gazebo-classic") and not there and is_fixed(robot, options)
 
 
-def spawn_height(robot: RobotFacts, options: Options) -> float:
+def spawn_height(robot: RobotFacts, options: GeneratorOptions) -> float:
     """Return the height, in m, at which a simulator gets a robot so that it stands on the ground."""
     if robot.root == WORLD or is_fixed(robot, options):
         return 0.0

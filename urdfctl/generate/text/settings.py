@@ -11,7 +11,7 @@ from urdfctl.startup.records import NamedTuple
 _WIDE = 100
 
 
-class Setting(NamedTuple):
+class WrittenParameter(NamedTuple):
     """A parameter: its name in the catalogue, its path in the file, its value, and a comment."""
 
     name: str
@@ -20,7 +20,7 @@ class Setting(NamedTuple):
     comment: str = ""
 
 
-def lines_of(settings: Iterable[Setting]) -> list[str]:
+def lines_of(settings: Iterable[WrittenParameter]) -> list[str]:
     """Return the parameters as lines of YAML, without indentation at the top level."""
     tree: dict[str, Any] = {}
     for setting in settings:

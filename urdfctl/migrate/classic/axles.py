@@ -9,7 +9,7 @@ from urdfctl.generate.robot.survey import facts_of
 from urdfctl.generate.robot.wheels import across, along, radius
 from urdfctl.generate.text.scalars import yaml_float
 from urdfctl.migrate.edits.places import key_of, key_of_element
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.todo import todo_line
 from urdfctl.model.robot import Plugin
 from urdfctl.source.xml.dom import Element
@@ -18,7 +18,7 @@ _REAR = ("rear_left_joint", "rear_right_joint")
 _STEERING = ("left_steering_joint", "right_steering_joint")
 
 
-def axles(packages: Packages, element: Element) -> Iterator[str]:
+def axles(packages: MigratedPackages, element: Element) -> Iterator[str]:
     """Yield the lines of gz's steering system with the measures of the vehicle, from a robot with the plugin.
 
     A measure that cannot be determined is a TODO.
@@ -42,7 +42,7 @@ def _pair(joints: Mapping[str, JointFacts]) -> list[list[JointFacts]]:
     return [[joints[name]] if name in joints else [] for name in _STEERING]
 
 
-def _joints(packages: Packages, element: Element) -> dict[str, JointFacts]:
+def _joints(packages: MigratedPackages, element: Element) -> dict[str, JointFacts]:
     """The joints of a robot with the plugin, by the plugin's settings that name them."""
     for loaded in packages.loaded():
         robot = loaded.project.robot

@@ -11,10 +11,10 @@ from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.edits.markup import attribute, content, elements, root_of
 from urdfctl.migrate.edits.places import written_elements
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.migrate.packages import OF_XML, MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.opaque import is_known
 from urdfctl.source.span import SourceSpan
@@ -57,7 +57,7 @@ _OF_SENSORS: dict[str, tuple[tuple[str, str, str], ...]] = {
 """For each type of sensor: the ending of a topic, its type in ROS and in gz."""
 
 
-def _bridge(packages: Packages) -> Iterator[Proposal]:
+def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
     if not goes_to_gz(packages) or not leaves_classic(packages):
         return
     for folder in sorted(
@@ -68,16 +68,16 @@ def _bridge(packages: Packages) -> Iterator[Proposal]:
         topics = list(dict.fromkeys(found))
         if topics and not exists(path) and not _has_bridge(packages):
             message = f"{len(topics)} topics of gz are bridged to ROS"
-            entry = Entry(EntryKind.DONE, message, file=path, authority=_AUTHORITY)
+            entry = ReportEntry(EntryKind.DONE, message, file=path, authority=_AUTHORITY)
             yield Proposal(created=((path, _text(packages, topics)),), entries=(entry,))
 
 
-def _has_bridge(packages: Packages) -> bool:
+def _has_bridge(packages: MigratedPackages) -> bool:
     """Whether the packages already start a bridge, with topics of their own."""
     return any(b"parameter_bridge" in packages.read(path).data for path in packages.files(".py", ".launch.xml"))
 
 
-def _topics(packages: Packages, folder: str) -> Iterator[Topic]:
+def _topics(packages: MigratedPackages, folder: str) -> Iterator[Topic]:
     """The topics of the files of a package: as they are written, with the defaults of arguments, and as its robots have
     them."""
     defaults = packages.found(_defaults)
@@ -95,7 +95,7 @@ def _topics(packages: Packages, folder: str) -> Iterator[Topic]:
                 yield from _of_element(tag.name, tag.attributes, {each.name: each.text for each in tag.children})
 
 
-def _defaults(packages: Packages) -> dict[str, str]:
+def _defaults(packages: MigratedPackages) -> dict[str, str]:
     """The defaults of the arguments of descriptions, without those that differ between files."""
     found: dict[str, set[str]] = {}
     for element in written_elements(packages, "<xacro:arg"):
@@ -136,7 +136,7 @@ def _is_plain(name: str) -> bool:
     return bool(name) and "$" not in name and is_known(name)
 
 
-def _text(packages: Packages, topics: list[Topic]) -> str:
+def _text(packages: MigratedPackages, topics: list[Topic]) -> str:
     messages = gz_names(packages.options.target)["messages"]
     clock = Topic("/clock", "rosgraph_msgs/msg/Clock", "Clock")
     blocks = ["# The topics between ROS and gz, for parameter_bridge of ros_gz_bridge.\n"]
@@ -188,7 +188,7 @@ BRIDGE = Step(
 )
 
 
-def _installed(packages: Packages) -> Iterator[Proposal]:
+def _installed(packages: MigratedPackages) -> Iterator[Proposal]:
     """Install the file for the bridge with its package, unless a rule does."""
     for path in packages.files(BRIDGE_FILE) if goes_to_gz(packages) else ():
         source = packages.read(os.path.join(os.path.dirname(os.path.dirname(path)), "CMakeLists.txt"))
@@ -196,7 +196,7 @@ def _installed(packages: Packages) -> Iterator[Proposal]:
         at = source.data.rfind(b"ament_package(")
         if at >= 0 and not installs(text, os.path.dirname(BRIDGE_FILE)):
             rule = f"{install_rule(os.path.dirname(BRIDGE_FILE))}\n"
-            entry = Entry(EntryKind.DONE, f"{BRIDGE_FILE} is installed", file=source.path, authority=_AUTHORITY)
+            entry = ReportEntry(EntryKind.DONE, f"{BRIDGE_FILE} is installed", file=source.path, authority=_AUTHORITY)
             yield Proposal((Edit(SourceSpan(source, at, at), rule),), entries=(entry,))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import ancestors, attribute, indent_of, indented, root_of, span_of, step_of
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 
@@ -19,12 +19,12 @@ def is_chosen(element: Element) -> bool:
     return any(CHOICE in attribute(around, "value") for around in ancestors(element))
 
 
-def keeps_classic(packages: Packages, element: Element) -> bool:
+def keeps_classic(packages: MigratedPackages, element: Element) -> bool:
     """Return whether an element stays for the case that Gazebo Classic is chosen: its file can declare the argument."""
     return packages.options.keep_classic and element.source.is_xacro
 
 
-def replaced(packages: Packages, element: Element, new: str) -> Iterator[Edit]:
+def replaced(packages: MigratedPackages, element: Element, new: str) -> Iterator[Edit]:
     """Yield the edits that replace an element; with `--keep-classic`, that keep it for the case that it is chosen.
 
     new: the new text, indented by nothing.

@@ -9,8 +9,8 @@ from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.edits.tokens import XML
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.rules.launch.description_read_as_yaml import description_read_as_yaml
 from urdfctl.rules.ros2_control.comment_breaks_parameter import comment_breaks_parameter
 from urdfctl.source.span import Place, SourceSpan, SourceText
@@ -24,7 +24,7 @@ _COLON = re.compile(r"[ \t]*:(?=\s)")
 _HASH = re.compile(r"(?<=\s)#+")
 
 
-def _comments(packages: Packages) -> Iterator[Proposal]:
+def _comments(packages: MigratedPackages) -> Iterator[Proposal]:
     is_passed_on = packages.options.target == "humble" and packages.simulator == "gazebo-classic"
     if not is_passed_on and not any(MARK.encode() in packages.read(path).data for path in packages.files(*XML)):
         return
@@ -43,11 +43,11 @@ def _comments(packages: Packages) -> Iterator[Proposal]:
             if new != span.text and (span.file, span.start) not in done:
                 done.add((span.file, span.start))
                 at = Place(span.source, span.start, end=span.end)
-                entry = Entry(EntryKind.DECIDED, what, at, authority=authority, option="delete the comment")
+                entry = ReportEntry(EntryKind.DECIDED, what, at, authority=authority, option="delete the comment")
                 yield Proposal((Edit(span, new),), entries=(entry,), fixes=fixes)
 
 
-def _spans(packages: Packages, loaded: LoadedTarget) -> Iterator[SourceSpan]:
+def _spans(packages: MigratedPackages, loaded: LoadedTarget) -> Iterator[SourceSpan]:
     """Yield the texts of the comments that a robot keeps."""
     tag = loaded.project.robot.tag if loaded.project.robot else None
     kept = {comment.text.strip() for comment in tag.comments()} if tag else set()

@@ -10,9 +10,9 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import child, content, end_of, root_of, step_of
 from urdfctl.migrate.edits.tokens import HOOKS, tokens_in
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.files import is_launch
 from urdfctl.source.disk.gate import is_folder, walk
 from urdfctl.source.span import Place, SourceSpan
@@ -29,7 +29,7 @@ _NAME = re.compile(rb"(?<!\w)GAZEBO_(?:MODEL|RESOURCE|PLUGIN)_PATH(?!\w)")
 _OF_XML = (".xacro", ".urdf", ".gazebo")
 
 
-def _variables(packages: Packages) -> Iterator[Proposal]:
+def _variables(packages: MigratedPackages) -> Iterator[Proposal]:
     if not leaves_classic(packages) or not goes_to_gz(packages):
         return
     for path in packages.files(*HOOKS, ".py", ".xml", ".launch", ".yaml", ".yml"):
@@ -43,10 +43,10 @@ def _variables(packages: Packages) -> Iterator[Proposal]:
             first = edits[0]
             at = Place(source, first.span.start, end=first.span.end)
             what = f"'{first.span.text}' was renamed to '{first.text}'"
-            yield Proposal(tuple(edits), entries=(Entry(EntryKind.DONE, what, at, authority=_VARIABLES),))
+            yield Proposal(tuple(edits), entries=(ReportEntry(EntryKind.DONE, what, at, authority=_VARIABLES),))
 
 
-def _exports(packages: Packages) -> Iterator[Proposal]:
+def _exports(packages: MigratedPackages) -> Iterator[Proposal]:
     stays_classic = packages.is_ros1 and packages.simulator == "gazebo-classic"
     if not (goes_to_gz(packages) and not packages.was_in_gz) and not stays_classic:
         return
@@ -62,10 +62,10 @@ def _exports(packages: Packages) -> Iterator[Proposal]:
         lines = list(_paths(folder, is_used=is_used))
         if lines and not _is_set(packages) and (edit := _added(export, lines)) is not None:
             what = "the package exports where the simulator finds its meshes and models"
-            yield Proposal((edit,), entries=(Entry(EntryKind.DONE, what, export.at, authority=_EXPORT),))
+            yield Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, what, export.at, authority=_EXPORT),))
 
 
-def _packages_of_meshes(packages: Packages) -> Iterator[str]:
+def _packages_of_meshes(packages: MigratedPackages) -> Iterator[str]:
     """The packages whose files robots show: gz finds them by the name of the package."""
     for path in packages.files(*_OF_XML):
         for found in re.finditer(rb"(?:package|model)://([\w-]+)/", packages.read(path).data):
@@ -80,7 +80,7 @@ def _paths(folder: str, *, is_used: bool) -> Iterator[str]:
         yield '<gazebo_ros gazebo_model_path="${prefix}/models"/>'
 
 
-def _is_set(packages: Packages) -> bool:
+def _is_set(packages: MigratedPackages) -> bool:
     """Whether a launch file or a hook of the packages says where the models are."""
     names = (b"GZ_SIM_RESOURCE_PATH", b"IGN_GAZEBO_RESOURCE_PATH")
     texts = (packages.read(path).data for path in packages.files(*HOOKS, ".py", ".xml"))

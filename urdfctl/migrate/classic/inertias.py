@@ -9,9 +9,9 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, element_at
 from urdfctl.migrate.edits.places import ElementKey, key_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import simulated_by
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.rules.urdf.inertia import Moments, moments_of, principal_moments
 from urdfctl.rules.urdf.numbers import MOMENTS
 from urdfctl.source.span import SourceSpan
@@ -39,7 +39,7 @@ def possible(moments: Moments) -> Moments | None:
     return ixx + more, ixy, ixz, iyy + more, iyz, izz + more
 
 
-def _inertias(packages: Packages) -> Iterator[Proposal]:
+def _inertias(packages: MigratedPackages) -> Iterator[Proposal]:
     for (path, start), links in _impossible(packages).items():
         element = element_at(packages.read(path), start) if packages.may_change(path) else None
         written = _written(element) if element is not None else None
@@ -49,13 +49,13 @@ def _inertias(packages: Packages) -> Iterator[Proposal]:
         edits = tuple(_edits(element, dict(zip(MOMENTS, new, strict=True))))
         named = ", ".join(f"'{name}'" for name in sorted(links))
         message = f"no body has the <inertia> of link {named}, and gz rejects the robot: ixx, iyy and izz are raised"
-        entry = Entry(
+        entry = ReportEntry(
             EntryKind.DECIDED, message, element.at, authority=_AUTHORITY, option="write the moments that were measured"
         )
         yield Proposal(edits, entries=(entry,), moves=frozenset(links))
 
 
-def _impossible(packages: Packages) -> Mapping[ElementKey, set[str]]:
+def _impossible(packages: MigratedPackages) -> Mapping[ElementKey, set[str]]:
     """The names of the links whose inertia no body can have, by the element with the moments, of robots in Gazebo.
 
     Launch files may still start Gazebo Classic.

@@ -9,9 +9,9 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, children, end_of, indent_of, step_of
 from urdfctl.migrate.edits.places import written_elements
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 
@@ -22,7 +22,7 @@ _OF_XML = (".xacro", ".urdf", ".xml")
 _INITIAL = "initial_value"
 
 
-def _positions(packages: Packages) -> Iterator[Proposal]:
+def _positions(packages: MigratedPackages) -> Iterator[Proposal]:
     wanted = _wanted(packages) if goes_to_gz(packages) else {}
     for joint in _joints(packages) if wanted else ():
         value = wanted.get(attribute(joint, "name"), "")
@@ -30,11 +30,11 @@ def _positions(packages: Packages) -> Iterator[Proposal]:
             if attribute(state, "name") == "position" and not _is_set(state):
                 what = f"joint '{attribute(joint, 'name')}' starts at {value}, as the spawner said"
                 yield Proposal(
-                    (_edit(state, value),), entries=(Entry(EntryKind.DONE, what, state.at, authority=_AUTHORITY),)
+                    (_edit(state, value),), entries=(ReportEntry(EntryKind.DONE, what, state.at, authority=_AUTHORITY),)
                 )
 
 
-def _wanted(packages: Packages) -> dict[str, str]:
+def _wanted(packages: MigratedPackages) -> dict[str, str]:
     """The position of each joint in the launch files, unless they differ."""
     found: dict[str, set[str]] = {}
     for path in packages.files(*_LAUNCHES):
@@ -43,7 +43,7 @@ def _wanted(packages: Packages) -> dict[str, str]:
     return {joint: next(iter(values)) for joint, values in found.items() if len(values) == 1}
 
 
-def _joints(packages: Packages) -> Iterator[Element]:
+def _joints(packages: MigratedPackages) -> Iterator[Element]:
     """The joints of <ros2_control>, as they are written."""
     for element in written_elements(packages, "<ros2_control", _OF_XML):
         if element.tagName == "ros2_control" and packages.may_change(element.source.path):
@@ -65,7 +65,7 @@ def _edit(state: Element, value: str) -> Edit:
     return Edit(SourceSpan(source, tag.end, tag.end), line)
 
 
-def joints_with_position(packages: Packages) -> set[str]:
+def joints_with_position(packages: MigratedPackages) -> set[str]:
     """Return the joints of <ros2_control> that have a position at the start."""
     return {
         attribute(joint, "name")

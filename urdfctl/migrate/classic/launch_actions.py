@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.classic.initial_positions import joints_with_position
-from urdfctl.migrate.classic.starting import EMPTY_WORLDS, OPTIONS, SPAWN, Option, create_options
+from urdfctl.migrate.classic.starting import EMPTY_WORLDS, OPTIONS, SPAWN, GzOption, create_options
 from urdfctl.migrate.launch.actions import Action, PartOfText, Text, is_literal, joined, literal, parsed, plain
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.bridge_file import bridge_file_of
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE
 from urdfctl.startup.records import NamedTuple
@@ -19,7 +19,7 @@ CLASSIC_FILE = f"$(find {CLASSIC_PACKAGE})/launch/gazebo.launch.py"
 _EMPTY = "empty.sdf"
 
 
-def gz_for(packages: Packages, path: str) -> Gz:
+def gz_for(packages: MigratedPackages, path: str) -> Gz:
     """Return what the actions of a launch file need to know."""
     bridge = bridge_file_of(packages, path) or ""
     return Gz(gz_names(packages.options.target), bridge, frozenset(joints_with_position(packages)))
@@ -100,7 +100,7 @@ def _placed_by(action: Action) -> Iterator[Text]:
         yield from (joint for index in at for joint in action.words[index + 1 : index + 2])
 
 
-def _option(option: Option, value: Text) -> Text:
+def _option(option: GzOption, value: Text) -> Text:
     """An option of gz for the value of an argument of Gazebo Classic; its default if the value is not known here."""
     if len(value) == 1 and value[0].kind == "arg":
         return (PartOfText("eval", option.expression(f"arg('{value[0].text}')")),)

@@ -17,7 +17,7 @@ from urdfctl.migrate.classic.starting import (
     EMPTY_WORLDS,
     FILES,
     SPAWN,
-    Option,
+    GzOption,
     create_options,
     flags,
     has_own_empty_world,
@@ -26,11 +26,11 @@ from urdfctl.migrate.classic.starting import (
 )
 from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.bridge_file import bridge_file_of
 from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic, simulated_by
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.source.workspaces.packages import package_around, package_name
@@ -39,20 +39,20 @@ _CLASSIC = re.compile(rb"gazebo_ros|['\"](?:gazebo|gzserver|gzclient)['\"]")
 _AUTHORITY = "ros_gz_sim README; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 
 
-def _launch_python(packages: Packages) -> Iterator[Proposal]:
+def _launch_python(packages: MigratedPackages) -> Iterator[Proposal]:
     if not leaves_classic(packages):
         return
     for path in packages.files(".py"):
         source = packages.read(path)
         if _CLASSIC.search(source.data) and packages.may_change(path):
-            file = _File(packages, PythonFile(source))
+            file = _ClassicLaunchFile(packages, PythonFile(source))
             yield from file.to_gz() if goes_to_gz(packages) else file.to_hardware()
 
 
-class _File:
+class _ClassicLaunchFile:
     """One launch file."""
 
-    def __init__(self, packages: Packages, file: PythonFile) -> None:
+    def __init__(self, packages: MigratedPackages, file: PythonFile) -> None:
         self.packages, self.file = packages, file
         self.gz = gz_names(packages.options.target)
         self.includes = [
@@ -104,10 +104,10 @@ class _File:
             edits.append(expression)
         if (self.includes or self.commands) and (bridge := self._bridge()) is not None:
             edits += bridge
-        entries = [Entry(EntryKind.DONE, "the launch file starts gz", self._place(), authority=_AUTHORITY)]
+        entries = [ReportEntry(EntryKind.DONE, "the launch file starts gz", self._place(), authority=_AUTHORITY)]
         if dropped := sorted({name for call, scope, _ in self.includes for name in self._dropped(call, scope)}):
             what = f"gz has no argument {', '.join(dropped)}: dropped"
-            entries.append(Entry(EntryKind.DONE, what, self._place(), authority=_AUTHORITY))
+            entries.append(ReportEntry(EntryKind.DONE, what, self._place(), authority=_AUTHORITY))
         distinct = list(dict.fromkeys(edits))
         kept = (edit for edit in distinct if not self._is_inside_other(edit, distinct))
         yield Proposal(tuple(kept), entries=tuple(entries))
@@ -178,7 +178,7 @@ class _File:
         return f"[{', '.join(items)}]"
 
     @staticmethod
-    def _condition(option: Option, value: str) -> str:
+    def _condition(option: GzOption, value: str) -> str:
         """An option of gz that depends on an expression for an argument of Gazebo Classic."""
         head, _, tail = option.expression("'@'").partition("@")
         return f'PythonExpression(["{head}", {value}, "{tail}"])'
@@ -263,7 +263,9 @@ class _File:
         edits = [Edit(self.file.span(self.includes[0][0]), manager), *self._clock()]
         for call, scope in self.spawns:
             edits += self._without_spawn(call, scope)
-        entry = Entry(EntryKind.DONE, "the launch file starts ros2_control_node", self._place(), authority=_AUTHORITY)
+        entry = ReportEntry(
+            EntryKind.DONE, "the launch file starts ros2_control_node", self._place(), authority=_AUTHORITY
+        )
         yield Proposal(tuple(edits), entries=(entry,))
 
     def _clock(self) -> Iterator[Edit]:

@@ -20,11 +20,11 @@ from urdfctl.migrate.classic.starting import (
 )
 from urdfctl.migrate.edits.markup import attribute, children, elements, end_of, indent_of, removal, root_of, step_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.bridge_file import bridge_file_of
 from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.model.launch.build_launch import is_of_ros2
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.xml.dom import Element
@@ -38,7 +38,7 @@ _YAML = (".launch.yaml", "_launch.yaml", ".launch.yml", "_launch.yml")
 _CLASSIC = b"gazebo_ros"
 
 
-def _launch(packages: Packages) -> Iterator[Proposal]:
+def _launch(packages: MigratedPackages) -> Iterator[Proposal]:
     if not leaves_classic(packages) or not goes_to_gz(packages):
         return
     for path in packages.files(*_XML):
@@ -56,7 +56,9 @@ def _proposed(edits: Iterator[Edit], source: SourceText) -> Iterator[Proposal]:
     found = tuple(edits)
     if found:
         at = Place(source, found[0].span.start)
-        yield Proposal(found, entries=(Entry(EntryKind.DONE, "the launch file starts gz", at, authority=_AUTHORITY),))
+        yield Proposal(
+            found, entries=(ReportEntry(EntryKind.DONE, "the launch file starts gz", at, authority=_AUTHORITY),)
+        )
 
 
 def _launched(file: str) -> str | None:
@@ -65,7 +67,7 @@ def _launched(file: str) -> str | None:
     return name if "gazebo_ros)" in file and name in FILES else None
 
 
-def _arguments(packages: Packages, name: str, written: Mapping[str, str]) -> str:
+def _arguments(packages: MigratedPackages, name: str, written: Mapping[str, str]) -> str:
     """The arguments of gz for those of an included launch file."""
     given = {key: None if "$" in value else value for key, value in written.items()}
     options, world = flags(name, given), written.get("world", "")
@@ -85,7 +87,7 @@ def _spawned(args: str) -> str:
 # -- XML ---------------------------------------------------------------------------------------------------------------
 
 
-def _of_xml(packages: Packages, root: Element) -> Iterator[Edit]:
+def _of_xml(packages: MigratedPackages, root: Element) -> Iterator[Edit]:
     gz = gz_names(packages.options.target)
     has_bridge = b"parameter_bridge" in root.source.data
     for element in elements(root):
@@ -124,7 +126,7 @@ def _with_argument(element: Element, line: str, after: str) -> Iterator[Edit]:
         yield Edit(SourceSpan(source, end, end), after)
 
 
-def _bridge_in_xml(packages: Packages, element: Element, package: str, messages: str) -> str:
+def _bridge_in_xml(packages: MigratedPackages, element: Element, package: str, messages: str) -> str:
     """The node that bridges the clock and the topics of the robot, as lines after an element."""
     indent, step = indent_of(element), step_of(element.source)
     found = bridge_file_of(packages, element.source.path)
@@ -142,7 +144,7 @@ def _clock(messages: str) -> str:
 # -- YAML --------------------------------------------------------------------------------------------------------------
 
 
-def _of_yaml(packages: Packages, source: SourceText) -> Iterator[Edit]:
+def _of_yaml(packages: MigratedPackages, source: SourceText) -> Iterator[Edit]:
     gz = gz_names(packages.options.target)
     has_bridge = b"parameter_bridge" in source.data
     for action, start in _actions(source):
@@ -205,7 +207,7 @@ def _argument_in_yaml(action: Map, file: Scalar, name: str, value: str) -> Edit:
     return Edit(SourceSpan(source, file.end, file.end), f"{lead}arg: {text}")
 
 
-def _bridge_in_yaml(packages: Packages, source: SourceText, item: int, gz: Mapping[str, str]) -> Edit:
+def _bridge_in_yaml(packages: MigratedPackages, source: SourceText, item: int, gz: Mapping[str, str]) -> Edit:
     """The edit that adds the bridge above an action."""
     start = source.data.rfind(b"\n", 0, item) + 1
     lead = source.data[start:item].decode()

@@ -9,9 +9,9 @@ from urdfctl.migrate.classic.systems import in_namespace, library_of
 from urdfctl.migrate.edits.markup import attribute, child, content, parent_of, step_of
 from urdfctl.migrate.edits.places import plugin_elements
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "hector_gazebo_plugins, gazebo_plugins (ROS 1): <bodyName>, <topicName>, <updateRate>; gz-sensors"
@@ -25,7 +25,7 @@ _IN_CLASSIC = {"imu": ("imu", "gazebo_ros_imu_sensor"), "navsat": ("gps", "gazeb
 """By type of the sensor in gz: the type in Gazebo Classic, and the library that publishes it in ROS 2."""
 
 
-def _loose_sensors(packages: Packages) -> Iterator[Proposal]:
+def _loose_sensors(packages: MigratedPackages) -> Iterator[Proposal]:
     to_gz = goes_to_gz(packages)
     if not to_gz and not (packages.is_ros1 and packages.simulator == "gazebo-classic"):
         return
@@ -39,7 +39,7 @@ def _loose_sensors(packages: Packages) -> Iterator[Proposal]:
         if link and len(around.elements()) == 1:
             kind = LOOSE[library][0] if to_gz else _IN_CLASSIC[LOOSE[library][0]][0]
             message = f"plugin '{library}' became a sensor of type {kind} on link '{link}'"
-            entry = Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)
+            entry = ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)
             text = _sensor(element, library, link, to_gz=to_gz)
             yield Proposal(tuple(replaced(packages, around, text)), entries=(entry,))
 

@@ -8,16 +8,16 @@ from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.edits.markup import content, indent_of, lines_of, root_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz, host_plugin, leaves_classic, simulated_by, system
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 
 _AUTHORITY = "rosdistro#41224; ros_gz README"
 _CONTROL = "gazebo_ros2_control"
 _GAZEBO = ("gazebo_ros", "gazebo_ros_pkgs", "gazebo_plugins")
 
 
-def _manifests(packages: Packages) -> Iterator[Proposal]:
+def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
     if not leaves_classic(packages) or packages.options.keep_classic:
         return
     for path in packages.files("package.xml"):
@@ -36,13 +36,13 @@ def _manifests(packages: Packages) -> Iterator[Proposal]:
             indent, kind = indent_of(element), element.tagName
             edits.append(Edit(lines_of(element), "".join(f"{indent}<{kind}>{name}</{kind}>\n" for name in added)))
         if edits:
-            entry = Entry(
+            entry = ReportEntry(
                 EntryKind.DONE, "the package needs gz instead of Gazebo Classic", root.at, authority=_AUTHORITY
             )
             yield Proposal(tuple(edits), entries=(entry,))
 
 
-def _successors(packages: Packages, name: str) -> tuple[str, ...] | None:
+def _successors(packages: MigratedPackages, name: str) -> tuple[str, ...] | None:
     """The packages that replace one of Gazebo Classic; None for other packages."""
     if name == _CONTROL:
         host = host_plugin(packages)

@@ -20,9 +20,9 @@ from urdfctl.migrate.edits.markup import (
     step_of,
 )
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.migrate.packages import OF_XML, MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 
 _AUTHORITY = (
@@ -54,7 +54,7 @@ COLOURS: Mapping[str, str] = {
 """The diffuse colours of Gazebo Classic's materials, as red, green, blue and alpha from 0 to 1."""
 
 
-def _materials(packages: Packages) -> Iterator[Proposal]:
+def _materials(packages: MigratedPackages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
     yield from _scripts(packages)
@@ -72,11 +72,11 @@ def _materials(packages: Packages) -> Iterator[Proposal]:
             step = step_of(source)
             lines = (f"{step * 2}<{kind}>{colour}</{kind}>\n" for kind in ("ambient", "diffuse"))
             text = f"<visual>\n{step}<material>\n{''.join(lines)}{step}</material>\n</visual>\n"
-            entry = Entry(EntryKind.DONE, f"material '{name}' became a colour", element.at, authority=_AUTHORITY)
+            entry = ReportEntry(EntryKind.DONE, f"material '{name}' became a colour", element.at, authority=_AUTHORITY)
             yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))
 
 
-def _scripts(packages: Packages) -> Iterator[Proposal]:
+def _scripts(packages: MigratedPackages) -> Iterator[Proposal]:
     """Write the colours of the scripts in worlds and models."""
     unknown: set[tuple[str, str]] = set()
     for element in sdf_elements(packages, b"<script"):
@@ -90,7 +90,7 @@ def _scripts(packages: Packages) -> Iterator[Proposal]:
             lines = "\n".join(f"<{kind}>{colour}</{kind}>" for kind in missing)
             edit = Edit(span_of(element), indented(lines, indent_of(element)).lstrip()) if lines else removal(element)
             what = f"material '{name}' became a colour"
-            yield Proposal((edit,), entries=(Entry(EntryKind.DONE, what, element.at, authority=_AUTHORITY),))
+            yield Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, what, element.at, authority=_AUTHORITY),))
         elif (path, name) not in unknown:
             unknown.add((path, name))
             what = f"gz does not read the script of material '{name}': write <diffuse>, or <pbr> with its texture"

@@ -9,12 +9,12 @@ from urdfctl.migrate.classic.launch_actions import gz_for, is_spawner, starts_cl
 from urdfctl.migrate.launch.actions import all_actions
 from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.python_reading import read_python
-from urdfctl.migrate.launch.written import Written, as_python, as_xml
+from urdfctl.migrate.launch.written import WrittenLaunch, as_python, as_xml
 from urdfctl.migrate.launch.xml_reading import read_xml
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.source.span import Place, SourceSpan, SourceText
 
@@ -22,10 +22,10 @@ _AUTHORITY = "ros_gz_sim README; ros2_control#1694: spawners pass the parameters
 _MARK = b"Migrated from "
 
 
-def _launch(packages: Packages) -> Iterator[Proposal]:
+def _launch(packages: MigratedPackages) -> Iterator[Proposal]:
     if not packages.crosses("jazzy"):
         return
-    forms: tuple[tuple[str, Callable[[SourceText], Written | None], Callable[[Written], str]], ...] = (
+    forms: tuple[tuple[str, Callable[[SourceText], WrittenLaunch | None], Callable[[WrittenLaunch], str]], ...] = (
         (".launch.py", read_python, as_python),
         (".launch.xml", read_xml, as_xml),
     )
@@ -38,7 +38,7 @@ def _launch(packages: Packages) -> Iterator[Proposal]:
 
 
 def _proposed(
-    packages: Packages, source: SourceText, written: Written, write: Callable[[Written], str]
+    packages: MigratedPackages, source: SourceText, written: WrittenLaunch, write: Callable[[WrittenLaunch], str]
 ) -> Iterator[Proposal]:
     actions, todos = list(written.actions), written.todos
     entries = []
@@ -49,16 +49,16 @@ def _proposed(
         left = gz.left(actions)
         todos = tuple(dict.fromkeys((*todos, *(todo_line(source.path, what) for what in left))))
         actions = list(gz.started(actions))
-        entries = [Entry(EntryKind.DONE, "the launch file starts gz", at, authority=_AUTHORITY)]
-        entries += [Entry(EntryKind.FOR_YOU, what, file=source.path) for what in left]
+        entries = [ReportEntry(EntryKind.DONE, "the launch file starts gz", at, authority=_AUTHORITY)]
+        entries += [ReportEntry(EntryKind.FOR_YOU, what, file=source.path) for what in left]
     elif is_classic and leaves_classic(packages):
         return
     passing = with_parameter_files(packages, source, actions)
     if passing != actions:
         what = "the spawners give their controllers their parameters: --param-file"
-        entries.append(Entry(EntryKind.DONE, what, at, authority=_AUTHORITY))
+        entries.append(ReportEntry(EntryKind.DONE, what, at, authority=_AUTHORITY))
     if entries:
-        new = write(Written(written.about, todos, tuple(passing)))
+        new = write(WrittenLaunch(written.about, todos, tuple(passing)))
         yield Proposal((Edit(SourceSpan(source, 0, len(source.data)), new),), entries=tuple(entries))
 
 

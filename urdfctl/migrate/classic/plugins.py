@@ -28,7 +28,7 @@ from urdfctl.migrate.edits.markup import (
 )
 from urdfctl.migrate.edits.places import place_of, plugin_elements
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.migrate.packages import OF_XML, MigratedPackages
 from urdfctl.migrate.shared.hardware import (
     HARDWARE_OPTION,
     goes_to_gz,
@@ -38,7 +38,7 @@ from urdfctl.migrate.shared.hardware import (
     system_plugin,
     without_hardware,
 )
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you, todo_line
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
@@ -55,7 +55,7 @@ _AUTHORITY = "gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _CONTROL = "gz_ros2_control doc/index.rst; rosdistro#41224: gazebo_ros2_control ends with iron"
 
 
-def _control(packages: Packages) -> Iterator[Proposal]:
+def _control(packages: MigratedPackages) -> Iterator[Proposal]:
     if not leaves_classic(packages):
         return
     for element in plugin_elements(packages):
@@ -69,13 +69,13 @@ def _control(packages: Packages) -> Iterator[Proposal]:
             message = f"the plugin of Gazebo Classic is removed: simulator '{simulated_by(packages)}' needs none"
             yield _removed(element, message)
             continue
-        entry = Entry(
+        entry = ReportEntry(
             EntryKind.DONE, f"the plugin for ros2_control became '{host.names[0]}'", element.at, authority=_CONTROL
         )
         yield Proposal(tuple(_for_gz(packages, element, host)), entries=(entry,))
 
 
-def _for_gz(packages: Packages, element: Element, host: SimulatorPlugin) -> Iterator[Edit]:
+def _for_gz(packages: MigratedPackages, element: Element, host: SimulatorPlugin) -> Iterator[Edit]:
     """Yield the edits that make a plugin that of gz; with `--keep-classic`, that put it beside the old one."""
     filename, name = host.filenames[0], host.names[0]
     inner = element.elements()
@@ -95,7 +95,7 @@ def _removed(element: Element, message: str) -> Proposal:
     around = parent_of(element)
     alone = around is not None and len(around.elements()) == 1
     edit = removal(around if around is not None and alone else element)
-    return Proposal((edit,), entries=(Entry(EntryKind.DONE, message, element.at, authority=_CONTROL),))
+    return Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, message, element.at, authority=_CONTROL),))
 
 
 def _has_both(element: Element) -> bool:
@@ -103,7 +103,7 @@ def _has_both(element: Element) -> bool:
     return b"gz_ros2_control-system" in element.source.data or b"ign_ros2_control-system" in element.source.data
 
 
-def _hardware(packages: Packages) -> Iterator[Proposal]:
+def _hardware(packages: MigratedPackages) -> Iterator[Proposal]:
     if not leaves_classic(packages):
         return
     new = system_plugin(packages)
@@ -114,11 +114,11 @@ def _hardware(packages: Packages) -> Iterator[Proposal]:
             if element.tagName != "plugin" or content(element) not in _OLD_HARDWARE or is_chosen(element):
                 continue
             message = f"the simulated hardware became '{new}'"
-            entries = [Entry(EntryKind.DONE, message, element.at, authority=_CONTROL)]
+            entries = [ReportEntry(EntryKind.DONE, message, element.at, authority=_CONTROL)]
             text = f"<plugin>{new}</plugin>\n"
             if todo := without_hardware(packages, _component_of(element)):
                 text = f"{todo_line(path, todo)}\n{text}"
-                entries.append(Entry(EntryKind.FOR_YOU, todo, element.at, option=HARDWARE_OPTION))
+                entries.append(ReportEntry(EntryKind.FOR_YOU, todo, element.at, option=HARDWARE_OPTION))
             yield Proposal(tuple(replaced(packages, element, text)), entries=tuple(entries))
 
 
@@ -127,7 +127,7 @@ def _component_of(plugin: Element) -> str:
     return next((attribute(one, "name") for one in ancestors(plugin) if one.tagName == "ros2_control"), "")
 
 
-def _interfaces(packages: Packages) -> Iterator[Proposal]:
+def _interfaces(packages: MigratedPackages) -> Iterator[Proposal]:
     """Replace the interfaces with a PID loop in the simulator, which only Gazebo Classic's hardware has."""
     if not goes_to_gz(packages):
         return
@@ -142,7 +142,9 @@ def _interfaces(packages: Packages) -> Iterator[Proposal]:
             message = (
                 f"'{at.text}' became '{edits[0].text}': gz has no PID loop of the joint; its controllers command it"
             )
-            yield Proposal(tuple(edits), entries=(Entry(EntryKind.DECIDED, message, place_of(at), authority=_CONTROL),))
+            yield Proposal(
+                tuple(edits), entries=(ReportEntry(EntryKind.DECIDED, message, place_of(at), authority=_CONTROL),)
+            )
 
 
 def _without_successor(element: Element, library: str) -> str:
@@ -156,7 +158,7 @@ def _without_successor(element: Element, library: str) -> str:
     return f"gz has no tricycle drive: give <ros2_control> {names}, start tricycle_controller, and remove '{library}'"
 
 
-def _systems(packages: Packages) -> Iterator[Proposal]:
+def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
     for element in plugin_elements(packages, *OF_SDF):
@@ -174,10 +176,10 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
             measures = list(axles(packages, element)) if system.has_axles else []
             text = system_text(element, system, step_of(element.source), measures)
             message = f"plugin '{library}' became '{system.filename}'"
-            entries = [Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
+            entries = [ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
             if dropped := dropped_settings(element, system):
                 message = f"'{system.filename}' does not have {', '.join(dropped)} of '{library}': dropped"
-                entries.append(Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
+                entries.append(ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
             yield Proposal(tuple(replaced(packages, element, text)), entries=tuple(entries))
         elif library in NO_SUCCESSOR and child(element, "urdfctl") is None:
             yield for_you(element.at, _without_successor(element, library))

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator
 
 from urdfctl.migrate.edits.markup import elements, root_of
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.source.workspaces.packages import package_name
 from urdfctl.source.xml.dom import Element
 
@@ -14,7 +14,7 @@ OF_SDF = (".sdf", ".world")
 _MAY_BE_SDF = (*OF_SDF, ".xacro")
 
 
-def sdf_elements(packages: Packages, mark: bytes) -> Iterator[Element]:
+def sdf_elements(packages: MigratedPackages, mark: bytes) -> Iterator[Element]:
     """Yield the elements of the files in SDF that contain a text, in order."""
     for path in packages.files(*_MAY_BE_SDF):
         source = packages.read(path)
@@ -23,7 +23,7 @@ def sdf_elements(packages: Packages, mark: bytes) -> Iterator[Element]:
             yield from elements(root)
 
 
-def own_models(packages: Packages) -> set[str]:
+def own_models(packages: MigratedPackages) -> set[str]:
     """Return the names that `model://` finds in the packages: models, files in folders of models, and packages."""
     names = {package_name(path) or "" for path in packages.files("package.xml")}
     for path in packages.files():

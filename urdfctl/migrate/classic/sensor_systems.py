@@ -11,9 +11,9 @@ from urdfctl.migrate.classic.choice import CHOICE
 from urdfctl.migrate.edits.markup import MACRO, ancestors, elements, root_of, step_of
 from urdfctl.migrate.edits.tokens import XML
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import SourceSpan
 
@@ -32,7 +32,7 @@ SYSTEMS: Mapping[str, tuple[str, str]] = {
 """By type of sensor: the library and the class of its system."""
 
 
-def _systems(packages: Packages) -> Iterator[Proposal]:
+def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
     if not goes_to_gz(packages) or packages.was_in_gz:
         return
     worlds = b"".join(packages.read(path).data for path in packages.files(".sdf", ".world"))
@@ -54,18 +54,18 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
         edit = Edit(SourceSpan(root.source, start, start), f"{step}<gazebo>\n{lines}{step}</gazebo>\n")
         names = ", ".join(file for file, _ in missing)
         message = f"the robot loads {names} for its sensors: no world of the packages does"
-        entry = Entry(EntryKind.DECIDED, message, root.at, authority=_AUTHORITY, option="load them in the world")
+        entry = ReportEntry(EntryKind.DECIDED, message, root.at, authority=_AUTHORITY, option="load them in the world")
         yield Proposal((edit,), entries=(entry,))
 
 
-def _needed(packages: Packages, loaded: LoadedTarget, robot: Robot) -> list[tuple[str, str]]:
+def _needed(packages: MigratedPackages, loaded: LoadedTarget, robot: Robot) -> list[tuple[str, str]]:
     """The systems for the sensors that a robot has, and for those that it has with other arguments."""
     types = [s.attributes.get("type", "") for gazebo in robot.gazebos for s in gazebo.tag.named("sensor")]
     found = [*types, *_written(packages, loaded)]
     return list(dict.fromkeys(SYSTEMS[kind] for kind in found if kind in SYSTEMS))
 
 
-def _written(packages: Packages, loaded: LoadedTarget) -> Iterator[str]:
+def _written(packages: MigratedPackages, loaded: LoadedTarget) -> Iterator[str]:
     """The types of the sensors in the files of a robot, without those in macros that the files do not call."""
     roots = [root_of(packages.read(path)) for path in loaded.sources if path.endswith(XML)]
     written = [element for root in roots if root is not None for element in elements(root)]

@@ -25,9 +25,9 @@ from urdfctl.migrate.edits.markup import (
     step_of,
 )
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.migrate.packages import OF_XML, MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
@@ -81,7 +81,7 @@ SENSORS: Mapping[str, Sensor] = {
 """By library of Gazebo Classic: the sensors whose data gz publishes itself."""
 
 
-def _sensors(packages: Packages) -> Iterator[Proposal]:
+def _sensors(packages: MigratedPackages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
     for path in packages.files(*OF_XML, *OF_SDF):
@@ -98,7 +98,7 @@ def _sensors(packages: Packages) -> Iterator[Proposal]:
                 yield _migrated(packages, element, known[0] if known else None)
 
 
-def _migrated(packages: Packages, element: Element, plugin: Element | None) -> Proposal:
+def _migrated(packages: MigratedPackages, element: Element, plugin: Element | None) -> Proposal:
     sensor = SENSORS[library_of(attribute(plugin, "filename"))] if plugin is not None else _LIDAR
     old = attribute(element, "type")
     new = sensor.types.get(old, old)
@@ -121,13 +121,13 @@ def _migrated(packages: Packages, element: Element, plugin: Element | None) -> P
     text = merged([edit for edit in edits if edit.text or edit.span.start != edit.span.end])
     whole = _applied(element, text)
     message = f"sensor '{attribute(element, 'name')}' became one of type {new} that gz publishes itself"
-    entries = [Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
+    entries = [ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
     if plugin is not None and (dropped := ", ".join(_dropped(element, plugin, sensor, new))):
         message = f"gz does not read {dropped} of '{library_of(attribute(plugin, 'filename'))}': dropped"
-        entries.append(Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
+        entries.append(ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
     if old == "ray":
         why = "the sensor is rendered by the GPU: gz has no lidar on the CPU (gz-sensors#26)"
-        entries.append(Entry(EntryKind.DECIDED, why, element.at))
+        entries.append(ReportEntry(EntryKind.DECIDED, why, element.at))
     return Proposal(tuple(replaced(packages, element, whole)), entries=tuple(entries))
 
 

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeVar
 
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.startup.records import NamedTuple
 
 SERVER, CLIENT = "gzserver.launch.py", "gzclient.launch.py"
@@ -53,7 +53,7 @@ def create_options(words: Sequence[tuple[str, Word]]) -> Iterator[tuple[str, Wor
             yield _RENAMED.get(text, text), word
 
 
-class Option(NamedTuple):
+class GzOption(NamedTuple):
     """An option of gz, and the argument of Gazebo Classic that asks for it.
 
     default: of the argument.
@@ -78,9 +78,9 @@ class Option(NamedTuple):
 
 
 OPTIONS = (
-    Option("pause", default=False, wanted=False, text="-r "),
-    Option("gui", default=True, wanted=False, text="-s "),
-    Option("verbose", default=False, wanted=True, text="-v4 "),
+    GzOption("pause", default=False, wanted=False, text="-r "),
+    GzOption("gui", default=True, wanted=False, text="-s "),
+    GzOption("verbose", default=False, wanted=True, text="-v4 "),
 )
 
 
@@ -96,7 +96,7 @@ def flags(file: str, given: Mapping[str, str | None]) -> str:
     return "".join(option.given(value) for option, value in known if value is not None)
 
 
-def undecided(file: str, given: Mapping[str, str | None]) -> list[Option]:
+def undecided(file: str, given: Mapping[str, str | None]) -> list[GzOption]:
     """Return the options of gz that depend on arguments which are known only when a launch file starts."""
     values = {**given, **_FIXED.get(file, {})}
     return [option for option in OPTIONS if file != CLIENT and values.get(option.argument, "") is None]
@@ -111,6 +111,6 @@ def is_empty_world(world: str, *, is_own: bool) -> bool:
     return not world or named or world.endswith("gazebo_ros)/worlds/empty.world")
 
 
-def has_own_empty_world(packages: Packages) -> bool:
+def has_own_empty_world(packages: MigratedPackages) -> bool:
     """Return whether a world in the packages has the name of the empty one of Gazebo Classic."""
     return any(os.path.basename(path) in EMPTY_WORLDS for path in packages.files(".world"))

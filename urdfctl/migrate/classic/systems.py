@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.migrate.edits.markup import child, children, content, indented, span_of
-from urdfctl.source.xml.dom import COMMENT, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 from urdfctl.startup.records import NamedTuple
 
 
@@ -200,7 +200,7 @@ def comments_above(element: Element) -> list[str]:
     """Return the comments between an element and the one before it, each as it is written."""
     found: list[str] = []
     node = element.previousSibling
-    while isinstance(node, Text):
+    while isinstance(node, XmlText):
         if node.nodeType == COMMENT:
             found.insert(0, f"<!--{node.data}-->")
         node = node.previousSibling

@@ -9,9 +9,9 @@ from urdfctl.migrate.classic.sdf import own_models, sdf_elements
 from urdfctl.migrate.classic.systems import library_of
 from urdfctl.migrate.edits.markup import attribute, content, indent_of, parent_of, removal, span_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you, todo_line
 from urdfctl.source.xml.dom import Element
 
@@ -25,7 +25,7 @@ _BUILT_IN = ("gazebo_ros_init", "gazebo_ros_factory", "gazebo_ros_api_plugin", "
 """Plugins of worlds whose work gz and ros_gz do without being asked."""
 
 
-def _models(packages: Packages) -> Iterator[Proposal]:
+def _models(packages: MigratedPackages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
     own = own_models(packages)
@@ -40,7 +40,7 @@ def _models(packages: Packages) -> Iterator[Proposal]:
         if name in ON_FUEL and text.rstrip("/") == f"{_MODEL}{name}":
             address = _FUEL + ON_FUEL[name]
             edit = Edit(span_of(element), f"<uri>{address}</uri>")
-            entry = Entry(EntryKind.DONE, f"'{text}' became '{address}'", element.at, authority=_AUTHORITY)
+            entry = ReportEntry(EntryKind.DONE, f"'{text}' became '{address}'", element.at, authority=_AUTHORITY)
             yield Proposal((edit,), entries=(entry,))
         elif (element.source.path, name) not in unknown:
             unknown.add((element.source.path, name))
@@ -48,7 +48,7 @@ def _models(packages: Packages) -> Iterator[Proposal]:
             yield for_you(element.at, what, authority=_AUTHORITY)
 
 
-def _plugins(packages: Packages) -> Iterator[Proposal]:
+def _plugins(packages: MigratedPackages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
     for element in sdf_elements(packages, b"<plugin"):
@@ -59,7 +59,7 @@ def _plugins(packages: Packages) -> Iterator[Proposal]:
             continue
         if library in _BUILT_IN:
             what = f"plugin '{library}' of the world is removed: gz and ros_gz do its work"
-            entry = Entry(EntryKind.DONE, what, element.at, authority=_AUTHORITY)
+            entry = ReportEntry(EntryKind.DONE, what, element.at, authority=_AUTHORITY)
             yield Proposal((removal(element),), entries=(entry,))
         else:
             yield _commented(element, library)
@@ -74,7 +74,7 @@ def _commented(element: Element, library: str) -> Proposal:
     what = f"plugin '{library}' is kept as a comment: no system of gz replaces it"
     old = span_of(element).text.replace("<!--", "").replace("-->", "").replace("--", "- -")
     edit = Edit(span_of(element), f"{todo_line(element.source.path, what)}\n{indent_of(element)}<!-- {old} -->")
-    return Proposal((edit,), entries=(Entry(EntryKind.FOR_YOU, what, element.at, authority=_PLUGINS),))
+    return Proposal((edit,), entries=(ReportEntry(EntryKind.FOR_YOU, what, element.at, authority=_PLUGINS),))
 
 
 WORLD_MODELS = Step(

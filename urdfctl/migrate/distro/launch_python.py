@@ -10,9 +10,9 @@ from urdfctl.catalog.moves import MANAGER
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.shared.controller_files import Section, installed_path, sections, sections_near
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.shared.controller_files import FileSection, installed_path, sections, sections_near
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 
 AUTHORITY_OF_TOPIC = "ros2_control#1358, #1410: the robot description is read from the topic robot_description"
@@ -24,18 +24,18 @@ _DESCRIPTION = "robot_description"
 _OLD_TOPIC = "~/robot_description"
 
 
-def _launch_python(packages: Packages) -> Iterator[Proposal]:
+def _launch_python(packages: MigratedPackages) -> Iterator[Proposal]:
     known = [section for section in sections(packages) if section.type != MANAGER]
     for path in packages.files(".py"):
         source = packages.read(path)
         if b"controller_manager" in source.data and packages.may_change(path):
-            yield from _File(packages, PythonFile(source), known).proposals()
+            yield from _LaunchFile(packages, PythonFile(source), known).proposals()
 
 
-class _File:
+class _LaunchFile:
     """One launch file."""
 
-    def __init__(self, packages: Packages, file: PythonFile, known: Sequence[Section]) -> None:
+    def __init__(self, packages: MigratedPackages, file: PythonFile, known: Sequence[FileSection]) -> None:
         self.packages, self.file = packages, file
         self.nodes = [
             (call, scope)
@@ -82,7 +82,7 @@ class _File:
         for item in given.value.elts:
             if self._is_description(item, scope):
                 what = f"'{_DESCRIPTION}' is no longer a parameter of the controller manager"
-                entry = Entry(EntryKind.DONE, what, self.file.at(item), authority=AUTHORITY_OF_TOPIC)
+                entry = ReportEntry(EntryKind.DONE, what, self.file.at(item), authority=AUTHORITY_OF_TOPIC)
                 yield Proposal((self.file.without(given.value.elts, item),), entries=(entry,))
                 return
 
@@ -99,7 +99,7 @@ class _File:
                 continue
             is_same = text_of(pair.elts[-1]) in (f"/{_DESCRIPTION}", _DESCRIPTION)
             what = f"the topic '{_OLD_TOPIC}' of the controller manager is now '{_DESCRIPTION}'"
-            entry = Entry(EntryKind.DONE, what, self.file.at(pair), authority=AUTHORITY_OF_TOPIC)
+            entry = ReportEntry(EntryKind.DONE, what, self.file.at(pair), authority=AUTHORITY_OF_TOPIC)
             if not is_same or keyword(call, "namespace"):
                 span = self.file.span(pair.elts[0])
                 edit = Edit(span, span.text.replace(_OLD_TOPIC, _DESCRIPTION))
@@ -120,7 +120,7 @@ class _File:
             if len(texts) != 2 or not all(texts) or controller in ("", "~") or given is None:  # noqa: PLR2004 (a pair)
                 continue
             what = f"the topic '{texts[0]}' is remapped where its controller is spawned"
-            entry = Entry(EntryKind.DONE, what, self.file.at(pair), authority=AUTHORITY_OF_REMAPPING)
+            entry = ReportEntry(EntryKind.DONE, what, self.file.at(pair), authority=AUTHORITY_OF_REMAPPING)
             arguments = self._arguments_of_spawner(controller)
             if arguments is None:
                 text = f"remap '{texts[0]}' by --controller-ros-args of the spawner of '{controller}'"
@@ -152,7 +152,7 @@ class _File:
     def _renamed(self, item: ast.expr, old: str, new: str) -> Proposal:
         span = self.file.span(item)
         what = f"'{old}' of the spawner is now '{new}'"
-        entry = Entry(EntryKind.DONE, what, self.file.at(item), authority=AUTHORITY_OF_OPTIONS)
+        entry = ReportEntry(EntryKind.DONE, what, self.file.at(item), authority=AUTHORITY_OF_OPTIONS)
         return Proposal((Edit(span, span.text.replace(old, new)),), entries=(entry,))
 
     def _parameter_file(self, call: ast.Call, scope: ast.AST) -> Iterator[Proposal]:
@@ -176,7 +176,7 @@ class _File:
         quote = "'" if self.file.text(given.value.elts[0]).startswith("'") else '"'
         edit = self.file.appended(given.value, [f"{quote}--param-file{quote}", expression])
         what = "the spawner gives its controllers their parameters: --param-file"
-        entry = Entry(EntryKind.DONE, what, self.file.at(call), authority=AUTHORITY_OF_FILE)
+        entry = ReportEntry(EntryKind.DONE, what, self.file.at(call), authority=AUTHORITY_OF_FILE)
         yield Proposal((edit, *imports), entries=(entry,))
 
     def _file_of_manager(self, scope: ast.AST) -> str | None:

@@ -11,16 +11,16 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.distro.launch_python import AUTHORITY_OF_FILE, AUTHORITY_OF_OPTIONS, AUTHORITY_OF_TOPIC
 from urdfctl.migrate.edits.xml_edits import elements_of, removed
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.shared.controller_files import Section, installed_path, sections, sections_near
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.shared.controller_files import FileSection, installed_path, sections, sections_near
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 
 _ENDINGS = (".launch.xml", "_launch.xml", ".launch")
 
 
-def _launch_xml(packages: Packages) -> Iterator[Proposal]:
+def _launch_xml(packages: MigratedPackages) -> Iterator[Proposal]:
     known = [section for section in sections(packages) if section.type != MANAGER]
     for path in packages.files(*_ENDINGS):
         source = packages.read(path)
@@ -48,12 +48,12 @@ def _manager(node: Element) -> Iterator[Proposal]:
             yield Proposal((removed(child),), entries=(_done(what, child),))
 
 
-def _done(what: str, element: Element, authority: str = AUTHORITY_OF_TOPIC) -> Entry:
-    return Entry(EntryKind.DONE, what, element.at, authority=authority)
+def _done(what: str, element: Element, authority: str = AUTHORITY_OF_TOPIC) -> ReportEntry:
+    return ReportEntry(EntryKind.DONE, what, element.at, authority=authority)
 
 
 def _spawner(
-    packages: Packages, node: Element, nodes: Sequence[Element], known: Sequence[Section]
+    packages: MigratedPackages, node: Element, nodes: Sequence[Element], known: Sequence[FileSection]
 ) -> Iterator[Proposal]:
     span = node.at["args"].span
     words = span.text.split()
@@ -91,7 +91,7 @@ def _file_of_manager(nodes: Sequence[Element]) -> str | None:
     return files.pop() if len(files) == 1 else None
 
 
-def _file(packages: Packages, nodes: Sequence[Element], path: str) -> str:
+def _file(packages: MigratedPackages, nodes: Sequence[Element], path: str) -> str:
     """The file as the controller manager of the same launch file names it, or else in its package."""
     name = os.path.basename(path)
     given = (child.attrs.get("from", "") for node in nodes for child in node.elements() if child.tagName == "param")

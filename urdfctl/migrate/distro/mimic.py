@@ -10,8 +10,8 @@ from urdfctl.migrate.edits.markup import child
 from urdfctl.migrate.edits.tokens import XML
 from urdfctl.migrate.edits.xml_edits import elements_of, inserted, removed, words_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.source.xml.dom import Element
 
@@ -19,7 +19,7 @@ _AUTHORITY = "ros2_control doc/migration.rst of jazzy, #1256: mimic joints are t
 _PARAMETERS = ("mimic", "multiplier", "offset")
 
 
-def _mimic(packages: Packages) -> Iterator[Proposal]:
+def _mimic(packages: MigratedPackages) -> Iterator[Proposal]:
     if not packages.crosses("jazzy"):
         return
     files = [path for path in packages.files(*XML) if b"<joint" in packages.read(path).data]
@@ -36,11 +36,11 @@ def _mimic(packages: Packages) -> Iterator[Proposal]:
             yield _moved(joint, mimicked, in_urdf.get(joint.attrs.get("name", ""), []), is_known=is_known)
         elif is_known and _commands(joint) and joint.attrs.get("mimic") != "false":
             what = f"mimic joint '{joint.attrs.get('name', '')}' has no command interface"
-            entry = Entry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY)
+            entry = ReportEntry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY)
             yield Proposal(tuple(map(removed, _commands(joint))), entries=(entry,))
 
 
-def _mimics(packages: Packages) -> dict[tuple[str, int], bool]:
+def _mimics(packages: MigratedPackages) -> dict[tuple[str, int], bool]:
     """Whether the URDF says of each joint of <ros2_control> that it mimics another, in all robots that have it."""
     found: dict[tuple[str, int], bool] = {}
     for loaded in packages.loaded():
@@ -70,7 +70,9 @@ def _moved(joint: Element, mimicked: Element, in_urdf: list[Element], *, is_know
         text = f"joint '{name}' mimics '{words_of(mimicked)}': move this to <mimic> of the joint in the URDF"
         return for_you(mimicked.at, text, authority=_AUTHORITY)
     what = f"joint '{name}' mimics '{words_of(mimicked)}' by <mimic> in the URDF, and has no command interface"
-    return Proposal(_distinct([*edits, *added]), entries=(Entry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY),))
+    return Proposal(
+        _distinct([*edits, *added]), entries=(ReportEntry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY),)
+    )
 
 
 def _commands(joint: Element) -> list[Element]:

@@ -9,13 +9,12 @@ from urdfctl.catalog.store import moves_data
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.python_edits import PythonFile, text_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.controller_files import type_names
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.files import is_yaml
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.source.yaml.tree import Entry as YamlEntry
-from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, read_yaml
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlEntry, read_yaml
 from urdfctl.startup.records import NamedTuple
 
 _PLUGIN, _ADAPTERS = "planning_plugin", "request_adapters"
@@ -49,7 +48,7 @@ def adapters(names: list[str]) -> Adapters:
     return found._replace(responses=list(dict.fromkeys(found.responses)))
 
 
-def _moveit(packages: Packages) -> Iterator[Proposal]:
+def _moveit(packages: MigratedPackages) -> Iterator[Proposal]:
     if packages.crosses(moves_data()["moveit"]["since"]):
         for path in packages.files(".yaml", ".yml"):
             data = packages.read(path).data
@@ -65,7 +64,7 @@ def _moveit(packages: Packages) -> Iterator[Proposal]:
 # -- YAML --------------------------------------------------------------------------------------------------------------
 
 
-def _in_yaml(packages: Packages, path: str) -> Iterator[Proposal]:
+def _in_yaml(packages: MigratedPackages, path: str) -> Iterator[Proposal]:
     pending: list[Node] = list(read_yaml(packages.read(path)).documents)
     while pending:
         node = pending.pop()
@@ -106,14 +105,16 @@ def _replaced_in_yaml(entry: YamlEntry, lists: dict[str, list[str]], gone: list[
     return Proposal((edit,), entries=_entries(entry.key.at, list(lists), gone))
 
 
-def _entries(at: Place, names: list[str], gone: list[str]) -> tuple[Entry, ...]:
+def _entries(at: Place, names: list[str], gone: list[str]) -> tuple[ReportEntry, ...]:
     authority = moves_data()["moveit"]["authority"]
-    entries = [Entry(EntryKind.DONE, f"MoveIt reads {' and '.join(names)} as lists", at, authority=authority)]
+    entries = [ReportEntry(EntryKind.DONE, f"MoveIt reads {' and '.join(names)} as lists", at, authority=authority)]
     if "response_adapters" in names:
-        entries.append(Entry(EntryKind.DECIDED, _DISPLAYED, at, authority=authority, option="remove ValidateSolution"))
+        entries.append(
+            ReportEntry(EntryKind.DECIDED, _DISPLAYED, at, authority=authority, option="remove ValidateSolution")
+        )
     for name in gone:
         message = f"adapter '{name}' is dropped: it has no successor"
-        entries.append(Entry(EntryKind.DONE, message, at, authority=authority))
+        entries.append(ReportEntry(EntryKind.DONE, message, at, authority=authority))
     return tuple(entries)
 
 
@@ -163,7 +164,7 @@ def _replaced_in_python(
 # -- grippers ----------------------------------------------------------------------------------------------------------
 
 
-def _grippers(packages: Packages) -> Iterator[Proposal]:
+def _grippers(packages: MigratedPackages) -> Iterator[Proposal]:
     """Change the action of those grippers whose controller is the parallel one."""
     types = type_names(packages)
     parallel = {one.controller for one in types if one.value.text.startswith("parallel_gripper_action_controller/")}
@@ -181,7 +182,7 @@ def _grippers(packages: Packages) -> Iterator[Proposal]:
                     what = f"MoveIt commands '{entry.key.text}' by the action ParallelGripperCommand"
                     yield Proposal(
                         (Edit(SourceSpan(source, kind.start, kind.end), "ParallelGripperCommand"),),
-                        entries=(Entry(EntryKind.DONE, what, kind.at, authority=_GRIPPER),),
+                        entries=(ReportEntry(EntryKind.DONE, what, kind.at, authority=_GRIPPER),),
                     )
 
 

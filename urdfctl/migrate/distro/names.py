@@ -6,13 +6,13 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfctl.catalog.moves import Names, name_moves
+from urdfctl.catalog.moves import MovedNames, name_moves
 from urdfctl.diagnostic import Edit
 from urdfctl.fault import Written
 from urdfctl.migrate.edits.tokens import HOOKS, XML, elements_in, tokens_in
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.files import is_launch
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.workspaces.packages import package_name
@@ -32,7 +32,7 @@ def part_of(path: str) -> Part | None:
     return Part.URDF if name.endswith(XML) else None
 
 
-def _names_in(part: Part, packages: Packages) -> Iterator[Proposal]:
+def _names_in(part: Part, packages: MigratedPackages) -> Iterator[Proposal]:
     moves = [move for move in name_moves() if part.value in move.parts and packages.reaches(move.since)]
     if not moves:
         return
@@ -45,11 +45,11 @@ def _names_in(part: Part, packages: Packages) -> Iterator[Proposal]:
                     yield from _renamed(source, move, own)
 
 
-def _may_hold(source: SourceText, old: str, move: Names) -> bool:
+def _may_hold(source: SourceText, old: str, move: MovedNames) -> bool:
     return re.search(old.encode(), source.data) is not None if move.is_pattern else old.encode() in source.data
 
 
-def _renamed(source: SourceText, move: Names, own: set[str | None]) -> Iterator[Proposal]:
+def _renamed(source: SourceText, move: MovedNames, own: set[str | None]) -> Iterator[Proposal]:
     for span in elements_in(source) if move.element == "*" else tokens_in(source, move.element):
         text = span.text
         new = _new_name(text, move)
@@ -57,7 +57,7 @@ def _renamed(source: SourceText, move: Names, own: set[str | None]) -> Iterator[
             yield _proposal(span, text, new, move)
 
 
-def _new_name(text: str, move: Names) -> str:
+def _new_name(text: str, move: MovedNames) -> str:
     if not move.is_pattern:
         return move.names.get(text, text)
     for old, new in move.names.items():
@@ -65,10 +65,10 @@ def _new_name(text: str, move: Names) -> str:
     return text
 
 
-def _proposal(span: SourceSpan, old: str, new: str, move: Names) -> Proposal:
+def _proposal(span: SourceSpan, old: str, new: str, move: MovedNames) -> Proposal:
     at = Place(span.source, span.start, end=span.end)
     what = f"'{_short(old)}' was renamed to '{_short(new)}'"
-    return Proposal((Edit(span, new),), entries=(Entry(EntryKind.DONE, what, at, authority=move.authority),))
+    return Proposal((Edit(span, new),), entries=(ReportEntry(EntryKind.DONE, what, at, authority=move.authority),))
 
 
 _MOST = 80
@@ -95,7 +95,7 @@ def _readable(pattern: str) -> str:
 
 
 def _step(part: Part, what: str, before: Written, after: Written) -> Step:
-    def propose(packages: Packages) -> Iterator[Proposal]:
+    def propose(packages: MigratedPackages) -> Iterator[Proposal]:
         return _names_in(part, packages)
 
     return Step(

@@ -13,9 +13,9 @@ from urdfctl.catalog.moves import MANAGER, Move, When, as_yaml, in_words, parame
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.yaml_edits import MapEdits, Path, deepest, leaves
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.shared.controller_files import Section, sections
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.shared.controller_files import FileSection, sections
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.source.yaml.tree import Scalar
 
@@ -48,7 +48,7 @@ class _Parameter:
         return node.source.data[node.start : node.end].decode("utf-8", "replace") if isinstance(node, Scalar) else None
 
 
-def _parameters(packages: Packages) -> Iterator[Proposal]:
+def _parameters(packages: MigratedPackages) -> Iterator[Proposal]:
     for section in sections(packages):
         known = _moves_for(section.type, packages.options.target)
         moves = [move for move in known if _is_due(packages, move)]
@@ -56,7 +56,7 @@ def _parameters(packages: Packages) -> Iterator[Proposal]:
             yield from _Moving(packages, section, moves).proposals()
 
 
-def _is_due(packages: Packages, move: Move) -> bool:
+def _is_due(packages: MigratedPackages, move: Move) -> bool:
     """Whether the target needs a move: an old name if it is there at all, a default only if it changes on the way."""
     return packages.crosses(move.since) if move.is_default else packages.reaches(move.since)
 
@@ -64,12 +64,12 @@ def _is_due(packages: Packages, move: Move) -> bool:
 class _Moving:
     """One section while it is moved."""
 
-    def __init__(self, packages: Packages, section: Section, moves: Sequence[Move]) -> None:
+    def __init__(self, packages: MigratedPackages, section: FileSection, moves: Sequence[Move]) -> None:
         self.section, self.moves = section, moves
         self.source = packages.read(section.path)
         self.all = [_Parameter(name, path) for name, path in leaves(section.parameters)]
         self.given = {one.name: one.text for one in self.all}
-        self.entries: list[Entry] = []
+        self.entries: list[ReportEntry] = []
 
     def proposals(self) -> Iterator[Proposal]:
         for move in self.moves:
@@ -128,9 +128,9 @@ class _Moving:
         what = f"'{old}' of '{self.section.node}' " + (f"became {now}" if now else "is dropped")
         if self.entries and self.entries[-1].message == what:
             return
-        self.entries.append(Entry(EntryKind.DONE, what, at, authority=move.authority))
+        self.entries.append(ReportEntry(EntryKind.DONE, what, at, authority=move.authority))
         if move.todo:
-            self.entries.append(Entry(EntryKind.FOR_YOU, move.todo, at, authority=move.authority))
+            self.entries.append(ReportEntry(EntryKind.FOR_YOU, move.todo, at, authority=move.authority))
 
     def _add_default(self, move: Move) -> None:
         if self._find(move.name) is not None or not self.all:
@@ -141,7 +141,7 @@ class _Moving:
         what = f"the default of '{move.name}' changed: the old value {added.value} is written for '{self.section.node}'"
         option = f"remove {move.name}"
         self.entries.append(
-            Entry(EntryKind.DECIDED, what, self.section.parameters.at, authority=move.authority, option=option)
+            ReportEntry(EntryKind.DECIDED, what, self.section.parameters.at, authority=move.authority, option=option)
         )
 
     # -- the edits -----------------------------------------------------------------------------------------------------

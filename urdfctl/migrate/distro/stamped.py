@@ -9,9 +9,9 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.tokens import tokens_in
 from urdfctl.migrate.edits.yaml_edits import MapEdits
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.shared.controller_files import Section, sections, type_names
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.shared.controller_files import FileSection, sections, type_names
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.files import is_launch
 from urdfctl.source.span import Place, SourceSpan
 
@@ -42,14 +42,14 @@ _OF_JOYSTICK = ("axis_linear", "scale_linear", "axis_angular")
 _OLD_TOPIC = re.compile(r"(\w+)/(cmd_vel|reference)_unstamped\Z")
 
 
-def drives(packages: Packages) -> set[str]:
+def drives(packages: MigratedPackages) -> set[str]:
     """Return the controllers of the packages that read stamped velocities, if they did not before the migration."""
     if not packages.crosses(SINCE):
         return set()
     return {one.controller for one in type_names(packages) if one.value.text.startswith(_READERS)}
 
 
-def _publishers(packages: Packages) -> Iterator[Proposal]:
+def _publishers(packages: MigratedPackages) -> Iterator[Proposal]:
     for section in sections(packages) if drives(packages) else ():
         parameter = _parameter(section)
         known = {entry.key.text for entry in section.parameters.entries}
@@ -59,11 +59,13 @@ def _publishers(packages: Packages) -> Iterator[Proposal]:
         edits = MapEdits(packages.read(section.path))
         edits.insert(section.parameters, f"{name}: true")
         what = f"'{section.node}' publishes velocities with a stamp, which the controllers read: {name}"
-        entry = Entry(EntryKind.DECIDED, what, section.parameters.at, authority=authority, option=f"remove {name}")
+        entry = ReportEntry(
+            EntryKind.DECIDED, what, section.parameters.at, authority=authority, option=f"remove {name}"
+        )
         yield Proposal(edits.edits(), entries=(entry,))
 
 
-def _parameter(section: Section) -> tuple[str, str] | None:
+def _parameter(section: FileSection) -> tuple[str, str] | None:
     if not section.parameters.entries:
         return None
     names = {entry.key.text.partition(".")[0] for entry in section.parameters.entries}
@@ -71,7 +73,7 @@ def _parameter(section: Section) -> tuple[str, str] | None:
     return PARAMETERS.get(node)
 
 
-def _topics(packages: Packages) -> Iterator[Proposal]:
+def _topics(packages: MigratedPackages) -> Iterator[Proposal]:
     readers = drives(packages)
     for path in packages.files(".py", ".xml", ".launch", ".yaml", ".yml") if readers else ():
         source = packages.read(path)
@@ -82,7 +84,7 @@ def _topics(packages: Packages) -> Iterator[Proposal]:
                 continue
             start = token.end - len(b"_unstamped")
             what = f"the topic '{token.text}' is now '{token.text.removesuffix('_unstamped')}'"
-            entry = Entry(EntryKind.DONE, what, Place(source, token.start, end=token.end), authority=_STAMPED)
+            entry = ReportEntry(EntryKind.DONE, what, Place(source, token.start, end=token.end), authority=_STAMPED)
             yield Proposal((Edit(SourceSpan(source, start, token.end), ""),), entries=(entry,))
 
 

@@ -11,9 +11,9 @@ from urdfctl.migrate.edits.markup import indent_of, step_of
 from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
 from urdfctl.migrate.edits.xml_edits import elements_of, inserted
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.controller_files import sections
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.source.xml.dom import Element
 
@@ -26,7 +26,7 @@ _PROGRAMS: Mapping[tuple[str, str], str] = {
 _XML = (".launch.xml", "_launch.xml", ".launch")
 
 
-def _nodes(packages: Packages) -> Iterator[Proposal]:
+def _nodes(packages: MigratedPackages) -> Iterator[Proposal]:
     if not drives(packages):
         return
     set_in_files = {entry.key.text for section in sections(packages) for entry in section.parameters.entries}
@@ -89,7 +89,7 @@ def _with_child(element: Element, text: str) -> Edit | None:
 def _proposal(edit: Edit, node: str, at: Place) -> Proposal:
     parameter, authority = PARAMETERS[node]
     what = f"'{node}' publishes velocities with a stamp, which the controllers read: {parameter}"
-    entry = Entry(EntryKind.DECIDED, what, at, authority=authority, option=f"remove {parameter}")
+    entry = ReportEntry(EntryKind.DECIDED, what, at, authority=authority, option=f"remove {parameter}")
     return Proposal((edit,), entries=(entry,))
 
 

@@ -12,16 +12,16 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.xml_edits import elements_of, span_of, words_of
 from urdfctl.migrate.edits.yaml_edits import MapEdits, leaves
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.shared.controller_files import Section, TypeName, sections, type_names
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.shared.controller_files import FileSection, TypeName, sections, type_names
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "ros2_controllers doc/migration.rst: removed types and their successors"
 
 
-def _types(packages: Packages) -> Iterator[Proposal]:
+def _types(packages: MigratedPackages) -> Iterator[Proposal]:
     target = packages.options.target
     known = sections(packages)
     for declared in type_names(packages):
@@ -33,7 +33,7 @@ def _types(packages: Packages) -> Iterator[Proposal]:
             yield _proposal(declared, instead, own, target)
 
 
-def _proposal(declared: TypeName, instead: Replacement, own: list[Section], target: str) -> Proposal:
+def _proposal(declared: TypeName, instead: Replacement, own: list[FileSection], target: str) -> Proposal:
     """The proposal to change the type of a controller, and to add the parameters that the new type needs.
 
     Parameters that only the new type reads had no effect; so they are dropped.
@@ -49,16 +49,18 @@ def _proposal(declared: TypeName, instead: Replacement, own: list[Section], targ
                     section.parameters, f"{name}: {_yaml(value)}", after=section.parameters.entries[-1]
                 )
     what = f"controller type '{scalar.text}' became '{instead.type}'"
-    entries = [Entry(EntryKind.DONE, what, scalar.at, authority=_AUTHORITY)]
+    entries = [ReportEntry(EntryKind.DONE, what, scalar.at, authority=_AUTHORITY)]
     for section in own:
         for name, path in list(leaves(section.parameters)):
             if _is_read_only_by(name, scalar.text, instead.type, target):
                 by_path[section.path].drop(path)
                 dropped = f"'{name}' is dropped: the old type did not read it, and the new one would"
                 at = path[-1][1].key.at
-                entries.append(Entry(EntryKind.DECIDED, dropped, at, authority=_AUTHORITY, option=f"add {name} again"))
+                entries.append(
+                    ReportEntry(EntryKind.DECIDED, dropped, at, authority=_AUTHORITY, option=f"add {name} again")
+                )
     if instead.note:
-        entries.append(Entry(EntryKind.DECIDED, instead.note, scalar.at, authority=_AUTHORITY))
+        entries.append(ReportEntry(EntryKind.DECIDED, instead.note, scalar.at, authority=_AUTHORITY))
     all_edits: list[Edit] = [edit for one in by_path.values() for edit in one.edits()]
     return Proposal(tuple(all_edits), entries=tuple(entries), fixes=("UC422",))
 
@@ -78,7 +80,7 @@ def _yaml(value: object) -> str:
 # -- the packages that provide them ------------------------------------------------------------------------------------
 
 
-def _dependencies(packages: Packages) -> Iterator[Proposal]:
+def _dependencies(packages: MigratedPackages) -> Iterator[Proposal]:
     """Depend on the packages of the new types; no longer on those of the old ones if nothing uses them."""
     target = packages.options.target
     used = {declared.value.text for declared in type_names(packages)}
@@ -113,7 +115,7 @@ def _renamed_dependency(element: Element, old: str, new: str, *, is_gone: bool) 
     indent = span.source.data[line : span.start].decode("utf-8", "replace")
     edit = Edit(span, text) if is_gone else Edit(SourceSpan(span.source, span.end, span.end), f"\n{indent}{text}")
     what = f"'{new}' provides the controllers that '{old}' provided"
-    return Proposal((edit,), entries=(Entry(EntryKind.DONE, what, element.at, authority=_AUTHORITY),))
+    return Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, what, element.at, authority=_AUTHORITY),))
 
 
 def _rows() -> Iterator[Row]:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.source.xml.dom import COMMENT, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 from urdfctl.source.xml.parsing import parse
 from urdfctl.startup.per_object import once_per_object
 
@@ -200,7 +200,7 @@ def is_alone(first: Element, last: Element) -> bool:
     """Return whether only blanks and comments are between two siblings."""
     node = first.nextSibling
     while node is not None and node is not last:
-        if not isinstance(node, Text) or (node.nodeType != COMMENT and node.data.strip()):
+        if not isinstance(node, XmlText) or (node.nodeType != COMMENT and node.data.strip()):
             return False
         node = node.nextSibling
     return node is last

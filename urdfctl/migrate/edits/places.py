@@ -6,7 +6,7 @@ import os
 from collections.abc import Collection, Iterator
 
 from urdfctl.migrate.edits.markup import elements, root_of
-from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.migrate.packages import OF_XML, MigratedPackages
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.source.xml.dom import Element
 
@@ -29,7 +29,7 @@ def place_of(span: SourceSpan) -> Place:
     return Place(span.source, span.start, end=span.end)
 
 
-def written_elements(packages: Packages, mark: str, endings: Collection[str] = OF_XML) -> Iterator[Element]:
+def written_elements(packages: MigratedPackages, mark: str, endings: Collection[str] = OF_XML) -> Iterator[Element]:
     """Yield all elements of the files that contain a text, as they are written."""
     for path in packages.files(*endings):
         source = packages.read(path)
@@ -37,7 +37,7 @@ def written_elements(packages: Packages, mark: str, endings: Collection[str] = O
         yield from elements(root) if root is not None else ()
 
 
-def plugin_elements(packages: Packages, *endings: str, at_first: bool = False) -> Iterator[Element]:
+def plugin_elements(packages: MigratedPackages, *endings: str, at_first: bool = False) -> Iterator[Element]:
     """Yield the `<plugin>` elements in the XML files, as they are written.
 
     endings: those of other files to look into, too.

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.source.yaml.tree import Entry, Mapping, Node
+from urdfctl.source.yaml.tree import Mapping, Node, YamlEntry
 
-Path = tuple[tuple[Mapping, Entry], ...]
+Path = tuple[tuple[Mapping, YamlEntry], ...]
 """The maps and entries that lead to a value."""
 
 
@@ -25,7 +25,7 @@ class MapEdits:
         """Replace a key or a value."""
         self._splices.append((node.start, _end(node), text))
 
-    def insert(self, parent: Mapping, line: str, *, after: Entry | None = None) -> None:
+    def insert(self, parent: Mapping, line: str, *, after: YamlEntry | None = None) -> None:
         """Insert `key: value` into a map: after an entry of it, or at its end."""
         entry = after or (parent.entries[-1] if parent.entries else None)
         self._inserted[parent.start] = self._inserted.get(parent.start, 0) + 1
@@ -61,7 +61,7 @@ class MapEdits:
                 merged.append((start, end, text))
         return tuple(Edit(SourceSpan(self.source, start, end), text) for start, end, text in merged)
 
-    def _remove(self, parent: Mapping, entry: Entry) -> None:
+    def _remove(self, parent: Mapping, entry: YamlEntry) -> None:
         """Remove an entry with its line; earlier removals of its parts are forgotten."""
         start, end = entry.key.start, _end(entry.value)
         if self._is_flow(parent):

@@ -26,7 +26,7 @@ Text = tuple[PartOfText, ...]
 """A text with substitutions."""
 
 
-class Condition(NamedTuple):
+class ActionCondition(NamedTuple):
     """A condition: the text must be true, or must not be."""
 
     text: Text
@@ -54,7 +54,7 @@ class Action(NamedTuple):
     description: Text = ()
     remaps: tuple[tuple[Text, Text], ...] = ()
     about: str = ""
-    condition: Condition | None = None
+    condition: ActionCondition | None = None
     inner: tuple[Action, ...] = ()
     flags: tuple[tuple[str, str], ...] = ()
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from urdfctl.catalog.moves import MANAGER
 from urdfctl.generate.files.bringup import takes_param_file
 from urdfctl.migrate.launch.actions import Action, Text, all_actions, is_literal, literal, parsed, plain
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.controller_files import installed_path, sections, sections_near
 from urdfctl.source.span import SourceText
 
@@ -16,7 +16,7 @@ _FLAGS = ("--inactive", "--activate-as-group", "--unload-on-kill", "-u")
 """The options of a spawner without a value."""
 
 
-def with_parameter_files(packages: Packages, source: SourceText, actions: Sequence[Action]) -> list[Action]:
+def with_parameter_files(packages: MigratedPackages, source: SourceText, actions: Sequence[Action]) -> list[Action]:
     """Return the actions of a launch file, in which each spawner passes on the files of its controllers.
 
     The files of a spawner are those that it may need: it passes them on if its controllers or their files are unknown.
@@ -39,7 +39,7 @@ def with_parameter_files(packages: Packages, source: SourceText, actions: Sequen
 
 
 def _files(
-    packages: Packages, spawner: Action, defaults: Mapping[str, str], known: Mapping[str, Collection[str]]
+    packages: MigratedPackages, spawner: Action, defaults: Mapping[str, str], known: Mapping[str, Collection[str]]
 ) -> Sequence[Text]:
     if literal(_OPTION) in spawner.words:
         return ()
@@ -66,6 +66,6 @@ def _names(words: Sequence[Text], defaults: Mapping[str, str]) -> Iterator[str]:
         yield from text.split() or [""]
 
 
-def _address(packages: Packages, path: str) -> Text:
+def _address(packages: MigratedPackages, path: str) -> Text:
     package, parts = installed_path(packages, path)
     return parsed(f"$(find {package})/{'/'.join(parts)}")

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.generate.text.scalars import python_text
-from urdfctl.migrate.launch.actions import Action, Condition, Text, all_actions, is_literal, plain
+from urdfctl.migrate.launch.actions import Action, ActionCondition, Text, all_actions, is_literal, plain
 from urdfctl.migrate.launch.expressions import Used, parts_of
 
 _STEP = "    "
@@ -196,7 +196,7 @@ def _python_value(text: str) -> str:
     return python_text(value) if isinstance(value, str) else repr(value)
 
 
-def _condition(condition: Condition) -> str:
+def _condition(condition: ActionCondition) -> str:
     name = "UnlessCondition" if condition.negated else "IfCondition"
     return f"{name}({_text(condition.text)})"
 

@@ -6,8 +6,8 @@ import ast
 from collections.abc import Iterator
 
 from urdfctl.migrate.edits.python_edits import called, keyword
-from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, joined, literal, plain
-from urdfctl.migrate.launch.written import Written, as_python
+from urdfctl.migrate.launch.actions import Action, ActionCondition, PartOfText, Text, joined, literal, plain
+from urdfctl.migrate.launch.written import WrittenLaunch, as_python
 from urdfctl.source.span import SourceText
 
 _KINDS = {
@@ -20,7 +20,7 @@ _KINDS = {
 }
 
 
-def read_python(source: SourceText) -> Written | None:
+def read_python(source: SourceText) -> WrittenLaunch | None:
     """Return what a migration wrote into a launch file; None if it has any other form."""
     try:
         text = source.data.decode()
@@ -28,7 +28,7 @@ def read_python(source: SourceText) -> Written | None:
         about = ast.get_docstring(tree) or ""
         head = text.splitlines()[1 : tree.body[1].lineno - 1] if len(tree.body) > 1 else []
         todos = tuple(line for line in head if line.startswith("#"))
-        written = Written(about, todos, tuple(_File(text, tree).actions()))
+        written = WrittenLaunch(about, todos, tuple(_PythonFile(text, tree).actions()))
     except (_OtherFormError, SyntaxError, ValueError, RecursionError):
         return None
     return written if as_python(written) == text else None
@@ -38,7 +38,7 @@ class _OtherFormError(Exception):
     """A part of the file has a form that no migration writes."""
 
 
-class _File:
+class _PythonFile:
     """A launch file as text and syntax tree."""
 
     def __init__(self, text: str, tree: ast.Module) -> None:
@@ -138,10 +138,10 @@ class _File:
         for key, value in zip(known.keys, known.values, strict=True):
             yield plain(self._text_of(key)), self._text_of(value)
 
-    def _condition(self, node: ast.expr) -> Condition:
+    def _condition(self, node: ast.expr) -> ActionCondition:
         if not isinstance(node, ast.Call):
             raise _OtherFormError
-        return Condition(self._text_of(_only(node)), called(node) == "UnlessCondition")
+        return ActionCondition(self._text_of(_only(node)), called(node) == "UnlessCondition")
 
     def _flag(self, node: ast.expr) -> str:
         is_text = isinstance(node, ast.Constant) and isinstance(node.value, str)

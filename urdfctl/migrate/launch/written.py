@@ -8,7 +8,7 @@ from urdfctl.migrate.launch.xml_form import xml_file
 from urdfctl.startup.records import NamedTuple
 
 
-class Written(NamedTuple):
+class WrittenLaunch(NamedTuple):
     """What a migration writes into a launch file.
 
     about: the first line of the file's docstring, or its first comment.
@@ -21,7 +21,7 @@ class Written(NamedTuple):
     actions: tuple[Action, ...]
 
 
-def as_python(written: Written) -> str:
+def as_python(written: WrittenLaunch) -> str:
     """Return a launch file in Python."""
     text = python_file(written.actions, written.about)
     if not written.todos:
@@ -30,7 +30,7 @@ def as_python(written: Written) -> str:
     return head + mark + "\n" + "".join(f"{todo}\n" for todo in written.todos) + rest.lstrip("\n")
 
 
-def as_xml(written: Written) -> str:
+def as_xml(written: WrittenLaunch) -> str:
     """Return a launch file in XML."""
     head, mark, rest = xml_file(written.actions, written.about).partition("<launch>\n")
     return head + mark + "".join(f"  {todo}\n" for todo in written.todos) + rest

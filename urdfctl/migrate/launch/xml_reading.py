@@ -8,35 +8,34 @@ from itertools import takewhile
 
 from urdfctl.generate.text.scalars import xml_text
 from urdfctl.migrate.edits.markup import root_of
-from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, divided, words_of
-from urdfctl.migrate.launch.written import Written, as_xml
+from urdfctl.migrate.launch.actions import Action, ActionCondition, PartOfText, Text, divided, words_of
+from urdfctl.migrate.launch.written import WrittenLaunch, as_xml
 from urdfctl.source.span import SourceText
 from urdfctl.source.todo import MARK
-from urdfctl.source.xml.dom import COMMENT, Element, Node
-from urdfctl.source.xml.dom import Text as Characters
+from urdfctl.source.xml.dom import COMMENT, Element, XmlNode, XmlText
 
 _SUBSTITUTION = r"\$\((var|find-pkg-share|env|dirname|eval)\s*([^()]*(?:\([^()]*\)[^()]*)*)\)"
 _KINDS = {"arg": "argument", "let": "let", "set_parameter": "set_parameter", "include": "include", "node": "node"}
 _FLAGS = ("output", "respawn", "launch-prefix", "shell")
 
 
-def read_xml(source: SourceText) -> Written | None:
+def read_xml(source: SourceText) -> WrittenLaunch | None:
     """Return what a migration wrote into a launch file; None if it has any other form."""
     root = root_of(source)
     first = root.previousSibling if root is not None else None
-    if root is None or not isinstance(first, Characters) or first.nodeType != COMMENT:
+    if root is None or not isinstance(first, XmlText) or first.nodeType != COMMENT:
         return None
     actions = tuple(_actions(root))
     todos = tuple(takewhile(lambda action: action.kind == "comment" and action.name.startswith(MARK), actions))
     shown = tuple(f"<!-- {todo.name} -->" for todo in todos)
-    written = Written(first.data.strip(), shown, actions[len(todos) :])
+    written = WrittenLaunch(first.data.strip(), shown, actions[len(todos) :])
     return written if as_xml(written).encode() == source.data else None
 
 
 def _actions(parent: Element) -> Iterator[Action]:
-    node: Node | None = parent.firstChild
+    node: XmlNode | None = parent.firstChild
     while node is not None:
-        if isinstance(node, Characters) and node.nodeType == COMMENT:
+        if isinstance(node, XmlText) and node.nodeType == COMMENT:
             yield Action("comment", node.data.strip())
         elif isinstance(node, Element) and node.tagName != "push-ros-namespace":
             yield _action(node)
@@ -63,7 +62,9 @@ def _action(element: Element) -> Action:
         space = _text(pushed.attrs.get("namespace", "")) if pushed is not None else None
         action = action._replace(value=space, inner=tuple(_actions(element)))
     condition = next((each for each in ("if", "unless") if each in attrs), None)
-    return action._replace(condition=Condition(_text(attrs[condition]), condition == "unless") if condition else None)
+    return action._replace(
+        condition=ActionCondition(_text(attrs[condition]), condition == "unless") if condition else None
+    )
 
 
 def _node(element: Element) -> Action:

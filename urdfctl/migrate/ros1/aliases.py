@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import controller_maps
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.source.yaml.tree import Mapping, Node, Sequence, YamlFile, read_yaml
 from urdfctl.startup.records import NamedTuple
@@ -28,7 +28,7 @@ class _Anchored(NamedTuple):
     value: str
 
 
-def _aliases(packages: Packages) -> Iterator[Proposal]:
+def _aliases(packages: MigratedPackages) -> Iterator[Proposal]:
     for source, _, _ in controller_maps(packages):
         file = read_yaml(source)
         anchored = list(_anchored(file.documents)) if file.aliases else []
@@ -36,7 +36,7 @@ def _aliases(packages: Packages) -> Iterator[Proposal]:
         if edits:
             edits += _without_anchors(file, anchored) if len(edits) == len(file.aliases) else []
             what = "the aliases are replaced by the values of their anchors"
-            entry = Entry(EntryKind.DONE, what, file.aliases[0], authority=_AUTHORITY)
+            entry = ReportEntry(EntryKind.DONE, what, file.aliases[0], authority=_AUTHORITY)
             yield Proposal(tuple(edits), entries=(entry,))
 
 

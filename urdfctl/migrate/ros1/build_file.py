@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
-from urdfctl.migrate.step import Entry, EntryKind, Proposal
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry
 from urdfctl.source.disk.gate import is_folder, names_in
 from urdfctl.source.span import SourceSpan, SourceText
 
@@ -58,7 +58,7 @@ def ament_build_file(source: SourceText, *, is_classic: bool) -> Proposal:
     text += f"\n{install_rule(*missing)}" if missing else ""
     text += "\nament_package()\n"
     what = "the build file uses ament_cmake and installs what launch files need"
-    entry = Entry(EntryKind.DONE, what, file=source.path, authority=_AUTHORITY)
+    entry = ReportEntry(EntryKind.DONE, what, file=source.path, authority=_AUTHORITY)
     return Proposal((Edit(SourceSpan(source, 0, len(source.data)), text),), entries=(entry,))
 
 

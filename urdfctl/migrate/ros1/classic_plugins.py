@@ -22,9 +22,9 @@ from urdfctl.migrate.edits.markup import (
 )
 from urdfctl.migrate.edits.places import plugin_elements
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.classic_settings import OF_SENSOR, SUCCESSORS, Successor, snake_case
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "gazebo_plugins (ros2 branch): the header files of the plugins"
@@ -33,7 +33,7 @@ _SILENT = ("robotNamespace", "alwaysOn", "always_on", "legacyMode", "rosDebugLev
 _OF_ROS2 = ("ros", *(name for one in SUCCESSORS.values() for names in one.settings.values() for name in names))
 
 
-def _plugins(packages: Packages) -> Iterator[Proposal]:
+def _plugins(packages: MigratedPackages) -> Iterator[Proposal]:
     if packages.simulator != "gazebo-classic":
         return
     for element in plugin_elements(packages, *OF_SDF):
@@ -63,11 +63,11 @@ def _migrated(element: Element, successor: Successor) -> Proposal:
     if around is not None and around.tagName == "sensor" and rate is not None and child(around, "update_rate") is None:
         new = f"<update_rate>{content(rate)}</update_rate>\n{indent}{new}"
     message = f"plugin '{library}' became '{successor.library}' of ROS 2"
-    entries = [Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
+    entries = [ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
     dropped = [one.tagName for one in element.elements() if _is_dropped(one, element, successor)]
     if dropped:
         message = f"plugin '{successor.library}' does not read {', '.join(dropped)} in ROS 2: dropped"
-        entries.append(Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
+        entries.append(ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
     return Proposal((Edit(span_of(element), new),), entries=tuple(entries))
 
 

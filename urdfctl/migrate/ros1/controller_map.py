@@ -5,17 +5,17 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.model.launch import ParameterLoad
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, read_yaml
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, YamlEntry, read_yaml
 from urdfctl.startup.records import NamedTuple
 
 GAINS_OF_GAZEBO = "gazebo_ros_control"
 _OF_ROS2 = (b"ros__parameters", b"moveit_simple_controller_manager", b"moveit_ros_control_interface")
 
 
-class Item(NamedTuple):
+class MapItem(NamedTuple):
     """A controller, or another map of parameters.
 
     namespace: the keys above it, joined with slashes; empty at the root.
@@ -26,7 +26,7 @@ class Item(NamedTuple):
 
     namespace: str
     parent: Mapping
-    entry: Entry
+    entry: YamlEntry
     type: str = ""
     is_file: bool = False
 
@@ -36,7 +36,7 @@ class Item(NamedTuple):
         return self.entry.key.text
 
 
-def controller_maps(packages: Packages) -> Iterator[tuple[SourceText, Node, list[Item]]]:
+def controller_maps(packages: MigratedPackages) -> Iterator[tuple[SourceText, Node, list[MapItem]]]:
     """Yield the controller files in the form of ROS 1: each with its map and the controllers and maps in it."""
     for path in packages.files(".yaml", ".yml"):
         source = packages.read(path)
@@ -47,7 +47,7 @@ def controller_maps(packages: Packages) -> Iterator[tuple[SourceText, Node, list
                 yield source, documents[0], items
 
 
-def loads_of(packages: Packages, path: str) -> Iterator[ParameterLoad]:
+def loads_of(packages: MigratedPackages, path: str) -> Iterator[ParameterLoad]:
     """Yield where launch files of ROS 1 load a file into the parameters of a namespace."""
     real = os.path.realpath(path)
     for loaded in packages.loaded():
@@ -57,7 +57,7 @@ def loads_of(packages: Packages, path: str) -> Iterator[ParameterLoad]:
                 yield load
 
 
-def _whole_file(packages: Packages, root: Node) -> list[Item]:
+def _whole_file(packages: MigratedPackages, root: Node) -> list[MapItem]:
     """The only controller of a file that holds its parameters alone: launch files name it by the namespace."""
     kind = type_in(root)
     spaces = {load.namespace or "" for load in loads_of(packages, root.source.path)} if kind else set()
@@ -65,25 +65,25 @@ def _whole_file(packages: Packages, root: Node) -> list[Item]:
         return []
     namespace, _, name = spaces.pop().strip("/").rpartition("/")
     key = root.entries[0].key._replace(text=name)
-    return [Item(namespace, root, Entry(key, root), kind, is_file=True)] if name else []
+    return [MapItem(namespace, root, YamlEntry(key, root), kind, is_file=True)] if name else []
 
 
-def items_of(root: Node) -> Iterator[Item]:
+def items_of(root: Node) -> Iterator[MapItem]:
     """Yield the controllers and the other maps in a file, in order."""
     if isinstance(root, Mapping):
         yield from _below(root, "")
 
 
-def _below(parent: Mapping, namespace: str) -> Iterator[Item]:
+def _below(parent: Mapping, namespace: str) -> Iterator[MapItem]:
     for entry in parent.entries:
         value = entry.value
         kind = type_in(value)
         if kind:
-            yield Item(namespace, parent, entry, kind)
+            yield MapItem(namespace, parent, entry, kind)
         elif isinstance(value, Mapping) and any(item.type for item in _below(value, "")):
             yield from _below(value, f"{namespace}/{entry.key.text}".strip("/"))
         else:
-            yield Item(namespace, parent, entry)
+            yield MapItem(namespace, parent, entry)
 
 
 def type_in(value: Node) -> str:

@@ -9,9 +9,9 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.edits.yaml_edits import leaves
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import controller_maps
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 from urdfctl.source.yaml.tree import Mapping as Map
@@ -26,7 +26,7 @@ _OF_CONTROLLERS = "controller_list"
 """The list of controllers that MoveIt commands."""
 
 
-def _names(packages: Packages) -> Iterator[Proposal]:
+def _names(packages: MigratedPackages) -> Iterator[Proposal]:
     """One change for all files: the name is in controller files, in launch files, and in those of MoveIt."""
     declared = [item for _, _, items in controller_maps(packages) for item in items if item.type and not item.is_file]
     joints = {*_joints_of_robots(packages), *_joints_of(item.entry.value for item in declared)}
@@ -35,7 +35,7 @@ def _names(packages: Packages) -> Iterator[Proposal]:
     if not new:
         return
     entries = [
-        Entry(
+        ReportEntry(
             EntryKind.DECIDED,
             f"controller '{item.name}' became '{new[item.name]}': in ROS 2 it would hide the joint of this name",
             item.entry.key.at,
@@ -48,7 +48,7 @@ def _names(packages: Packages) -> Iterator[Proposal]:
     yield Proposal((*edits, *_in_lists(packages, new), *_in_launch_files(packages, new)), entries=tuple(entries))
 
 
-def _joints_of_robots(packages: Packages) -> Iterator[str]:
+def _joints_of_robots(packages: MigratedPackages) -> Iterator[str]:
     robots = (loaded.project.robot for loaded in packages.loaded())
     return (name for robot in robots if robot is not None for name in robot.joint_names)
 
@@ -71,7 +71,7 @@ def _span(scalar: Scalar) -> SourceSpan:
     return SourceSpan(scalar.source, scalar.start, scalar.end)
 
 
-def _in_lists(packages: Packages, new: Mapping[str, str]) -> Iterator[Edit]:
+def _in_lists(packages: MigratedPackages, new: Mapping[str, str]) -> Iterator[Edit]:
     """The edits of the lists of controllers for MoveIt."""
     for path in packages.files(".yaml", ".yml"):
         source = packages.read(path)
@@ -83,7 +83,7 @@ def _in_lists(packages: Packages, new: Mapping[str, str]) -> Iterator[Edit]:
             yield from (Edit(_span(one), new[one.text]) for one in names if isinstance(one, Scalar) and one.text in new)
 
 
-def _in_launch_files(packages: Packages, new: Mapping[str, str]) -> Iterator[Edit]:
+def _in_launch_files(packages: MigratedPackages, new: Mapping[str, str]) -> Iterator[Edit]:
     """The edits of what launch files start, and of the arguments with names for that."""
     roots = (root_of(packages.read(path)) for path in packages.files(".launch", ".xml"))
     found = [element for root in roots if root is not None for element in elements(root)]

@@ -7,17 +7,17 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog, catalog_with
 from urdfctl.catalog.distros import ROS2
-from urdfctl.catalog.entries import ControllerType, Parameter
+from urdfctl.catalog.entries import ControllerType, ParameterEntry
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.migrate.edits.yaml_edits import MapEdits, Path, leaves
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.ros1.controller_map import Item
-from urdfctl.migrate.ros1.parameters import MECANUM, Change, changed, changes_of, pid_settings
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.controller_map import MapItem
+from urdfctl.migrate.ros1.parameters import MECANUM, ParameterChange, changed, changes_of, pid_settings
 from urdfctl.migrate.ros1.wheel_measures import measured
-from urdfctl.migrate.step import Entry, EntryKind
+from urdfctl.migrate.step import EntryKind, ReportEntry
 from urdfctl.migrate.todo import todo_line
 from urdfctl.source.span import SourceText
-from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.kinds import ValueKind
 from urdfctl.source.yaml.tree import Mapping as Map
 from urdfctl.source.yaml.tree import Node, Scalar
 from urdfctl.source.yaml.tree import Sequence as List
@@ -50,11 +50,11 @@ class ControllerSection(NamedTuple):
     type: str
     lines: str
     rate: float | None
-    entries: tuple[Entry, ...]
+    entries: tuple[ReportEntry, ...]
     todo: str = ""
 
 
-def section_of(packages: Packages, item: Item, source: SourceText) -> ControllerSection | None:
+def section_of(packages: MigratedPackages, item: MapItem, source: SourceText) -> ControllerSection | None:
     """Return a controller for the target; None if its type has no replacement there.
 
     A type that is not of ROS stays, with its parameters.
@@ -68,32 +68,32 @@ def section_of(packages: Packages, item: Item, source: SourceText) -> Controller
         return None
     if kind is None:
         return _unported(item, item.entry.value, source) if not catalog.distros_of(item.type) else None
-    writer = _Writer(item, kind, source, catalog)
+    writer = _SectionWriter(item, kind, source, catalog)
     extra = dict(replacement.parameters) if replacement else {}
     return writer.section(extra, packages)
 
 
-def _unported(item: Item, parameters: Map, source: SourceText) -> ControllerSection:
+def _unported(item: MapItem, parameters: Map, source: SourceText) -> ControllerSection:
     """A controller of a type that its owner must port, as it is."""
     todo = f"port the controller type '{item.type}' of '{item.name}' to ROS 2"
     lines = (line for line in _block(parameters, source, MapEdits(source)) if not line.startswith("type:"))
-    entry = Entry(EntryKind.FOR_YOU, todo, item.entry.key.at)
+    entry = ReportEntry(EntryKind.FOR_YOU, todo, item.entry.key.at)
     return ControllerSection(item.type, "".join(f"{line}\n" for line in lines), None, (entry,), todo)
 
 
-class _Writer:
-    def __init__(self, item: Item, kind: ControllerType, source: SourceText, catalog: Catalog) -> None:
+class _SectionWriter:
+    def __init__(self, item: MapItem, kind: ControllerType, source: SourceText, catalog: Catalog) -> None:
         self.item, self.kind, self.source, self.catalog = item, kind, source, catalog
-        self.entries: list[Entry] = []
+        self.entries: list[ReportEntry] = []
         self.rate: float | None = None
         self.gone: set[str] = set()
         assert isinstance(item.entry.value, Map)  # noqa: S101 (the caller looked)
         self.map = item.entry.value
 
-    def section(self, extra: Mapping[str, object], packages: Packages) -> ControllerSection:
+    def section(self, extra: Mapping[str, object], packages: MigratedPackages) -> ControllerSection:
         if self.kind.type != self.item.type:
             what = f"controller '{self.item.name}' of type '{self.item.type}' became '{self.kind.type}'"
-            self.entries.append(Entry(EntryKind.DONE, what, self.item.entry.key.at, authority=_TYPES))
+            self.entries.append(ReportEntry(EntryKind.DONE, what, self.item.entry.key.at, authority=_TYPES))
         edits = MapEdits(self.source)
         names = dict(leaves(self.map))
         added = [f"{name}: {_yaml(value)}" for name, value in extra.items() if name not in names]
@@ -117,7 +117,7 @@ class _Writer:
         written = _clamps([(name, self._scalar(path)) for name, path in given])
         return [(name, value) for name, value in written if f"gains.<dof_names>.{name}" in self.kind.parameters]
 
-    def _wheels(self, names: Mapping[str, Path], packages: Packages) -> list[str]:
+    def _wheels(self, names: Mapping[str, Path], packages: MigratedPackages) -> list[str]:
         """The measures of the wheels, which ROS 1 reads from the robot."""
         sides = [self._texts_of(name, names) for name in ("left_wheel", "right_wheel")]
         if not all(sides):
@@ -125,11 +125,11 @@ class _Writer:
         lines = list(measured(packages, sides[0], sides[1], tuple(names)))
         if lines:
             what = "the controller no longer measures the wheels in the robot: their measures are written"
-            self.entries.append(Entry(EntryKind.DONE, what, self.item.entry.key.at, authority=_RENAMED))
+            self.entries.append(ReportEntry(EntryKind.DONE, what, self.item.entry.key.at, authority=_RENAMED))
         known = {*names, *(line.partition(":")[0] for line in lines)}
         return [*lines, *self._stand_ins(_STAND_INS, known)]
 
-    def _mecanum(self, names: Mapping[str, Path], packages: Packages) -> list[str]:
+    def _mecanum(self, names: Mapping[str, Path], packages: MigratedPackages) -> list[str]:
         """The measures of four wheels that roll sideways too; ROS 1 reads them from the robot."""
         given = {name: texts for name in _OF_MECANUM if (texts := self._texts_of(name, names))}
         left, right = ([one for name, texts in given.items() if side in name for one in texts] for side in _SIDES)
@@ -144,7 +144,7 @@ class _Writer:
         for name, value in stand_ins.items():
             if name not in known:
                 what = f"measure the wheels and write {name} of '{self.item.name}', in m"
-                self.entries.append(Entry(EntryKind.FOR_YOU, what, self.item.entry.key.at, authority=_RENAMED))
+                self.entries.append(ReportEntry(EntryKind.FOR_YOU, what, self.item.entry.key.at, authority=_RENAMED))
                 yield f"{name}: {value}  {todo_line(self.source.path, what)}"
 
     def _texts_of(self, name: str, names: Mapping[str, Path]) -> list[str]:
@@ -154,7 +154,7 @@ class _Writer:
         node = path[-1][1].value
         return _as_double(node) if isinstance(node, Scalar) else ""
 
-    def _change(self, edits: MapEdits, name: str, path: Path, added: list[str], packages: Packages) -> None:
+    def _change(self, edits: MapEdits, name: str, path: Path, added: list[str], packages: MigratedPackages) -> None:
         key, value = path[-1][1].key, path[-1][1].value
         if name == "type":
             self._drop(edits, path)
@@ -165,7 +165,7 @@ class _Writer:
         if found is None and _PID.search(name) and "gains.<dof_names>.p" in self.kind.parameters:
             self._drop(edits, path)
             return
-        change, element = found or (Change(name), "")
+        change, element = found or (ParameterChange(name), "")
         targets = [each.replace("<>", element) for each in change.name.split()]
         is_misread = bool(targets) and self._is_misread(value, targets[0])
         if not targets or is_misread or not self._was_ever_read(targets[0]):
@@ -173,11 +173,11 @@ class _Writer:
             why = change.why or f"'{self.kind.type}' does not read it in {packages.options.target}"
             why = "it is an integer, and ROS 1 ignores other values" if is_misread else why
             message = f"parameter '{name}' of '{self.item.name}' is dropped: {why}"
-            self.entries.append(Entry(EntryKind.DONE, message, key.at, authority=_RENAMED))
+            self.entries.append(ReportEntry(EntryKind.DONE, message, key.at, authority=_RENAMED))
             return
         if targets != [name]:
             message = f"parameter '{name}' of '{self.item.name}' became {' and '.join(targets)}"
-            self.entries.append(Entry(EntryKind.DONE, message, key.at, authority=_RENAMED))
+            self.entries.append(ReportEntry(EntryKind.DONE, message, key.at, authority=_RENAMED))
         self._rename(edits, name, path, targets, added)
         self._retype(edits, value, targets[0], as_list=change.as_list)
 
@@ -191,7 +191,7 @@ class _Writer:
         is_integer = parameter is not None and set(parameter.types) == {"int"}
         return is_integer and isinstance(value, Scalar) and _FRACTION.fullmatch(value.text) is not None
 
-    def _parameter(self, name: str) -> Parameter | None:
+    def _parameter(self, name: str) -> ParameterEntry | None:
         """The parameter in the target, or in a distro of ROS 2 that still reads it; None if there is none."""
         if found := matching(name, self.kind.parameters):
             return self.kind.parameters[found[0]]
@@ -253,7 +253,7 @@ class _Writer:
         others = dict.fromkeys(entry.key.text for item in maps for entry in item.entries if entry.key.text != "name")
         dropped = f", without {', '.join(others)}" if others else ""
         message = f"parameter '{name}' of '{self.item.name}' became a list of names{dropped}"
-        self.entries.append(Entry(EntryKind.DONE, message, value.at, authority=_RENAMED))
+        self.entries.append(ReportEntry(EntryKind.DONE, message, value.at, authority=_RENAMED))
 
     def _text(self, edits: MapEdits, added: Sequence[str]) -> str:
         """The parameters as YAML, indented by nothing: as they are written, with the edits."""
@@ -342,7 +342,7 @@ def _texts(node: Node) -> list[str]:
 def _as_double(node: Scalar) -> str:
     """A number as rcl reads it as a double; any other value as it is written."""
     typed = typed_by_rcl(node)
-    if typed.kind is Kind.INT:
+    if typed.kind is ValueKind.INT:
         return f"{typed.value}.0"
     return node.source.data[node.start : node.end].decode("utf-8", "surrogateescape")
 

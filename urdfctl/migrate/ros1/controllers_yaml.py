@@ -9,14 +9,14 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, child, content, elements, end_of, root_of
 from urdfctl.migrate.edits.places import plugin_elements
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, controller_maps, loads_of
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, MapItem, controller_maps, loads_of
 from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
 from urdfctl.migrate.ros1.joint_gains import reads_gains
 from urdfctl.migrate.ros1.joint_states import NEW_NAME, loads_declaration
 from urdfctl.migrate.shared.hardware import simulated_by
 from urdfctl.migrate.shared.manager import BROADCASTER, RATE, manager_text
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.yaml.tree import Mapping, Node
@@ -29,17 +29,17 @@ _ANY = "/**"
 """Stands for any namespace in a parameter file (rclcpp parameter_map.cpp)."""
 
 
-def _files(packages: Packages) -> Iterator[Proposal]:
+def _files(packages: MigratedPackages) -> Iterator[Proposal]:
     for source, root, items in controller_maps(packages):
-        yield _File(packages, source, root, items).proposal()
+        yield _ControllersFile(packages, source, root, items).proposal()
 
 
-class _File:
+class _ControllersFile:
     """A controller file while it is migrated."""
 
-    def __init__(self, packages: Packages, source: SourceText, root: Node, items: Sequence[Item]) -> None:
+    def __init__(self, packages: MigratedPackages, source: SourceText, root: Node, items: Sequence[MapItem]) -> None:
         self.packages, self.source, self.root, self.items = packages, source, root, items
-        self.entries: list[Entry] = []
+        self.entries: list[ReportEntry] = []
         is_named_by_file = not any(item.is_file for item in items)
         self.loaded_into = _namespace_of(packages, source.path) if is_named_by_file else ""
 
@@ -51,12 +51,14 @@ class _File:
         text = head.rstrip("\n") + "\n\n" if head.strip() else ""
         text += "\n".join([*self._managers(sections), *(block for block in blocks if block)])
         tail = self._tail()
-        done = Entry(EntryKind.DONE, "the file is in the form of ROS 2", self.items[0].entry.key.at, authority=_FORM)
+        done = ReportEntry(
+            EntryKind.DONE, "the file is in the form of ROS 2", self.items[0].entry.key.at, authority=_FORM
+        )
         whole = SourceSpan(self.source, 0, len(self.source.data))
         entries = tuple(dict.fromkeys([done, *self.entries]))
         return Proposal((Edit(whole, text.rstrip("\n") + "\n" + tail),), entries=entries)
 
-    def _managers(self, sections: Sequence[tuple[Item, ControllerSection | None]]) -> Iterator[str]:
+    def _managers(self, sections: Sequence[tuple[MapItem, ControllerSection | None]]) -> Iterator[str]:
         """The section of the manager of each namespace."""
         types: dict[str, dict[str, str]] = {}
         for item, section in sections:
@@ -64,7 +66,9 @@ class _File:
                 types.setdefault(self._namespace(item), {})[item.name] = section.type
             self.entries += section.entries if section else ()
         rate, why = self._rate([section for _, section in sections if section])
-        self.entries.append(Entry(EntryKind.DECIDED, f"update_rate: {rate} Hz, {why}", self.items[0].entry.key.at))
+        self.entries.append(
+            ReportEntry(EntryKind.DECIDED, f"update_rate: {rate} Hz, {why}", self.items[0].entry.key.at)
+        )
         for namespace, known in types.items():
             if BROADCASTER not in known.values() and loads_declaration(self.packages):
                 known[NEW_NAME] = BROADCASTER
@@ -90,7 +94,7 @@ class _File:
         tuned = any(re.search(r"^gains\b", section.lines, re.MULTILINE) for section in sections)
         return tuned and simulated_by(self.packages) != "none" and any("_control" in name for name in plugins)
 
-    def _namespace(self, item: Item) -> str:
+    def _namespace(self, item: MapItem) -> str:
         parts = [part for part in f"{self.loaded_into}/{item.namespace}".split("/") if part]
         return "".join(f"/{part}" for part in parts)
 
@@ -113,7 +117,7 @@ class _File:
             start = above
         return start
 
-    def _written(self, item: Item, section: ControllerSection | None, start: int) -> str:
+    def _written(self, item: MapItem, section: ControllerSection | None, start: int) -> str:
         data = self.source.data
         line = data.rfind(b"\n", 0, item.entry.key.start) + 1
         comments = [text.strip() for text in data[start:line].decode("utf-8", "surrogateescape").splitlines()]
@@ -126,20 +130,20 @@ class _File:
             return f"{above}{name}:\n  ros__parameters:\n{body}" if body.strip() else above * bool(section.todo)
         return above + self._other(item, data[line : _end_of_lines(data, item)].decode("utf-8", "surrogateescape"))
 
-    def _other(self, item: Item, text: str) -> str:
+    def _other(self, item: MapItem, text: str) -> str:
         """What is no controller of the target: kept as a comment, because ROS 2 rejects the file otherwise."""
         if item.name == GAINS_OF_GAZEBO:
             kept = "are parameters of the joints in <ros2_control>"
             lost = "are dropped: the simulator moves joints without a PID loop of its own"
             message = f"the gains of Gazebo's joints {kept if reads_gains(self.packages) else lost}"
-            self.entries.append(Entry(EntryKind.DECIDED, message, item.entry.key.at, authority=_PID_GAINS))
+            self.entries.append(ReportEntry(EntryKind.DECIDED, message, item.entry.key.at, authority=_PID_GAINS))
             return ""
         kind = f"type '{item.type}' has no counterpart in ROS 2" if item.type else "no controller reads it"
         what = f"'{item.name}' is kept as a comment: {kind}"
         if not item.type:
-            self.entries.append(Entry(EntryKind.DECIDED, what, item.entry.key.at, authority=_FORM))
+            self.entries.append(ReportEntry(EntryKind.DECIDED, what, item.entry.key.at, authority=_FORM))
             return "".join(f"# {line}\n" for line in text.splitlines())
-        self.entries.append(Entry(EntryKind.FOR_YOU, what, item.entry.key.at))
+        self.entries.append(ReportEntry(EntryKind.FOR_YOU, what, item.entry.key.at))
         return f"{todo_line(self.source.path, what)}\n" + "".join(f"# {line}\n" for line in text.splitlines())
 
     def _tail(self) -> str:
@@ -153,12 +157,12 @@ def _end(node: Node) -> int:
     return node.start + len(node.source.data[node.start : node.end].rstrip())
 
 
-def _end_of_lines(data: bytes, item: Item) -> int:
+def _end_of_lines(data: bytes, item: MapItem) -> int:
     end = data.find(b"\n", _end(item.entry.value))
     return len(data) if end < 0 else end + 1
 
 
-def _namespace_of(packages: Packages, path: str) -> str:
+def _namespace_of(packages: MigratedPackages, path: str) -> str:
     """The namespace that launch files load a file into; empty if none does.
 
     It is any namespace if an argument names it, or if there are several.

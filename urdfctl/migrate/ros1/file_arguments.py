@@ -8,8 +8,8 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import Place, SourceSpan
@@ -18,7 +18,7 @@ _AUTHORITY = "wiki.ros.org/roslaunch/XML/rosparam: subst_value; ros2_control rea
 _ARGUMENT = re.compile(rb"\$\(arg \w+\)")
 
 
-def _arguments(packages: Packages) -> Iterator[Proposal]:
+def _arguments(packages: MigratedPackages) -> Iterator[Proposal]:
     for path, values in _values(packages).items():
         source = packages.read(path)
         for found in _ARGUMENT.finditer(source.data) if packages.may_change(path) else ():
@@ -35,11 +35,11 @@ def _arguments(packages: Packages) -> Iterator[Proposal]:
                 continue
             (value,) = known
             what = f"'{text}' became '{value}', its value by default: ROS 2 does not evaluate it in this file"
-            entry = Entry(EntryKind.DECIDED, what, at, authority=_AUTHORITY)
+            entry = ReportEntry(EntryKind.DECIDED, what, at, authority=_AUTHORITY)
             yield Proposal((Edit(SourceSpan(source, *found.span()), value),), entries=(entry,))
 
 
-def _values(packages: Packages) -> dict[str, dict[str, set[str]]]:
+def _values(packages: MigratedPackages) -> dict[str, dict[str, set[str]]]:
     """The values of the arguments in the files that are evaluated, by file and argument."""
     found: dict[str, dict[str, set[str]]] = {}
     launches = (loaded.project.launch for loaded in packages.loaded())

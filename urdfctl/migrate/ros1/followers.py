@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import system
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Plugin, Robot
@@ -31,7 +31,7 @@ def mimic_plugins(robot: Robot) -> Iterator[tuple[Plugin, str, str]]:
             yield plugin, follower.text, leader.text
 
 
-def followers_of(packages: Packages, project: Project) -> dict[str, str]:
+def followers_of(packages: MigratedPackages, project: Project) -> dict[str, str]:
     """Return the joints that mimic another one, each with the parameters that the hardware plugin needs to know it."""
     robot = project.robot
     if robot is None:

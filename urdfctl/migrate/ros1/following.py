@@ -6,17 +6,17 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.migrate.edits.markup import step_of
 from urdfctl.migrate.edits.places import key_of_element
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.followers import followers_of
 from urdfctl.migrate.ros1.gathering import Component, Path, prefix_of
 from urdfctl.migrate.ros1.interfaces import states_of
 from urdfctl.migrate.ros1.parts import joint_text
 from urdfctl.migrate.ros1.passive import Passive
-from urdfctl.migrate.ros1.uses import Use, Uses
+from urdfctl.migrate.ros1.uses import TransmissionUse, Uses
 from urdfctl.model.robot import Robot
 
 
-def idle(passive: Passive, its_uses: Sequence[Use]) -> Iterator[tuple[Path, str]]:
+def idle(passive: Passive, its_uses: Sequence[TransmissionUse]) -> Iterator[tuple[Path, str]]:
     """Yield the robots in which nothing commands the joint of a transmission, with what is written for it there."""
     for use in its_uses:
         joints = passive.of(use.robot)
@@ -26,7 +26,7 @@ def idle(passive: Passive, its_uses: Sequence[Use]) -> Iterator[tuple[Path, str]
             yield (use.robot, use.calls), "".join(texts)
 
 
-def following(packages: Packages, uses: Uses, component: Component) -> str:
+def following(packages: MigratedPackages, uses: Uses, component: Component) -> str:
     """Return the joints that mimic a joint of a component and have no transmission themselves.
 
     The name of one is written with the same prefix as those of the component's joints.

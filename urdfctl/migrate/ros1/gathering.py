@@ -30,7 +30,7 @@ from urdfctl.migrate.edits.markup import (
     step_of,
 )
 from urdfctl.migrate.edits.places import ElementKey, key_of_element
-from urdfctl.migrate.ros1.parts import Converted, Unreadable
+from urdfctl.migrate.ros1.parts import Converted, UnreadableTransmission
 from urdfctl.migrate.ros1.uses import unit_of
 from urdfctl.migrate.todo import todo_line
 from urdfctl.source.span import SourceSpan, SourceText
@@ -134,7 +134,7 @@ class Gathering:
         for (path, start), paths in calls.items():
             call = element_at(self._read[path], start)
             if call is None:
-                raise Unreadable("the calls of its macro cannot be found")
+                raise UnreadableTransmission("the calls of its macro cannot be found")
             text = _idle_text(parts, (path, start)) or f"{_written(call) if is_pure else _call_text(call, own)}\n"
             item = PartItem(
                 element=call, text=text, paths=frozenset(paths), stays=not is_pure, names=(), arguments=arguments
@@ -207,11 +207,11 @@ def _with_conditions(item: PartItem, above: Element, step: str) -> str:
         if around is above:
             return text
         if around.tagName not in CONDITIONS:
-            raise Unreadable(f"it is in <{around.tagName}>")
+            raise UnreadableTransmission(f"it is in <{around.tagName}>")
         tag = around.source.start_tag(around.start)
         opened = around.source.data[around.start : tag.end].decode() if tag else ""
         text = f"{opened}\n{indented(text, step)}</{around.tagName}>\n"
-    raise Unreadable("its macro cannot be found")
+    raise UnreadableTransmission("its macro cannot be found")
 
 
 def _call_text(call: Element, name: str) -> str:
@@ -235,7 +235,7 @@ def written_component(component: Component, name: str, plugin: str, more: str = 
     place = _common(component)
     step = step_of(place.source)
     if any(around.tagName not in {*CONDITIONS, MACRO, "robot"} for around in (place, *ancestors(place))):
-        raise Unreadable(f"it is in <{place.tagName}>")
+        raise UnreadableTransmission(f"it is in <{place.tagName}>")
     note = f"{step}{todo_line(place.source.path, todo)}\n" if todo else ""
     hardware = f"<hardware>\n{note}{step}<plugin>{plugin}</plugin>\n</hardware>\n"
     properties = "".join(

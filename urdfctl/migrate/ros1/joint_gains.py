@@ -9,10 +9,10 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, child, children, indent_of, lines_of
 from urdfctl.migrate.edits.places import written_elements
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO
 from urdfctl.migrate.shared.hardware import simulated_by
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.source.xml.dom import Element
 from urdfctl.source.yaml.tree import Mapping as Map
@@ -23,13 +23,13 @@ _PREFIXES = {"position": "pos", "velocity": "vel"}
 _OF_XML = (".xacro", ".urdf", ".gazebo", ".inc")
 
 
-def reads_gains(packages: Packages) -> bool:
+def reads_gains(packages: MigratedPackages) -> bool:
     """Return whether the simulator of the migrated robot has a PID loop for each joint, as in ROS 1."""
     is_classic = simulated_by(packages) == "gazebo-classic"
     return is_classic and packages.options.target in between("humble", "iron")
 
 
-def _gains(packages: Packages) -> Iterator[Proposal]:
+def _gains(packages: MigratedPackages) -> Iterator[Proposal]:
     gains = _by_joint(packages) if packages.is_ros1 and reads_gains(packages) else {}
     found: set[str] = set()
     joints = list(_joints(packages)) if gains else []
@@ -45,10 +45,10 @@ def _gains(packages: Packages) -> Iterator[Proposal]:
     for name, (_, at) in gains.items():
         if name not in found:
             text = f"joint '{name}' has gains in Gazebo: write pos_kp, pos_ki, pos_kd in its <joint> of <ros2_control>"
-            yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, at, authority=_AUTHORITY),))
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, text, at, authority=_AUTHORITY),))
 
 
-def _joints(packages: Packages) -> Iterator[Element]:
+def _joints(packages: MigratedPackages) -> Iterator[Element]:
     """Yield the joints of `<ros2_control>`, also those in macros."""
     for element in written_elements(packages, "<command_interface", _OF_XML):
         is_driven = element.tagName == "joint" and child(element, "command_interface") is not None
@@ -56,7 +56,7 @@ def _joints(packages: Packages) -> Iterator[Element]:
             yield element
 
 
-def _by_joint(packages: Packages) -> dict[str, tuple[Mapping[str, str], Place]]:
+def _by_joint(packages: MigratedPackages) -> dict[str, tuple[Mapping[str, str], Place]]:
     """The gains of each joint, and where they are."""
     found: dict[str, tuple[Mapping[str, str], Place]] = {}
     for path in packages.files(".yaml", ".yml"):
@@ -98,7 +98,7 @@ def _with_gains(joint: Element, command: Element, given: Mapping[str, str]) -> P
         Edit(SourceSpan(joint.source, *tag.attributes["name"]), f"{interface}_pid"),
     )
     what = f"the gains of joint '{attribute(joint, 'name')}' in Gazebo became parameters of the joint"
-    return Proposal(edits, entries=(Entry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY),))
+    return Proposal(edits, entries=(ReportEntry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY),))
 
 
 JOINT_GAINS = Step(

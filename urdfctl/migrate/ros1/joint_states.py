@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 
 DECLARED_IN = "$(find joint_state_controller)/joint_state_controller.yaml"
 OLD_NAME = "joint_state_controller"
 NEW_NAME = "joint_state_broadcaster"
 
 
-def loads_declaration(packages: Packages) -> bool:
+def loads_declaration(packages: MigratedPackages) -> bool:
     """Return whether a launch file loads the file of the package, which ROS 2 does not have."""
     return any(DECLARED_IN.encode() in packages.read(path).data for path in packages.files(".launch", ".xml"))

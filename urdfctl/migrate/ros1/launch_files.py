@@ -11,16 +11,16 @@ from urdfctl.catalog.distros import since
 from urdfctl.migrate.classic.launch_actions import gz_for
 from urdfctl.migrate.edits.markup import elements, root_of
 from urdfctl.migrate.launch.parameter_files import with_parameter_files
-from urdfctl.migrate.launch.written import Written, as_python, as_xml
+from urdfctl.migrate.launch.written import WrittenLaunch, as_python, as_xml
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
-from urdfctl.migrate.ros1.roslaunch import Reading
-from urdfctl.migrate.ros1.roslaunch_nodes import Target
+from urdfctl.migrate.ros1.roslaunch import LaunchReading
+from urdfctl.migrate.ros1.roslaunch_nodes import LaunchTarget
 from urdfctl.migrate.shared.controller_files import type_names
 from urdfctl.migrate.shared.hardware import simulated_by, started_by_launch_files
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.model.launch.build_launch import is_of_ros2
 from urdfctl.source.disk.files import is_yaml
@@ -35,7 +35,7 @@ _ENDINGS = (".launch", ".launch.xml", ".test")
 _OF_MOVEIT = ("moveit_ros_move_group", "moveit_ros_planning", "moveit_setup_assistant", "moveit_ros_benchmarks")
 
 
-def _launch_files(packages: Packages) -> Iterator[Proposal]:
+def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:
     left: dict[tuple[str, str], str] = {}
     wanted = []
     for path, root in _of_ros1(packages):
@@ -44,7 +44,7 @@ def _launch_files(packages: Packages) -> Iterator[Proposal]:
             left[own, os.path.basename(path)] = path
             text = "write the launch files of MoveIt anew with MoveItConfigsBuilder, or its Setup Assistant"
             manifest = os.path.join(os.path.dirname(os.path.dirname(path)), "package.xml")
-            yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, file=manifest, authority=_MOVEIT),))
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, text, file=manifest, authority=_MOVEIT),))
         else:
             wanted.append((path, root))
     if edits := tuple(renamed_includes(packages, left.values(), f".launch.{packages.options.launch}")):
@@ -54,7 +54,7 @@ def _launch_files(packages: Packages) -> Iterator[Proposal]:
         yield from _migrated(packages, path, root, target)
 
 
-def _of_ros1(packages: Packages) -> Iterator[tuple[str, Element]]:
+def _of_ros1(packages: MigratedPackages) -> Iterator[tuple[str, Element]]:
     """The launch files of ROS 1, with their root elements."""
     for path in packages.files(".launch", ".launch.xml", "launch.xml"):
         source = packages.read(path)
@@ -69,11 +69,11 @@ def _package(path: str) -> str:
     return (package_name(os.path.join(folder, "package.xml")) if folder else None) or ""
 
 
-def _migrated(packages: Packages, path: str, root: Element, target: Target) -> Iterator[Proposal]:
+def _migrated(packages: MigratedPackages, path: str, root: Element, target: LaunchTarget) -> Iterator[Proposal]:
     new = _new_path(path, packages.options.launch)
     if exists(new):
         return
-    reading = Reading(target)
+    reading = LaunchReading(target)
     actions = reading.actions(root)
     left = list(reading.left)
     if target.started == "gz":
@@ -83,11 +83,11 @@ def _migrated(packages: Packages, path: str, root: Element, target: Target) -> I
     actions = with_parameter_files(packages, packages.read(path), actions)
     left = list(dict.fromkeys(left))
     name = os.path.basename(path)
-    written = Written(f"Migrated from {name}.", tuple(todo_line(new, what) for what in left), tuple(actions))
+    written = WrittenLaunch(f"Migrated from {name}.", tuple(todo_line(new, what) for what in left), tuple(actions))
     text = (as_xml if packages.options.launch == "xml" else as_python)(written)
-    entries = [Entry(EntryKind.DONE, f"{name} became {os.path.basename(new)}", file=new, authority=_AUTHORITY)]
-    entries += [Entry(EntryKind.DECIDED, what, file=new) for what in reading.decided]
-    entries += [Entry(EntryKind.FOR_YOU, what, file=new) for what in left]
+    entries = [ReportEntry(EntryKind.DONE, f"{name} became {os.path.basename(new)}", file=new, authority=_AUTHORITY)]
+    entries += [ReportEntry(EntryKind.DECIDED, what, file=new) for what in reading.decided]
+    entries += [ReportEntry(EntryKind.FOR_YOU, what, file=new) for what in left]
     yield Proposal(created=((new, text),), deleted=(path,), entries=tuple(entries))
 
 
@@ -106,10 +106,10 @@ def _is_of_moveit(path: str, root: Element) -> bool:
     return bool(nodes & {*_OF_MOVEIT}) or is_configured or exists(os.path.join(folder, ".setup_assistant"))
 
 
-def _target(packages: Packages) -> Target:
+def _target(packages: MigratedPackages) -> LaunchTarget:
     options = packages.options
     controllers = _controller_files(packages)
-    return Target(
+    return LaunchTarget(
         distro=options.target,
         simulator=simulated_by(packages),
         started=started_by_launch_files(packages),
@@ -122,7 +122,7 @@ def _target(packages: Packages) -> Target:
     )
 
 
-def own_packages(packages: Packages) -> Iterator[str]:
+def own_packages(packages: MigratedPackages) -> Iterator[str]:
     """Yield the names of the packages that are migrated."""
     for path in packages.files("package.xml"):
         name = package_name(path)
@@ -130,13 +130,13 @@ def own_packages(packages: Packages) -> Iterator[str]:
             yield name
 
 
-def _controller_files(packages: Packages) -> set[str]:
+def _controller_files(packages: MigratedPackages) -> set[str]:
     """The names of the controller files, before or after their own migration."""
     texts = ((path, packages.read(path).data) for path in packages.files(".yaml", ".yml"))
     return {os.path.basename(path) for path, text in texts if b"controller_manager" in text or _TYPE.search(text)}
 
 
-def _controllers_in(packages: Packages, written: str) -> list[str]:
+def _controllers_in(packages: MigratedPackages, written: str) -> list[str]:
     """The controllers of a file of the packages, after its own migration."""
     paths = addressed_files(packages, written) if is_yaml(written) else set()
     return [one.controller for one in type_names(packages) if one.path in paths] if paths else []

@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.source.disk.gate import matching
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.workspaces.packages import package_name
@@ -18,7 +18,7 @@ _IN_PACKAGE = re.compile(r"\$\(find ([\w-]+)\)(/.*)")
 _ARGUMENT = re.compile(r"\$\((?:arg|eval|env|optenv) [^)]*\)")
 
 
-def renamed_parameters(packages: Packages, old: Collection[str], new: str) -> Iterator[Edit]:
+def renamed_parameters(packages: MigratedPackages, old: Collection[str], new: str) -> Iterator[Edit]:
     """Yield the edits of launch files that load files with some old paths, so that they load a new one."""
     for path in packages.files(".launch", ".launch.xml"):
         root = root_of(packages.read(path))
@@ -30,7 +30,7 @@ def renamed_parameters(packages: Packages, old: Collection[str], new: str) -> It
                 yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{head}/{os.path.basename(new)}")
 
 
-def renamed_includes(packages: Packages, left: Collection[str], ending: str) -> Iterator[Edit]:
+def renamed_includes(packages: MigratedPackages, left: Collection[str], ending: str) -> Iterator[Edit]:
     """Yield the edits of launch files that are left, so that they include the migrated ones.
 
     left: the paths of the launch files that are left to a person.
@@ -50,7 +50,7 @@ def renamed_includes(packages: Packages, left: Collection[str], ending: str) -> 
                 yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{base}{ending}")
 
 
-def addressed_files(packages: Packages, written: str) -> set[str]:
+def addressed_files(packages: MigratedPackages, written: str) -> set[str]:
     """Return the files of the packages that an address of ROS 1 means, with any values of its arguments."""
     found = _IN_PACKAGE.fullmatch(written)
     if found is None:

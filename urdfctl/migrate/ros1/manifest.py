@@ -11,10 +11,10 @@ from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.edits.markup import child, children, content, end_of, indent_of, lines_of, merged, root_of, step_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.build_file import ament_build_file
 from urdfctl.migrate.shared.hardware import host_plugin, started_by_launch_files, system
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 
@@ -49,7 +49,7 @@ _NO_PACKAGES = ("mock_components", "fake_components")
 _COMPILED = r"(?m)^\s*(?:add_executable|add_library|generate_messages|pybind11_add_module|add_message_files)\s*\("
 
 
-def _manifests(packages: Packages) -> Iterator[Proposal]:
+def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
     for path in packages.files("package.xml"):
         if os.path.basename(path) != "package.xml":
             continue
@@ -60,11 +60,11 @@ def _manifests(packages: Packages) -> Iterator[Proposal]:
         cmake = packages.read(os.path.join(os.path.dirname(path), "CMakeLists.txt"))
         if re.search(_COMPILED, cmake.data.decode("utf-8", "replace")):
             text = "this package compiles code or messages: port them, then package.xml and CMakeLists.txt"
-            yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, root.at, authority=_AUTHORITY),))
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, text, root.at, authority=_AUTHORITY),))
             continue
         yield Proposal(
             (merged(_manifest_edits(packages, root)),),
-            entries=(Entry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),),
+            entries=(ReportEntry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),),
         )
         if cmake.data:
             yield ament_build_file(cmake, is_classic=started_by_launch_files(packages) == "gazebo-classic")
@@ -74,7 +74,7 @@ def _is_catkin(root: Element) -> bool:
     return any(content(tool) == "catkin" for tool in children(root, "buildtool_depend"))
 
 
-def _manifest_edits(packages: Packages, root: Element) -> Iterator[Edit]:
+def _manifest_edits(packages: MigratedPackages, root: Element) -> Iterator[Edit]:
     source = root.source
     tag = source.start_tag(root.start)
     if tag is not None and "format" in tag.attributes:
@@ -93,7 +93,7 @@ def _manifest_edits(packages: Packages, root: Element) -> Iterator[Edit]:
     yield _export(root)
 
 
-def _additions(packages: Packages, root: Element, known: set[str]) -> Iterator[Edit]:
+def _additions(packages: MigratedPackages, root: Element, known: set[str]) -> Iterator[Edit]:
     own = content(child(root, "name") or root)
     needed = {*_needed(packages, os.path.dirname(root.source.path))} - known - {own}
     missing = sorted(needed, key=lambda name: _rank(packages, name))
@@ -104,7 +104,7 @@ def _additions(packages: Packages, root: Element, known: set[str]) -> Iterator[E
         yield Edit(SourceSpan(root.source, end, end), lines)
 
 
-def _rank(packages: Packages, name: str) -> tuple[str, bool]:
+def _rank(packages: MigratedPackages, name: str) -> tuple[str, bool]:
     """The order of a package: one of gz is where that of Gazebo Classic would be, which a later migration replaces."""
     gz = gz_names(packages.options.target)
     host = host_plugin(packages)
@@ -119,7 +119,7 @@ def _text_edit(element: Element, text: str) -> Edit:
     return Edit(SourceSpan(element.source, start, element.close or start), text)
 
 
-def _dependency(packages: Packages, element: Element, known: set[str]) -> Iterator[Edit]:
+def _dependency(packages: MigratedPackages, element: Element, known: set[str]) -> Iterator[Edit]:
     name = content(element)
     new = _successors(packages, name)
     kind = "exec_depend" if element.tagName in {"run_depend", "depend"} and new != (name,) else element.tagName
@@ -135,7 +135,7 @@ def _dependency(packages: Packages, element: Element, known: set[str]) -> Iterat
     yield Edit(span, lines if is_whole else lines.strip())
 
 
-def _successors(packages: Packages, name: str) -> tuple[str, ...]:
+def _successors(packages: MigratedPackages, name: str) -> tuple[str, ...]:
     gz = gz_names(packages.options.target)
     host = host_plugin(packages)
     if name == "gazebo_ros_control":
@@ -165,7 +165,7 @@ def _export(root: Element) -> Edit:
     return Edit(SourceSpan(source, tag.end, tag.end), f"\n{step * 2}{build}")
 
 
-def _needed(packages: Packages, folder: str) -> Iterator[str]:
+def _needed(packages: MigratedPackages, folder: str) -> Iterator[str]:
     """The packages that the launch files, controllers and plugins of a package need."""
     catalog = catalog_with(packages.settings.additions)
     for path in packages.files(".launch.py", ".launch.xml", ".yaml", ".xacro", ".urdf"):

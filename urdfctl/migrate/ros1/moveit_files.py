@@ -10,16 +10,15 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import elements, root_of
 from urdfctl.migrate.edits.yaml_edits import MapEdits
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.left_over import renamed_parameters
 from urdfctl.migrate.ros1.moveit_package import is_of_moveit
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.workspaces.packages import package_around
-from urdfctl.source.yaml.tree import Entry as YamlEntry
 from urdfctl.source.yaml.tree import Mapping as Map
-from urdfctl.source.yaml.tree import Node, Scalar, read_yaml
+from urdfctl.source.yaml.tree import Node, Scalar, YamlEntry, read_yaml
 from urdfctl.source.yaml.tree import Sequence as List
 
 CONTROLLERS_FILE = "moveit_controllers.yaml"
@@ -47,7 +46,7 @@ def _maps(node: Node) -> Iterator[tuple[Map, YamlEntry]]:
 # -- controllers -------------------------------------------------------------------------------------------------------
 
 
-def _controllers(packages: Packages) -> Iterator[Proposal]:
+def _controllers(packages: MigratedPackages) -> Iterator[Proposal]:
     by_folder: dict[str, list[SourceText]] = {}
     for path in packages.files(".yaml", ".yml"):
         source = packages.read(path)
@@ -59,7 +58,7 @@ def _controllers(packages: Packages) -> Iterator[Proposal]:
             yield from _controllers_of(packages, new, sources)
 
 
-def _controllers_of(packages: Packages, new: str, sources: Sequence[SourceText]) -> Iterator[Proposal]:
+def _controllers_of(packages: MigratedPackages, new: str, sources: Sequence[SourceText]) -> Iterator[Proposal]:
     known: dict[str, Map] = {}
     edits: list[Edit] = []
     deleted: list[str] = []
@@ -81,7 +80,7 @@ def _controllers_of(packages: Packages, new: str, sources: Sequence[SourceText])
     if not known:
         return
     message = f"the controllers of MoveIt are in {CONTROLLERS_FILE}, in the form of MoveIt 2"
-    entry = Entry(EntryKind.DONE, message, file=new, authority=_CONTROLLERS)
+    entry = ReportEntry(EntryKind.DONE, message, file=new, authority=_CONTROLLERS)
     edits += renamed_parameters(packages, deleted, new)
     text = _controllers_text(known, _execution(packages, new))
     yield Proposal(tuple(edits), ((new, text),), tuple(deleted), (entry,))
@@ -112,7 +111,7 @@ def _controllers_text(known: Mapping[str, Map], execution: Mapping[str, str]) ->
     return "\n".join(lines) + "\n"
 
 
-def _execution(packages: Packages, new: str) -> dict[str, str]:
+def _execution(packages: MigratedPackages, new: str) -> dict[str, str]:
     """The parameters of the execution of trajectories in the launch files of a package."""
     folder = package_around(os.path.dirname(new)) or ""
     paths = (path for path in packages.files("trajectory_execution.launch.xml") if path.startswith(folder + os.sep))
@@ -147,7 +146,7 @@ def _parameters(source: SourceText) -> dict[str, str]:
     return {name: _REFERENCE.sub(lambda ref: values.get(ref[1], ref[0]), text) for name, text in given.items()}
 
 
-def _pipelines(packages: Packages) -> Iterator[Proposal]:
+def _pipelines(packages: MigratedPackages) -> Iterator[Proposal]:
     for path in packages.files(_PIPELINE):
         pipeline = os.path.basename(path).removesuffix(_PIPELINE)
         folder = package_around(os.path.dirname(path))
@@ -161,7 +160,7 @@ def _pipelines(packages: Packages) -> Iterator[Proposal]:
         if b"planning_plugin" in source.data:
             continue
         what = f"the planning pipeline '{pipeline}' names its plugin and adapters in its file"
-        entry = Entry(EntryKind.DONE, what, file=target, authority=_BUILDER)
+        entry = ReportEntry(EntryKind.DONE, what, file=target, authority=_BUILDER)
         text = "".join(_pipeline_lines(wanted))
         if exists(target):
             start = _first_key(source)
@@ -188,7 +187,7 @@ def _pipeline_lines(wanted: Mapping[str, str]) -> Iterator[str]:
 # -- limits ------------------------------------------------------------------------------------------------------------
 
 
-def _limits(packages: Packages) -> Iterator[Proposal]:
+def _limits(packages: MigratedPackages) -> Iterator[Proposal]:
     for path in packages.files("joint_limits.yaml"):
         source = packages.read(path)
         found = [
@@ -204,10 +203,10 @@ def _limits(packages: Packages) -> Iterator[Proposal]:
                 if isinstance(one, Scalar)
             )
             what = f"{len(edits)} limits of joints are written as doubles"
-            yield Proposal(edits, entries=(Entry(EntryKind.DONE, what, found[0].at, authority=_DOUBLES),))
+            yield Proposal(edits, entries=(ReportEntry(EntryKind.DONE, what, found[0].at, authority=_DOUBLES),))
 
 
-def _moveit_files(packages: Packages) -> Iterator[Proposal]:
+def _moveit_files(packages: MigratedPackages) -> Iterator[Proposal]:
     yield from _controllers(packages)
     yield from _pipelines(packages)
     yield from _limits(packages)

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.moveit_package import MARK, MOVE_GROUP, MoveitPackage, moveit_packages
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.todo import MARK as TODO
@@ -41,7 +41,7 @@ LOADED_BY_MOVEIT = (
 """Launch files of ROS 1 that only load parameters, which MoveItConfigsBuilder reads from the files of the package."""
 
 
-def _launch_files(packages: Packages) -> Iterator[Proposal]:
+def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:
     for package in moveit_packages(packages):
         launches = os.path.join(package.folder, "launch") + os.sep
         old = {
@@ -57,9 +57,9 @@ def _launch_files(packages: Packages) -> Iterator[Proposal]:
         if deleted:
             what = "moveit_configs_utils makes the launch files of MoveIt, and loads the parameters of the others"
             manifest = os.path.join(package.folder, "package.xml")
-            entries = [Entry(EntryKind.DONE, what, file=manifest, authority=_AUTHORITY)]
+            entries = [ReportEntry(EntryKind.DONE, what, file=manifest, authority=_AUTHORITY)]
             if package.needs_description:
-                entries += [Entry(EntryKind.FOR_YOU, _NO_DESCRIPTION, file=path) for path in made]
+                entries += [ReportEntry(EntryKind.FOR_YOU, _NO_DESCRIPTION, file=path) for path in made]
             yield Proposal(_install(packages, package.folder), created, deleted, tuple(entries))
 
 
@@ -85,7 +85,7 @@ def _text(package: MoveitPackage, maker: str) -> str:
     return "\n".join([*head, *(f"    {line}" for line in body)]) + "\n"
 
 
-def _install(packages: Packages, folder: str) -> tuple[Edit, ...]:
+def _install(packages: MigratedPackages, folder: str) -> tuple[Edit, ...]:
     """The edit that installs the file with the address of the description, which the builder reads."""
     source = packages.read(os.path.join(folder, "CMakeLists.txt"))
     is_found = exists(os.path.join(folder, MARK)) and MARK.encode() not in source.data
@@ -96,7 +96,7 @@ def _install(packages: Packages, folder: str) -> tuple[Edit, ...]:
     return (Edit(SourceSpan(source, end, end), f"\n{rule}"),)
 
 
-def packages_of_moveit(packages: Packages) -> Iterator[str]:
+def packages_of_moveit(packages: MigratedPackages) -> Iterator[str]:
     """Yield the names of the packages whose launch files were written anew."""
     for path in packages.files(f"{MOVE_GROUP}.py"):
         folder = os.path.dirname(os.path.dirname(path))

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.generate.text.scalars import python_text
 from urdfctl.migrate.edits.markup import elements, root_of
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.workspaces.packages import package_around, package_name
@@ -51,7 +51,7 @@ def is_moveit_folder(folder: str) -> bool:
     return any(exists(os.path.join(folder, name)) for name in names)
 
 
-def moveit_packages(packages: Packages) -> Iterator[MoveitPackage]:
+def moveit_packages(packages: MigratedPackages) -> Iterator[MoveitPackage]:
     """Yield the packages of MoveIt whose semantic description is known."""
     for manifest in packages.files("package.xml"):
         folder, name = os.path.dirname(manifest), package_name(manifest)
@@ -65,12 +65,12 @@ def moveit_packages(packages: Packages) -> Iterator[MoveitPackage]:
             yield found
 
 
-def _robot(packages: Packages, path: str) -> str:
+def _robot(packages: MigratedPackages, path: str) -> str:
     root = root_of(packages.read(path))
     return root.attrs.get("name", "") if root is not None else ""
 
 
-def _from_context(packages: Packages, folder: str, name: str, context: Element) -> MoveitPackage | None:
+def _from_context(packages: MigratedPackages, folder: str, name: str, context: Element) -> MoveitPackage | None:
     """The package with the descriptions that its planning context loads; None if it names no semantic description."""
     defaults = _defaults(context)
     params = {_filled(one.attrs.get("name", ""), defaults): one for one in _chosen(context, defaults)}

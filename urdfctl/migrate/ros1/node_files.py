@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.launch_files import own_packages
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.migrate.ros1.roslaunch_nodes import has_successor
 from urdfctl.migrate.ros1.roslaunch_values import given_by_name, root_around
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
@@ -22,7 +22,7 @@ _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their no
 _HEAD = "/**:\n  ros__parameters:\n"
 
 
-def _node_files(packages: Packages) -> Iterator[Proposal]:
+def _node_files(packages: MigratedPackages) -> Iterator[Proposal]:
     for path, spaces in _loaded(packages).items():
         file = read_yaml(packages.read(path))
         root = file.documents[0] if file.documents else None
@@ -34,11 +34,13 @@ def _node_files(packages: Packages) -> Iterator[Proposal]:
         if obstacle:
             yield for_you(root.at, f"write these parameters below ros__parameters of their node: {obstacle}")
             continue
-        entry = Entry(EntryKind.DONE, "the parameters of a node are in the form of ROS 2", root.at, authority=_FORM)
+        entry = ReportEntry(
+            EntryKind.DONE, "the parameters of a node are in the form of ROS 2", root.at, authority=_FORM
+        )
         yield Proposal((_wrapped(root),), entries=(entry,))
 
 
-def _loaded(packages: Packages) -> dict[str, set[str | None]]:
+def _loaded(packages: MigratedPackages) -> dict[str, set[str | None]]:
     """The files that launch files of ROS 1 load: below which names of nodes that ROS 2 has, too; None for others."""
     found: dict[str, set[str | None]] = {}
     own = frozenset(own_packages(packages))

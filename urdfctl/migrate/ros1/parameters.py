@@ -14,7 +14,7 @@ MECANUM = "mecanum_drive_controller/MecanumDriveController"
 _BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 
 
-class Change(NamedTuple):
+class ParameterChange(NamedTuple):
     """What becomes of a parameter.
 
     name: its new name, in which `<>` stands for the part of the old one; empty if it is dropped.
@@ -28,45 +28,45 @@ class Change(NamedTuple):
 
 
 _RATE = "the controller runs at the update rate of the manager"
-_CHANGES: Mapping[str, Mapping[str, Change]] = {
+_CHANGES: Mapping[str, Mapping[str, ParameterChange]] = {
     _DIFF: {
-        "left_wheel": Change("left_wheel_names", as_list=True),
-        "right_wheel": Change("right_wheel_names", as_list=True),
-        "wheel_radius_multiplier": Change("left_wheel_radius_multiplier right_wheel_radius_multiplier"),
-        "publish_cmd": Change("publish_limited_velocity"),
-        "publish_wheel_joint_controller_state": Change(why="ros2_controllers does not publish it"),
-        "allow_multiple_cmd_vel_publishers": Change(why="ROS 2 does not count the publishers of a topic"),
-        "velocity_rolling_window_size": Change("velocity_rolling_window_size"),
+        "left_wheel": ParameterChange("left_wheel_names", as_list=True),
+        "right_wheel": ParameterChange("right_wheel_names", as_list=True),
+        "wheel_radius_multiplier": ParameterChange("left_wheel_radius_multiplier right_wheel_radius_multiplier"),
+        "publish_cmd": ParameterChange("publish_limited_velocity"),
+        "publish_wheel_joint_controller_state": ParameterChange(why="ros2_controllers does not publish it"),
+        "allow_multiple_cmd_vel_publishers": ParameterChange(why="ROS 2 does not count the publishers of a topic"),
+        "velocity_rolling_window_size": ParameterChange("velocity_rolling_window_size"),
     },
     _JTC: {
-        "state_publish_rate": Change("state_publish_rate"),
-        "velocity_ff.<>": Change("gains.<>.ff_velocity_scale"),
-        "stop_trajectory_duration": Change(why="the controller holds the position at once"),
-        "hold_trajectory_duration": Change(why="the controller holds the position at once"),
-        "verbose": Change(why="use the log level"),
+        "state_publish_rate": ParameterChange("state_publish_rate"),
+        "velocity_ff.<>": ParameterChange("gains.<>.ff_velocity_scale"),
+        "stop_trajectory_duration": ParameterChange(why="the controller holds the position at once"),
+        "hold_trajectory_duration": ParameterChange(why="the controller holds the position at once"),
+        "verbose": ParameterChange(why="use the log level"),
     },
-    _BROADCASTER: {"publish_rate": Change(why=_RATE)},
-    "imu_sensor_broadcaster/IMUSensorBroadcaster": {"publish_rate": Change(why=_RATE)},
-    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster": {"publish_rate": Change(why=_RATE)},
-    _FORWARD: {"joint": Change("joints", as_list=True), "publish_rate": Change(why=_RATE)},
+    _BROADCASTER: {"publish_rate": ParameterChange(why=_RATE)},
+    "imu_sensor_broadcaster/IMUSensorBroadcaster": {"publish_rate": ParameterChange(why=_RATE)},
+    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster": {"publish_rate": ParameterChange(why=_RATE)},
+    _FORWARD: {"joint": ParameterChange("joints", as_list=True), "publish_rate": ParameterChange(why=_RATE)},
     _PID: {
-        "joint": Change("dof_names", as_list=True),
-        "joints": Change("dof_names", as_list=True),
-        "publish_rate": Change(why=_RATE),
+        "joint": ParameterChange("dof_names", as_list=True),
+        "joints": ParameterChange("dof_names", as_list=True),
+        "publish_rate": ParameterChange(why=_RATE),
     },
     MECANUM: {
-        "front_left_wheel_joint": Change("front_left_wheel_command_joint_name"),
-        "front_right_wheel_joint": Change("front_right_wheel_command_joint_name"),
-        "back_right_wheel_joint": Change("rear_right_wheel_command_joint_name"),
-        "back_left_wheel_joint": Change("rear_left_wheel_command_joint_name"),
-        "wheel_radius": Change("kinematics.wheels_radius"),
-        "cmd_vel_timeout": Change("reference_timeout"),
-        "publish_rate": Change(why=_RATE),
+        "front_left_wheel_joint": ParameterChange("front_left_wheel_command_joint_name"),
+        "front_right_wheel_joint": ParameterChange("front_right_wheel_command_joint_name"),
+        "back_right_wheel_joint": ParameterChange("rear_right_wheel_command_joint_name"),
+        "back_left_wheel_joint": ParameterChange("rear_left_wheel_command_joint_name"),
+        "wheel_radius": ParameterChange("kinematics.wheels_radius"),
+        "cmd_vel_timeout": ParameterChange("reference_timeout"),
+        "publish_rate": ParameterChange(why=_RATE),
     },
     "ackermann_steering_controller/AckermannSteeringController": {
-        "rear_wheel": Change("traction_joints_names", as_list=True),
-        "front_steer": Change("steering_joints_names", as_list=True),
-        "wheel_separation_h": Change("wheelbase"),
+        "rear_wheel": ParameterChange("traction_joints_names", as_list=True),
+        "front_steer": ParameterChange("steering_joints_names", as_list=True),
+        "wheel_separation_h": ParameterChange("wheelbase"),
     },
 }
 """By type of ROS 2: the changes of parameters. Others keep their name if the type has a parameter of that name."""
@@ -80,12 +80,12 @@ _PID_REFERENCES = {
 """The command interface and the reference of ROS 1's controllers with a PID loop."""
 
 
-def changes_of(kind: str) -> Mapping[str, Change]:
+def changes_of(kind: str) -> Mapping[str, ParameterChange]:
     """Return the changes of the parameters of a controller that has this type in ROS 2."""
     return _CHANGES.get(kind, {})
 
 
-def changed(name: str, changes: Mapping[str, Change]) -> tuple[Change, str] | None:
+def changed(name: str, changes: Mapping[str, ParameterChange]) -> tuple[ParameterChange, str] | None:
     """Return the change of a parameter, and the part of its name that `<>` stands for; None if it has none."""
     if name in changes:
         return changes[name], ""

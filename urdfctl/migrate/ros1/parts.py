@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from urdfctl.migrate.edits.markup import attribute, child, children, content
 from urdfctl.migrate.ros1.interfaces import command_names, commands_of, states_of
-from urdfctl.migrate.ros1.uses import Use
+from urdfctl.migrate.ros1.uses import TransmissionUse
 from urdfctl.model.robot import Transmission
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
@@ -36,12 +36,12 @@ class Converted(NamedTuple):
     dropped: str = ""
 
 
-class Unreadable(Exception):
+class UnreadableTransmission(Exception):
     """A transmission that cannot be migrated; the message says why."""
 
 
 def converted(
-    element: Element, uses: Sequence[Use], passive: Mapping[str, str], *, simulated: bool, step: str
+    element: Element, uses: Sequence[TransmissionUse], passive: Mapping[str, str], *, simulated: bool, step: str
 ) -> Converted:
     """Return what a `<transmission>` becomes.
 
@@ -54,10 +54,12 @@ def converted(
     """
     kind = content(child(element, "type") or element).rpartition("/")[2]
     if kind not in _TYPES:
-        raise Unreadable(f"the type '{content(child(element, 'type') or element)}' has no known replacement")
+        raise UnreadableTransmission(
+            f"the type '{content(child(element, 'type') or element)}' has no known replacement"
+        )
     joints = list(children(element, "joint"))
     if not joints:
-        raise Unreadable("it has no joint")
+        raise UnreadableTransmission("it has no joint")
     texts, arguments = [], []
     for joint in joints:
         text, its_arguments = _joint(element, joint, uses, passive, step)
@@ -71,7 +73,7 @@ def converted(
 
 
 def _joint(
-    element: Element, joint: Element, uses: Sequence[Use], passive: Mapping[str, str], step: str
+    element: Element, joint: Element, uses: Sequence[TransmissionUse], passive: Mapping[str, str], step: str
 ) -> tuple[str, list[tuple[str, str]]]:
     written = [content(one) for one in children(joint, "hardwareInterface") if content(one)]
     written = (
@@ -79,13 +81,13 @@ def _joint(
         or [content(one) for end in children(element, "actuator") for one in children(end, "hardwareInterface")][:1]
     )
     if not written:
-        raise Unreadable("it names no hardware interface")
+        raise UnreadableTransmission("it names no hardware interface")
     names: list[str] = []
     arguments: list[tuple[str, str]] = []
     for position, text in enumerate(written):
         found = command_names(text, _evaluated(joint, uses, position))
         if found is None:
-            raise Unreadable(f"the interface '{text}' has no known replacement")
+            raise UnreadableTransmission(f"the interface '{text}' has no known replacement")
         names += found.names
         arguments += found.arguments
     evaluated = {name for value in _all_evaluated(joint, uses) for name in commands_of(value) or ()}
@@ -115,16 +117,16 @@ def _index(joint: Element) -> int:
     return [one.start for one in children(above, "joint")].index(joint.start)
 
 
-def _names(joint: Element, uses: Sequence[Use]) -> list[str]:
+def _names(joint: Element, uses: Sequence[TransmissionUse]) -> list[str]:
     index = _index(joint)
     return [name for use in uses if index < len(use.value.joints) and (name := use.value.joints[index].name)]
 
 
-def _all_evaluated(joint: Element, uses: Sequence[Use]) -> set[str]:
+def _all_evaluated(joint: Element, uses: Sequence[TransmissionUse]) -> set[str]:
     return {text for position in range(4) for text in _evaluated(joint, uses, position)}
 
 
-def _evaluated(joint: Element, uses: Sequence[Use], position: int) -> set[str]:
+def _evaluated(joint: Element, uses: Sequence[TransmissionUse], position: int) -> set[str]:
     """The values of an interface's text in the robots."""
     index = _index(joint)
     found = set()
@@ -138,7 +140,7 @@ def _evaluated(joint: Element, uses: Sequence[Use], position: int) -> set[str]:
     return found
 
 
-def _reduction(element: Element, uses: Sequence[Use], kind: str, *, simulated: bool) -> tuple[bool, str]:
+def _reduction(element: Element, uses: Sequence[TransmissionUse], kind: str, *, simulated: bool) -> tuple[bool, str]:
     """Whether the transmission is needed on its own, and the reduction that is dropped."""
     written = [content(one) for end in element.elements() for one in children(end, "mechanicalReduction")]
     values = {text for use in uses for text in _reductions(use.value)} or set(written)

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.session import session_of
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.followers import followers_of
 from urdfctl.migrate.ros1.interfaces import commands_of
 from urdfctl.migrate.ros1.uses import Uses
@@ -26,7 +26,7 @@ _READERS = ("joint_state_publisher", "ft_sensor", "p3d", "f3d")
 class Passive:
     """The joints of robots that nothing commands."""
 
-    def __init__(self, packages: Packages, uses: Uses) -> None:
+    def __init__(self, packages: MigratedPackages, uses: Uses) -> None:
         self._packages, self._uses = packages, uses
         self._commanded = frozenset(_commanded(packages))
         self._known: dict[int, Mapping[str, str]] = {}
@@ -46,11 +46,11 @@ class Passive:
         return set(_by_effort(found)) & set(_named_by_plugins(found)) - self._commanded
 
 
-def _commanded(packages: Packages) -> Iterator[str]:
+def _commanded(packages: MigratedPackages) -> Iterator[str]:
     """The joints that the controllers of ROS 1 command."""
     for loaded in packages.loaded():
         for controller in session_of(loaded.project, _DISTRO).controllers if loaded.project.controllers else ():
-            yield from (claim.component for claim in controller.claimed(Kind.COMMAND))
+            yield from (claim.component for claim in controller.claimed(ClaimKind.COMMAND))
 
 
 def _by_effort(robot: Robot) -> Iterator[str]:

@@ -6,21 +6,21 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.rules.reading.xacro_prefix_missing import xacro_prefix_missing
 
 _AUTHORITY = "wiki.ros.org/xacro: since noetic, tags without the prefix are not expanded"
 
 
-def _prefixes(packages: Packages) -> Iterator[Proposal]:
+def _prefixes(packages: MigratedPackages) -> Iterator[Proposal]:
     done: set[tuple[Edit, ...]] = set()
     for loaded in packages.loaded(packages.options.target):
         for finding in xacro_prefix_missing.check(loaded.project):
             edits = finding.fix.edits if finding.fix else ()
             if edits and edits not in done:
                 done.add(edits)
-                entry = Entry(EntryKind.DONE, "xacro needs its prefix here", finding.at, authority=_AUTHORITY)
+                entry = ReportEntry(EntryKind.DONE, "xacro needs its prefix here", finding.at, authority=_AUTHORITY)
                 yield Proposal(edits, entries=(entry,), fixes=("UC018",))
 
 

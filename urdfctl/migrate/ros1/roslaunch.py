@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.migrate.launch.actions import (
     Action,
-    Condition,
+    ActionCondition,
     PartOfText,
     Text,
     all_actions,
@@ -29,8 +29,7 @@ from urdfctl.migrate.ros1.roslaunch_values import (
     root_around,
     value_of,
 )
-from urdfctl.source.xml.dom import COMMENT, Element
-from urdfctl.source.xml.dom import Text as Characters
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 _DESCRIPTION = "robot_description"
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
@@ -42,7 +41,7 @@ _WITHOUT_COUNTERPART = {
 }
 
 
-class Reading(Notes):
+class LaunchReading(Notes):
     """The actions of one launch file, and what is found out about them."""
 
     def actions(self, root: Element) -> list[Action]:
@@ -62,7 +61,7 @@ class Reading(Notes):
         files = self._parameter_files(parent)
         node = parent.firstChild
         while node is not None:
-            if isinstance(node, Characters) and node.nodeType == COMMENT and "--" not in node.data:
+            if isinstance(node, XmlText) and node.nodeType == COMMENT and "--" not in node.data:
                 text = "\n".join(line.strip() for line in node.data.strip().splitlines())
                 if text and "<" not in text:
                     yield Action("comment", text)
@@ -74,7 +73,7 @@ class Reading(Notes):
     def _conditional(self, action: Action, element: Element) -> Action:
         for name in ("if", "unless"):
             if name in element.attrs and action.kind != "comment":
-                return action._replace(condition=Condition(parsed(element.attrs[name]), name == "unless"))
+                return action._replace(condition=ActionCondition(parsed(element.attrs[name]), name == "unless"))
         return action
 
     def _element(self, element: Element, root: Element, description: Text, files: Sequence[Text]) -> Iterator[Action]:

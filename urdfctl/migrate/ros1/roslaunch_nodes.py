@@ -23,7 +23,7 @@ from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 
-class Target(NamedTuple):
+class LaunchTarget(NamedTuple):
     """What a launch file is migrated to.
 
     distro: that of the migrated robot.
@@ -70,7 +70,7 @@ class Notes:
     defaults: the defaults of the arguments so far.
     """
 
-    def __init__(self, target: Target) -> None:
+    def __init__(self, target: LaunchTarget) -> None:
         self.target = target
         self.left: list[str] = []
         self.decided: list[str] = []

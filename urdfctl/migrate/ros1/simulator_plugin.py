@@ -25,12 +25,12 @@ from urdfctl.migrate.edits.markup import (
 )
 from urdfctl.migrate.edits.places import ElementKey, key_of, key_of_element, plugin_elements
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import controller_maps
 from urdfctl.migrate.ros1.followers import is_mimic_plugin, mimic_plugins
 from urdfctl.migrate.shared.hardware import host_plugin, simulated_by
 from urdfctl.migrate.shared.manager import BROADCASTER, RATE, manager_text
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.model.robot import Plugin
 from urdfctl.source.disk.gate import exists
@@ -46,7 +46,7 @@ _AUTHORITY = "gz_ros2_control doc/index.rst; gazebo_ros2_control doc/index.rst"
 _MIMIC = "gz_ros2_control doc/index.rst: mimic joints by <mimic> of the URDF"
 
 
-def _plugins(packages: Packages) -> Iterator[Proposal]:
+def _plugins(packages: MigratedPackages) -> Iterator[Proposal]:
     robots = _robots_by_plugin(packages)
     for element in plugin_elements(packages):
         if attribute(element, "filename") == CONTROL and not _has_successor(element):
@@ -58,7 +58,7 @@ def _has_successor(element: Element) -> bool:
     return any(name in element.source.data for name in (b"libgazebo_ros2_control.so", b"gz_ros2_control-system"))
 
 
-def _robots_by_plugin(packages: Packages) -> dict[ElementKey, list[LoadedTarget]]:
+def _robots_by_plugin(packages: MigratedPackages) -> dict[ElementKey, list[LoadedTarget]]:
     found: dict[ElementKey, list[LoadedTarget]] = {}
     for loaded in packages.loaded():
         for plugin in loaded.project.robot.plugins if loaded.project.robot else ():
@@ -66,7 +66,7 @@ def _robots_by_plugin(packages: Packages) -> dict[ElementKey, list[LoadedTarget]
     return found
 
 
-def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) -> Iterator[Proposal]:
+def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedTarget]) -> Iterator[Proposal]:
     host = host_plugin(packages)
     sim_type = child(element, "robotSimType")
     if host is None:
@@ -74,11 +74,11 @@ def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) 
         is_alone = around is not None and len(around.elements()) == 1
         edit = removal(around if around is not None and is_alone else element)
         message = f"the plugin for ros_control is removed: simulator '{simulated_by(packages)}' needs none"
-        yield Proposal((edit,), entries=(Entry(EntryKind.DONE, message, element.at),))
+        yield Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, message, element.at),))
         return
     if sim_type is not None and content(sim_type) not in _SIM_TYPES and "$" not in content(sim_type):
         text = f"the simulated hardware '{content(sim_type)}' is a class of its own: port it to ros2_control"
-        yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, sim_type.at),))
+        yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, text, sim_type.at),))
     name = host.names[0] if host.names else "gazebo_ros2_control"
     edits = [with_attribute(element, "filename", host.filenames[0]), with_attribute(element, "name", name)]
     dropped = [one for one in element.elements() if one.tagName in _DROPPED]
@@ -97,7 +97,7 @@ def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) 
     edits.append(_with_parameters(element, files, step))
     edits = [edit for edit in edits if edit.text or edit.span.start != edit.span.end]
     entries = [
-        Entry(
+        ReportEntry(
             EntryKind.DONE,
             f"the plugin for ros_control became {host.names[0] if host.names else host.id}",
             element.at,
@@ -107,20 +107,20 @@ def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) 
     entries += _chosen(element, files, _fitting(packages, robots))
     if created:
         message = "no launch file says which controllers the robot has: a new file has the joint state broadcaster"
-        entries.append(Entry(EntryKind.DECIDED, message, file=created[0][0]))
+        entries.append(ReportEntry(EntryKind.DECIDED, message, file=created[0][0]))
     elif not files:
         message = "name the controller file in <parameters>: no launch file says which one belongs to this robot"
-        entries.append(Entry(EntryKind.FOR_YOU, message, element.at))
+        entries.append(ReportEntry(EntryKind.FOR_YOU, message, element.at))
     yield Proposal((merged(edits), *_as_xacro(element, files)), created=created, entries=tuple(entries))
 
 
-def _chosen(element: Element, files: list[str], fitting: list[str]) -> Iterator[Entry]:
+def _chosen(element: Element, files: list[str], fitting: list[str]) -> Iterator[ReportEntry]:
     """The entry on the choice of a controller file among several."""
     others = [one for one in _addresses(fitting[1:]) if one not in files]
     if others and files == _addresses(fitting[:1]):
         more = "1 more controller file names" if len(others) == 1 else f"{len(others)} more controller files name"
         message = f"'{files[0]}' is chosen: {more} only joints of the robot"
-        yield Entry(EntryKind.DECIDED, message, element.at, option=f"<parameters>{others[0]}</parameters>")
+        yield ReportEntry(EntryKind.DECIDED, message, element.at, option=f"<parameters>{others[0]}</parameters>")
 
 
 def _as_xacro(element: Element, files: list[str]) -> Iterator[Edit]:
@@ -144,7 +144,7 @@ def _with_parameters(element: Element, files: list[str], step: str) -> Edit:
     return Edit(SourceSpan(element.source, line, line), lines)
 
 
-def controller_files(packages: Packages, robots: list[LoadedTarget]) -> list[str]:
+def controller_files(packages: MigratedPackages, robots: list[LoadedTarget]) -> list[str]:
     """Return the controller files of some robots as xacro names them.
 
     They are those of the launch files; otherwise the file that names most joints of the robots, and no others. Several
@@ -158,7 +158,7 @@ def controller_files(packages: Packages, robots: list[LoadedTarget]) -> list[str
     return _addresses(paths or _fitting(packages, robots)[:1])
 
 
-def _fitting(packages: Packages, robots: list[LoadedTarget]) -> list[str]:
+def _fitting(packages: MigratedPackages, robots: list[LoadedTarget]) -> list[str]:
     """The files that name only joints of some robots: that with most of them first."""
     joints = {name for one in robots if one.project.robot for name in one.project.robot.joint_names}
     fitting = {path: names for path, names in _joints_by_file(packages).items() if names <= joints}
@@ -188,7 +188,7 @@ def _new_file(element: Element, namespace: str) -> tuple[str, str, str] | None:
     return f"$(find {name})/config/ros2_controllers.yaml", path, manager
 
 
-def _joints_by_file(packages: Packages) -> dict[str, set[str]]:
+def _joints_by_file(packages: MigratedPackages) -> dict[str, set[str]]:
     """The joints that the controllers in each file name."""
     found: dict[str, set[str]] = {}
     for loaded in packages.loaded():
@@ -205,7 +205,7 @@ def _joints_by_file(packages: Packages) -> dict[str, set[str]]:
 # -- mimic plugins ---------------------------------------------------------------------------------------------------
 
 
-def _mimics(packages: Packages) -> Iterator[Proposal]:
+def _mimics(packages: MigratedPackages) -> Iterator[Proposal]:
     added: dict[ElementKey, list[Edit]] = {}
     kept: set[ElementKey] = set()
     for loaded in packages.loaded():
@@ -233,11 +233,11 @@ def _mimics(packages: Packages) -> Iterator[Proposal]:
         message = "a mimic plugin became <mimic> of the joint, which ros2_control reads"
         yield Proposal(
             (edit, *dict.fromkeys(added.get(key, ()))),
-            entries=(Entry(EntryKind.DONE, message, element.at, authority=_MIMIC),),
+            entries=(ReportEntry(EntryKind.DONE, message, element.at, authority=_MIMIC),),
         )
 
 
-def _mimic_edit(packages: Packages, joint: ElementKey, plugin: Plugin, leader: str) -> Edit | None:
+def _mimic_edit(packages: MigratedPackages, joint: ElementKey, plugin: Plugin, leader: str) -> Edit | None:
     """The edit that adds <mimic> to a joint; None if the joint is written in a macro."""
     path, start = joint
     element = element_at(packages.read(path), start) if packages.may_change(path) else None

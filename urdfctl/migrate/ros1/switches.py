@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import OF_XML, Packages
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.packages import OF_XML, MigratedPackages
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import SourceSpan
 
 _NAME = r"(?:(?:is|for|use|with)_)?ros_?([12])"
@@ -18,7 +18,7 @@ _DECLARING = {"xacro:property": "value", "xacro:arg": "default"}
 _AUTHORITY = "the description has <ros2_control> for this case"
 
 
-def _switches(packages: Packages) -> Iterator[Proposal]:
+def _switches(packages: MigratedPackages) -> Iterator[Proposal]:
     sources = [packages.read(path) for path in packages.files(*OF_XML)]
     if not any(b"<ros2_control" in source.data for source in sources):
         return
@@ -33,7 +33,7 @@ def _switches(packages: Packages) -> Iterator[Proposal]:
                 continue
             message = f"switch '{name[0]}' is {_BOOLS[old]}: the descriptions are for ROS 2"
             edit = Edit(SourceSpan(source, *tag.attributes[key]), _BOOLS[old])
-            yield Proposal((edit,), entries=(Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY),))
+            yield Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY),))
 
 
 def _is_true(text: str) -> bool:

@@ -9,14 +9,14 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, element_at, step_of
 from urdfctl.migrate.edits.places import ElementKey, key_of_element, place_of, written_elements
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.following import following, idle
 from urdfctl.migrate.ros1.gathering import Component, Gathering, label_of, prefix_of, written_component
-from urdfctl.migrate.ros1.parts import Converted, Unreadable, converted
+from urdfctl.migrate.ros1.parts import Converted, UnreadableTransmission, converted
 from urdfctl.migrate.ros1.passive import HELD, Passive
 from urdfctl.migrate.ros1.uses import Uses
 from urdfctl.migrate.shared.hardware import HARDWARE_OPTION, simulated_by, system_plugin, without_hardware
-from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.source.span import SourceText
 from urdfctl.source.xml.dom import Element
@@ -28,7 +28,7 @@ _NESTED = (
 )
 
 
-def _transmissions(packages: Packages) -> Iterator[Proposal]:
+def _transmissions(packages: MigratedPackages) -> Iterator[Proposal]:
     uses = Uses(packages)
     passive = Passive(packages, uses)
     done = _joints_of_components(packages)
@@ -39,7 +39,7 @@ def _transmissions(packages: Packages) -> Iterator[Proposal]:
             continue
         try:
             parts.append((element, _converted(packages, uses, passive, element)))
-        except Unreadable as reason:
+        except UnreadableTransmission as reason:
             yield _left(packages, element, str(reason))
     for key in uses.inserted:
         if (element := uses.element(key)) is not None:
@@ -47,21 +47,21 @@ def _transmissions(packages: Packages) -> Iterator[Proposal]:
     yield from _components(packages, uses, passive, parts)
 
 
-def _left(packages: Packages, element: Element, reason: str) -> Proposal:
+def _left(packages: MigratedPackages, element: Element, reason: str) -> Proposal:
     at = packages.read(element.source.path)
     found = element_at(at, element.start)
     text = f"transmission '{attribute(element, 'name')}' has no counterpart in ROS 2: {reason}"
     return for_you((found or element).at, text)
 
 
-def _converted(packages: Packages, uses: Uses, passive: Passive, element: Element) -> Converted:
+def _converted(packages: MigratedPackages, uses: Uses, passive: Passive, element: Element) -> Converted:
     its_uses = uses.by_element.get(key_of_element(element), [])
     joints = {joint: text for use in its_uses for joint, text in passive.of(use.robot).items()}
     simulated = simulated_by(packages) != "none"
     return converted(element, its_uses, joints, simulated=simulated, step=step_of(element.source))
 
 
-def _joints_of_components(packages: Packages) -> set[str]:
+def _joints_of_components(packages: MigratedPackages) -> set[str]:
     """The joints that the `<ros2_control>` elements of half-migrated packages have, as they are written."""
     names = set()
     for element in written_elements(packages, "<ros2_control", (".xacro", ".urdf", ".xml", ".gazebo")):
@@ -71,7 +71,7 @@ def _joints_of_components(packages: Packages) -> set[str]:
 
 
 def _components(
-    packages: Packages, uses: Uses, passive: Passive, parts: list[tuple[Element, Converted]]
+    packages: MigratedPackages, uses: Uses, passive: Passive, parts: list[tuple[Element, Converted]]
 ) -> Iterator[Proposal]:
     sources: Mapping[str, SourceText] = _Sources(packages)
     gathering = Gathering(sources)
@@ -81,7 +81,7 @@ def _components(
         gathering.add(element, part, paths, dict(idle(passive, its_uses)))
     try:
         components = list(gathering.components())
-    except Unreadable as reason:
+    except UnreadableTransmission as reason:
         for element, _ in parts:
             yield _left(packages, element, str(reason))
         return
@@ -89,13 +89,13 @@ def _components(
     names = _names(uses, components)
     lifted = [edit for edits in gathering.edits.values() for edit in edits]
     edits: list[Edit] = []
-    entries: list[Entry] = []
+    entries: list[ReportEntry] = []
     for component, name in zip(components, names, strict=True):
         try:
             more = following(packages, uses, component)
             todo = without_hardware(packages, name)
             own = list(written_component(component, name, system_plugin(packages), more, todo))
-        except Unreadable as reason:
+        except UnreadableTransmission as reason:
             yield _left(packages, component.items[0].element, str(reason))
             if lifted:
                 return
@@ -103,7 +103,7 @@ def _components(
         edits += own
         entries += [*_entries(component, name, texts), *_moved(component, passive)]
         at = next(edit.span for edit in own if todo in edit.text)
-        entries += [Entry(EntryKind.FOR_YOU, todo, place_of(at), option=HARDWARE_OPTION)] if todo else []
+        entries += [ReportEntry(EntryKind.FOR_YOU, todo, place_of(at), option=HARDWARE_OPTION)] if todo else []
     if edits:
         yield Proposal(edits=tuple(dict.fromkeys([*lifted, *edits])), entries=tuple(entries))
 
@@ -111,7 +111,7 @@ def _components(
 class _Sources(dict[str, SourceText]):
     """The texts of files by path, read when they are asked for."""
 
-    def __init__(self, packages: Packages) -> None:
+    def __init__(self, packages: MigratedPackages) -> None:
         super().__init__()
         self._packages = packages
 
@@ -139,17 +139,17 @@ def _share(one: Component, other: Component) -> bool:
     return bool(robots[0] & robots[1])
 
 
-def _entries(component: Component, name: str, texts: Mapping[ElementKey, Converted]) -> Iterator[Entry]:
+def _entries(component: Component, name: str, texts: Mapping[ElementKey, Converted]) -> Iterator[ReportEntry]:
     at = component.items[0].element.at
     joints = list(dict.fromkeys(joint for item in component.items for joint in item.names))
     shown = ", ".join(joints[:3]) + (f" and {len(joints) - 3} more" if len(joints) > 3 else "")  # noqa: PLR2004
     of_joints = f" of {shown}" if shown else ""
     message = f"transmissions{of_joints} became the joints of component '{name}' in <ros2_control>"
-    yield Entry(EntryKind.DONE, message, at, authority=_AUTHORITY)
+    yield ReportEntry(EntryKind.DONE, message, at, authority=_AUTHORITY)
     parts = [part for item in component.items if (part := texts.get(key_of_element(item.element)))]
     dropped = [part for part in parts if part.dropped]
     if dropped:
-        yield Entry(
+        yield ReportEntry(
             EntryKind.DECIDED,
             f"the reduction {dropped[0].dropped} of {len(dropped)} transmissions is dropped: simulators have no motors",
             at,
@@ -158,10 +158,10 @@ def _entries(component: Component, name: str, texts: Mapping[ElementKey, Convert
         )
     if any(part.kept for part in parts):
         message = f"transmissions with a reduction are nested in component '{name}'; its hardware plugin must load them"
-        yield Entry(EntryKind.DECIDED, message, at, authority=_NESTED)
+        yield ReportEntry(EntryKind.DECIDED, message, at, authority=_NESTED)
 
 
-def _moved(component: Component, passive: Passive) -> Iterator[Entry]:
+def _moved(component: Component, passive: Passive) -> Iterator[ReportEntry]:
     """Yield the decision on the joints of a component that another plugin of the simulator moves."""
     robots = {robot for item in component.items for robot, _ in item.paths}
     joints = sorted({joint for robot in robots for joint in passive.moved(robot)})
@@ -170,7 +170,7 @@ def _moved(component: Component, passive: Passive) -> Iterator[Entry]:
         message = (
             f"joint {names} has no command interface, or the simulator would hold it against the plugin that moves it"
         )
-        yield Entry(EntryKind.DECIDED, message, component.items[0].element.at, authority=HELD)
+        yield ReportEntry(EntryKind.DECIDED, message, component.items[0].element.at, authority=HELD)
 
 
 TRANSMISSIONS = Step(

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.edits.markup import MACRO, ancestors, element_at, elements, root_of
 from urdfctl.migrate.edits.places import ElementKey, key_of
-from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.migrate.packages import OF_XML, MigratedPackages
 from urdfctl.model.robot import Robot, Transmission
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Call, Place
@@ -16,7 +16,7 @@ from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 
-class Use(NamedTuple):
+class TransmissionUse(NamedTuple):
     """One transmission in one robot.
 
     robot: a number for the robot.
@@ -36,10 +36,10 @@ class Uses:
     inserted: transmissions that a macro gets as a block, so that they cannot be moved.
     """
 
-    def __init__(self, packages: Packages) -> None:
+    def __init__(self, packages: MigratedPackages) -> None:
         self.packages = packages
         self.robots: list[LoadedTarget] = []
-        self.by_element: dict[ElementKey, list[Use]] = {}
+        self.by_element: dict[ElementKey, list[TransmissionUse]] = {}
         self.inserted: set[ElementKey] = set()
         for loaded in packages.loaded():
             if loaded.project.robot is not None:
@@ -56,7 +56,9 @@ class Uses:
             if any(call.kind == "block" for call in calls):
                 self.inserted.add(key)
                 continue
-            use = Use(number, tuple((os.path.realpath(c.source.path), c.offset) for c in calls), transmission)
+            use = TransmissionUse(
+                number, tuple((os.path.realpath(c.source.path), c.offset) for c in calls), transmission
+            )
             self.by_element.setdefault(key, []).append(use)
 
     def element(self, key: ElementKey) -> Element | None:

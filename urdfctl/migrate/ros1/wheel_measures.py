@@ -8,10 +8,12 @@ from urdfctl.generate.robot.facts import JointFacts
 from urdfctl.generate.robot.survey import facts_of
 from urdfctl.generate.robot.wheels import Measure, across, radius
 from urdfctl.generate.text.scalars import yaml_float
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 
 
-def measured(packages: Packages, left: Sequence[str], right: Sequence[str], given: Sequence[str]) -> Iterator[str]:
+def measured(
+    packages: MigratedPackages, left: Sequence[str], right: Sequence[str], given: Sequence[str]
+) -> Iterator[str]:
     """Yield the lines of a diff_drive_controller with the measures that are not given, from a robot with the wheels.
 
     A robot of which all parts are known comes first.

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.catalog.moves import MANAGER
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.source.disk.files import is_yaml
 from urdfctl.source.span import SourceText
 from urdfctl.source.workspaces.install_maps import read_install_map
@@ -19,7 +19,7 @@ from urdfctl.startup.records import NamedTuple
 _PARAMETERS = "ros__parameters"
 
 
-class Section(NamedTuple):
+class FileSection(NamedTuple):
     """The parameters of one node in one file.
 
     node: the node's name without its namespace.
@@ -41,7 +41,7 @@ class TypeName(NamedTuple):
     value: Scalar
 
 
-def sections(packages: Packages) -> list[Section]:
+def sections(packages: MigratedPackages) -> list[FileSection]:
     """Return the sections of all controller files. A type is known from the same file, or else from the package."""
     found = [(path, node, map_) for path in _files(packages) for node, map_ in _nodes(packages, path)]
     by_file: dict[str, dict[str, str]] = {}
@@ -50,12 +50,12 @@ def sections(packages: Packages) -> list[Section]:
         by_file.setdefault(declared.path, {})[declared.controller] = declared.value.text
         by_package.setdefault(_package(declared.path), {})[declared.controller] = declared.value.text
     return [
-        Section(path, node, _type(node, by_file.get(path, {}), by_package.get(_package(path), {})), map_)
+        FileSection(path, node, _type(node, by_file.get(path, {}), by_package.get(_package(path), {})), map_)
         for path, node, map_ in found
     ]
 
 
-def type_names(packages: Packages) -> Iterator[TypeName]:
+def type_names(packages: MigratedPackages) -> Iterator[TypeName]:
     """Yield the types that controller managers give to controllers."""
     for path in _files(packages):
         for node, parameters in _nodes(packages, path):
@@ -67,7 +67,7 @@ def type_names(packages: Packages) -> Iterator[TypeName]:
                     yield TypeName(path, entry.key.text, value)
 
 
-def sections_near(known: Sequence[Section], source: SourceText, text: bytes) -> dict[str, set[str]]:
+def sections_near(known: Sequence[FileSection], source: SourceText, text: bytes) -> dict[str, set[str]]:
     """Return the controllers with parameters, each with its files.
 
     They are those that a launch file names, or its package's, or all. Of files that have the same parameters for a
@@ -86,13 +86,13 @@ def sections_near(known: Sequence[Section], source: SourceText, text: bytes) -> 
     return {node: {*by_text.values()} for node, by_text in files.items()}
 
 
-def _words(section: Section) -> bytes:
+def _words(section: FileSection) -> bytes:
     """The parameters of a section without blanks and comments, which tells whether two are the same."""
     written = section.parameters.source.data[section.parameters.start : section.parameters.end]
     return b" ".join(re.sub(rb"(?m)(?:^|\s)#.*$", b"", written).split())
 
 
-def installed_path(packages: Packages, path: str) -> tuple[str, list[str]]:
+def installed_path(packages: MigratedPackages, path: str) -> tuple[str, list[str]]:
     """Return the package of a file and its path in the share folder: as a description names it, or as installed."""
     pattern = rb"\$\(find ([\w-]+)\)/([^<>\"'\s]*%s)" % re.escape(os.path.basename(path)).encode()
     for description in packages.files(".xacro", ".urdf"):
@@ -119,13 +119,13 @@ def _package(path: str) -> str:
     return package_around(path) or path
 
 
-def _files(packages: Packages) -> Iterator[str]:
+def _files(packages: MigratedPackages) -> Iterator[str]:
     for path in packages.files(".yaml", ".yml"):
         if is_yaml(path) and _PARAMETERS.encode() in packages.read(path).data:
             yield path
 
 
-def _nodes(packages: Packages, path: str) -> Iterator[tuple[str, Map]]:
+def _nodes(packages: MigratedPackages, path: str) -> Iterator[tuple[str, Map]]:
     """The maps below `ros__parameters` in a file, each with the last part of its node's name."""
     pending = [(document, "") for document in read_yaml(packages.read(path)).documents]
     while pending:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
 from urdfctl.generate.files.hardware import hardware, host
-from urdfctl.generate.options import Options
-from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.generate.options import GeneratorOptions
+from urdfctl.migrate.packages import OF_XML, MigratedPackages
 
 HARDWARE_OPTION = "--hardware PLUGIN"
 
@@ -19,7 +19,7 @@ _HOSTS = (
 )
 
 
-def simulated_by(packages: Packages) -> str:
+def simulated_by(packages: MigratedPackages) -> str:
     """Return the simulator that runs the controllers after the migration; `none` if no plugin of the robots does."""
     simulator = packages.simulator or "none"
     if simulator in ("gz", "gazebo-classic") and not packages.found(_has_host):
@@ -27,54 +27,54 @@ def simulated_by(packages: Packages) -> str:
     return simulator
 
 
-def _has_host(packages: Packages) -> bool:
+def _has_host(packages: MigratedPackages) -> bool:
     return any(host in packages.read(path).data for path in packages.files(*OF_XML) for host in _HOSTS)
 
 
-def leaves_classic(packages: Packages) -> bool:
+def leaves_classic(packages: MigratedPackages) -> bool:
     """Return whether the packages leave Gazebo Classic."""
     return packages.simulator != "gazebo-classic" and (packages.simulator is not None or packages.crosses("jazzy"))
 
 
-def goes_to_gz(packages: Packages) -> bool:
+def goes_to_gz(packages: MigratedPackages) -> bool:
     """Return whether what is for Gazebo Classic becomes what gz reads."""
     return packages.simulator == "gz" or (packages.simulator is None and packages.crosses("jazzy"))
 
 
-def started_by_launch_files(packages: Packages) -> str:
+def started_by_launch_files(packages: MigratedPackages) -> str:
     """Return the simulator that launch files start where they started Gazebo Classic, whatever runs the controllers."""
     if goes_to_gz(packages):
         return "gz"
     return "none" if leaves_classic(packages) else "gazebo-classic"
 
 
-def options_of(packages: Packages) -> Options:
+def options_of(packages: MigratedPackages) -> GeneratorOptions:
     """Return the options of the generators for the migrated packages."""
-    return Options(packages.options.target, simulated_by(packages), hardware=_named(packages))
+    return GeneratorOptions(packages.options.target, simulated_by(packages), hardware=_named(packages))
 
 
-def _named(packages: Packages) -> str | None:
+def _named(packages: MigratedPackages) -> str | None:
     return packages.options.hardware if simulated_by(packages) == "none" else None
 
 
-def system(packages: Packages) -> HardwareType:
+def system(packages: MigratedPackages) -> HardwareType:
     """Return the hardware plugin of the migrated robot: that of the simulator, the one that the user names, or mock."""
     return hardware(options_of(packages), catalog_with(packages.settings.additions))
 
 
-def system_plugin(packages: Packages) -> str:
+def system_plugin(packages: MigratedPackages) -> str:
     """Return the name of the hardware plugin."""
     return system(packages).type
 
 
-def host_plugin(packages: Packages) -> SimulatorPlugin | None:
+def host_plugin(packages: MigratedPackages) -> SimulatorPlugin | None:
     """Return the simulator plugin that runs the controllers; None without a simulator that needs one."""
     if simulated_by(packages) not in ("gz", "gazebo-classic"):
         return None
     return host(options_of(packages), catalog_with(packages.settings.additions))
 
 
-def without_hardware(packages: Packages, component: str) -> str:
+def without_hardware(packages: MigratedPackages, component: str) -> str:
     """Return what a person must decide about the hardware plugin of a component; empty if it is known."""
     if simulated_by(packages) != "none" or packages.options.hardware is not None:
         return ""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from urdfctl.model.controllers.controllers import (
     Controller,
     Controllers,
-    Fault,
     FaultKind,
+    FileFault,
     FileReference,
     Key,
     Manager,
@@ -14,16 +14,15 @@ from urdfctl.model.controllers.controllers import (
     MoveItList,
     Section,
 )
-from urdfctl.model.controllers.parameters import Kind, Parameter, Parameters, Value
+from urdfctl.model.controllers.parameters import Parameter, Parameters, Value, ValueKind
 
 __all__ = [
     "Controller",
     "Controllers",
-    "Fault",
     "FaultKind",
+    "FileFault",
     "FileReference",
     "Key",
-    "Kind",
     "Manager",
     "MoveItController",
     "MoveItList",
@@ -31,4 +30,5 @@ __all__ = [
     "Parameters",
     "Section",
     "Value",
+    "ValueKind",
 ]

@@ -20,7 +20,7 @@ from urdfctl.model.controllers.controllers import (
     Manager,
     Section,
 )
-from urdfctl.model.controllers.parameters import Kind, Parameters, Value
+from urdfctl.model.controllers.parameters import Parameters, Value, ValueKind
 from urdfctl.source.span import Place
 from urdfctl.source.yaml.tree import YamlFile
 from urdfctl.startup.records import NamedTuple
@@ -211,7 +211,7 @@ class _Ros2:
         sections = {section.name for section in self.sections if section.path not in of_manager}
         names = []
         for child in manager.parameters.below():
-            if child.value.kind is not Kind.MAP or child.name in _SETTINGS_OF_A_MANAGER:
+            if child.value.kind is not ValueKind.MAP or child.name in _SETTINGS_OF_A_MANAGER:
                 continue
             typed = f"{child.name}.type" in manager.parameters
             if typed or child.name in sections or child.name in self._are_started:
@@ -224,7 +224,7 @@ class _Ros2:
         controllers = []
         for section in self.sections:
             kind = section.parameters.value("type")
-            is_type = kind is not None and kind.kind is Kind.STRING and is_class(kind.text)
+            is_type = kind is not None and kind.kind is ValueKind.STRING and is_class(kind.text)
             is_type = is_type and not any(key in section.parameters for key in OF_OTHER_STACKS)
             if is_type and section.path not in used and not section.is_shared:
                 controllers.append(self._controller(section.name, section.namespace, None))
@@ -265,7 +265,7 @@ def _declares(parameters: Parameters) -> bool:
         each for each in parameters.below() if not any(f"{each.name}.{key}" in parameters for key in OF_OTHER_STACKS)
     ]
     kinds = (parameters.value(f"{child.name}.type") for child in own)
-    return any(kind is not None and kind.kind is Kind.STRING and is_class(kind.text) for kind in kinds)
+    return any(kind is not None and kind.kind is ValueKind.STRING and is_class(kind.text) for kind in kinds)
 
 
 def _is_manager(section: Section) -> bool:
@@ -283,7 +283,7 @@ class _Ros1:
         self.leaves: dict[tuple[str, ...], Leaf] = {}
         for leaf in leaves:
             known = self.leaves.get(leaf.path)
-            if known is None or known.value.kind is not Kind.MAP or leaf.value.kind is not Kind.MAP:
+            if known is None or known.value.kind is not ValueKind.MAP or leaf.value.kind is not ValueKind.MAP:
                 self.leaves[leaf.path] = leaf
         self.hardware = {(*path[:-1], name) for path in self.leaves for name in self._hardware(path)}
         self.children: dict[tuple[str, ...], list[tuple[str, ...]]] = {}
@@ -300,7 +300,7 @@ class _Ros1:
         inside: set[tuple[str, ...]] = set()
         holders = {path[:length] for path in self._controllers() for length in range(len(path))}
         for path, leaf in self.leaves.items():
-            if leaf.value.kind is not Kind.MAP or any(path[:length] in inside for length in range(1, len(path))):
+            if leaf.value.kind is not ValueKind.MAP or any(path[:length] in inside for length in range(1, len(path))):
                 continue
             if self._is_controller(path):
                 controllers.append(self._controller(path, leaf))
@@ -319,7 +319,9 @@ class _Ros1:
         return _Parts([], controllers, others)
 
     def _controllers(self) -> list[tuple[str, ...]]:
-        return [path for path, leaf in self.leaves.items() if leaf.value.kind is Kind.MAP and self._is_controller(path)]
+        return [
+            path for path, leaf in self.leaves.items() if leaf.value.kind is ValueKind.MAP and self._is_controller(path)
+        ]
 
     def _is_controller(self, path: tuple[str, ...]) -> bool:
         if any(_is_meant(path, name, full=full) for full, name in self._started_by_end.get(path[-1:], ())):
@@ -328,7 +330,9 @@ class _Ros1:
             return False
         kind = self._type(path)
         return path not in self.hardware and (
-            kind is not None and kind.kind is Kind.STRING and (is_class(kind.text) or kind.text.endswith("Controller"))
+            kind is not None
+            and kind.kind is ValueKind.STRING
+            and (is_class(kind.text) or kind.text.endswith("Controller"))
         )
 
     def _hardware(self, path: tuple[str, ...]) -> Iterator[str]:

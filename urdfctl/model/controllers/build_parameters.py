@@ -5,16 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 
-from urdfctl.model.controllers.controllers import Fault, FaultKind, Key, Section
-from urdfctl.model.controllers.parameters import Kind, Parameter, Parameters, Value
+from urdfctl.model.controllers.controllers import FaultKind, FileFault, Key, Section
+from urdfctl.model.controllers.parameters import Parameter, Parameters, Value, ValueKind
 from urdfctl.source.span import Place
-from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, Sequence, YamlFile
-from urdfctl.source.yaml.types import Typed, is_literal, typed_by_pyyaml, typed_by_rcl
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlEntry, YamlFile
+from urdfctl.source.yaml.types import TypedScalar, is_literal, typed_by_pyyaml, typed_by_rcl
 from urdfctl.startup.records import NamedTuple
 
 PARAMETERS_KEY = "ros__parameters"
 _INT32 = range(-(1 << 31), 1 << 31)
-_TEXT_KEYS = (Kind.STRING, Kind.UNKNOWN)
+_TEXT_KEYS = (ValueKind.STRING, ValueKind.UNKNOWN)
 
 
 class Leaf(NamedTuple):
@@ -35,20 +35,20 @@ class Flat(NamedTuple):
 
     sections: list[Section]
     leaves: list[Leaf]
-    faults: list[Fault]
+    faults: list[FileFault]
 
 
-def value_of(node: Node, typed: Callable[[Scalar], Typed]) -> Value:
+def value_of(node: Node, typed: Callable[[Scalar], TypedScalar]) -> Value:
     """Return the value of a YAML node; `typed` types a scalar as the reader does."""
     if isinstance(node, Scalar):
         kind, value = typed(node)
         return Value(kind, value, node.text, node.at)
     if isinstance(node, Sequence):
-        return Value(Kind.LIST, None, "", node.at, tuple(_element(item, typed) for item in node.items))
-    return Value(Kind.MAP, None, "", node.at)
+        return Value(ValueKind.LIST, None, "", node.at, tuple(_element(item, typed) for item in node.items))
+    return Value(ValueKind.MAP, None, "", node.at)
 
 
-def _element(node: Node, typed: Callable[[Scalar], Typed]) -> Value:
+def _element(node: Node, typed: Callable[[Scalar], TypedScalar]) -> Value:
     value = value_of(node, typed)
     if not isinstance(node, Mapping):
         return value
@@ -67,17 +67,17 @@ def parameters_of(leaves: Iterable[Leaf], base: int = 0) -> Parameters:
         for length in range(1, len(path)):
             name = ".".join(path[:length])
             if name not in by_name:
-                by_name[name] = Parameter(name, leaf.key, Value(Kind.MAP, None, "", leaf.key))
+                by_name[name] = Parameter(name, leaf.key, Value(ValueKind.MAP, None, "", leaf.key))
         name = ".".join(path)
-        if name in by_name and leaf.value.kind is Kind.MAP and by_name[name].value.kind is Kind.MAP:
+        if name in by_name and leaf.value.kind is ValueKind.MAP and by_name[name].value.kind is ValueKind.MAP:
             continue
         by_name[name] = Parameter(name, leaf.key, leaf.value)
     return Parameters(by_name.values())
 
 
-def tag_faults(file: YamlFile) -> list[Fault]:
+def tag_faults(file: YamlFile) -> list[FileFault]:
     """Return the tags in a file that make Python objects."""
-    return [Fault(FaultKind.PYTHON_TAG, at) for at in file.python_tags]
+    return [FileFault(FaultKind.PYTHON_TAG, at) for at in file.python_tags]
 
 
 # -- ROS 2 -----------------------------------------------------------------------------------------------------------
@@ -85,7 +85,7 @@ def tag_faults(file: YamlFile) -> list[Fault]:
 
 def read_by_rcl(file: YamlFile) -> Flat:
     """Return the sections of a parameter file, as parse.c of rcl_yaml_param_parser reads them: all documents as one."""
-    flat = Flat([], [], [*(Fault(FaultKind.ALIAS, at) for at in file.aliases), *tag_faults(file)])
+    flat = Flat([], [], [*(FileFault(FaultKind.ALIAS, at) for at in file.aliases), *tag_faults(file)])
     for document in file.documents:
         lost = _lost_indentation(document)
         if lost:
@@ -93,17 +93,17 @@ def read_by_rcl(file: YamlFile) -> Flat:
         elif isinstance(document, Mapping):
             _nodes(document, (), flat)
         elif isinstance(document, Sequence):
-            flat.faults.append(Fault(FaultKind.ROOT, document.at))
+            flat.faults.append(FileFault(FaultKind.ROOT, document.at))
     return flat
 
 
-def _lost_indentation(document: Node) -> Fault | None:
+def _lost_indentation(document: Node) -> FileFault | None:
     """The fault of a document in which `ros__parameters` follows a node's name on the same level, if it is one."""
-    above: Entry | None = None
+    above: YamlEntry | None = None
     for entry in document.entries if isinstance(document, Mapping) else ():
         is_name = above is not None and isinstance(above.value, Scalar) and not above.value.text
         if entry.key.text == PARAMETERS_KEY and above is not None and is_name:
-            return Fault(FaultKind.LOST_INDENTATION, entry.key.at, above.key.text)
+            return FileFault(FaultKind.LOST_INDENTATION, entry.key.at, above.key.text)
         above = entry
     return None
 
@@ -114,20 +114,20 @@ def _nodes(mapping: Mapping, keys: tuple[Key, ...], flat: Flat) -> None:
             if isinstance(value, Mapping):
                 _nodes(value, (*keys, Key(key.text, key.at)), flat)
             else:
-                flat.faults.append(Fault(FaultKind.OUTSIDE_PARAMETERS, key.at, key.text, keys))
+                flat.faults.append(FileFault(FaultKind.OUTSIDE_PARAMETERS, key.at, key.text, keys))
             continue
         name, at = "/".join(above.text for above in keys), keys[-1].at if keys else key.at
         if not keys or not _is_node(name):
-            flat.faults.append(Fault(FaultKind.NODE_NAME, at, name, keys))
+            flat.faults.append(FileFault(FaultKind.NODE_NAME, at, name, keys))
         elif isinstance(value, Mapping):
-            faults: list[Fault] = []
+            faults: list[FileFault] = []
             leaves = list(_leaves_of_rcl(value, (), faults))
             flat.faults.extend(fault._replace(keys=keys) for fault in faults)
             flat.sections.append(Section(name, at, parameters_of(leaves), key.at))
-        elif isinstance(value, Scalar) and typed_by_rcl(value).kind is Kind.NULL:
-            flat.faults.append(Fault(FaultKind.EMPTY, key.at, key.text, keys))  # rcl rejects the whole file
+        elif isinstance(value, Scalar) and typed_by_rcl(value).kind is ValueKind.NULL:
+            flat.faults.append(FileFault(FaultKind.EMPTY, key.at, key.text, keys))  # rcl rejects the whole file
         else:
-            flat.faults.append(Fault(FaultKind.PARAMETERS_NOT_A_MAP, key.at, name, keys))
+            flat.faults.append(FileFault(FaultKind.PARAMETERS_NOT_A_MAP, key.at, name, keys))
 
 
 def _is_node(path: str) -> bool:
@@ -141,44 +141,44 @@ def _is_name(part: str) -> bool:
     return re.fullmatch(r"[A-Za-z_]\w*", part, re.ASCII) is not None
 
 
-def _leaves_of_rcl(mapping: Mapping, path: tuple[str, ...], faults: list[Fault]) -> Iterator[Leaf]:
+def _leaves_of_rcl(mapping: Mapping, path: tuple[str, ...], faults: list[FileFault]) -> Iterator[Leaf]:
     for key, written in mapping.entries:
         here, node = (*path, *key.text.split(".")), written
         if isinstance(written, Sequence) and written.items and isinstance(written.items[0], Mapping):
-            faults.extend(Fault(FaultKind.MAP_IN_LIST, item.at, key.text) for item in written.items[1:2])
+            faults.extend(FileFault(FaultKind.MAP_IN_LIST, item.at, key.text) for item in written.items[1:2])
             node = written.items[0]  # rcl reads the first map of a list instead of the list
         value = value_of(node, typed_by_rcl)
         yield Leaf(here, key.at, value)
         faults.extend(_unexpanded(value, key))
         if not isinstance(node, Scalar) and not value.items and not (isinstance(node, Mapping) and node.entries):
-            faults.append(Fault(FaultKind.EMPTY_COLLECTION, key.at, key.text))
+            faults.append(FileFault(FaultKind.EMPTY_COLLECTION, key.at, key.text))
         elif isinstance(node, Mapping):
             yield from _leaves_of_rcl(node, here, faults)
         elif isinstance(node, Sequence):
             faults.extend(_faults_of_list(node, value, key.text))
-        elif value.kind is Kind.NULL:
-            faults.append(Fault(FaultKind.EMPTY, key.at, key.text))
+        elif value.kind is ValueKind.NULL:
+            faults.append(FileFault(FaultKind.EMPTY, key.at, key.text))
 
 
-def _unexpanded(value: Value, key: Scalar) -> Iterator[Fault]:
+def _unexpanded(value: Value, key: Scalar) -> Iterator[FileFault]:
     for item in (value, *value.items):
         if "${" in item.text or "$(" in item.text:
-            yield Fault(FaultKind.UNEXPANDED, item.at, key.text)
+            yield FileFault(FaultKind.UNEXPANDED, item.at, key.text)
 
 
-def _faults_of_list(node: Sequence, value: Value, name: str) -> Iterator[Fault]:
+def _faults_of_list(node: Sequence, value: Value, name: str) -> Iterator[FileFault]:
     first = next((item.kind for item in value.items if item.is_known), None)
     for item, typed in zip(node.items, value.items, strict=True):
         if isinstance(item, Sequence):
-            yield Fault(FaultKind.NESTED_LIST, item.at, name)
+            yield FileFault(FaultKind.NESTED_LIST, item.at, name)
             return
         if isinstance(item, Mapping):
-            yield Fault(FaultKind.MAP_IN_LIST, item.at, name)
+            yield FileFault(FaultKind.MAP_IN_LIST, item.at, name)
             return
-        if typed.kind is Kind.NULL:
-            yield Fault(FaultKind.EMPTY, item.at, name)
+        if typed.kind is ValueKind.NULL:
+            yield FileFault(FaultKind.EMPTY, item.at, name)
         elif typed.is_known and typed.kind is not first:
-            yield Fault(FaultKind.MIXED_LIST, item.at, name)
+            yield FileFault(FaultKind.MIXED_LIST, item.at, name)
             return
 
 
@@ -189,19 +189,19 @@ def read_by_rosparam(file: YamlFile, prefix: tuple[str, ...] = ()) -> Flat:
     """Return the parameters of a file, as roslaunch's `<rosparam>` uploads them into the namespace `prefix`."""
     flat = Flat([], [], tag_faults(file))
     if len(file.documents) > 1:
-        flat.faults.append(Fault(FaultKind.DOCUMENTS, file.documents[1].at))
+        flat.faults.append(FileFault(FaultKind.DOCUMENTS, file.documents[1].at))
     for document in file.documents[:1]:
         if isinstance(document, Mapping):
             flat.leaves.extend(_leaves_of_rosparam(document, prefix, flat.faults))
-        elif not isinstance(document, Scalar) or typed_by_pyyaml(document).kind is not Kind.NULL:
-            flat.faults.append(Fault(FaultKind.ROOT, document.at))
+        elif not isinstance(document, Scalar) or typed_by_pyyaml(document).kind is not ValueKind.NULL:
+            flat.faults.append(FileFault(FaultKind.ROOT, document.at))
     return flat
 
 
-def _leaves_of_rosparam(mapping: Mapping, path: tuple[str, ...], faults: list[Fault]) -> Iterator[Leaf]:
+def _leaves_of_rosparam(mapping: Mapping, path: tuple[str, ...], faults: list[FileFault]) -> Iterator[Leaf]:
     for key, node in _merged(mapping):
         if typed_by_pyyaml(key).kind not in _TEXT_KEYS:
-            faults.append(Fault(FaultKind.KEY, key.at, key.text))
+            faults.append(FileFault(FaultKind.KEY, key.at, key.text))
         here = (*path, *(part for part in key.text.split("/") if part))
         value = value_of(node, typed_by_pyyaml)
         yield Leaf(here, key.at, value)
@@ -212,10 +212,10 @@ def _leaves_of_rosparam(mapping: Mapping, path: tuple[str, ...], faults: list[Fa
             faults.extend(_faults_of_value(value, key))
 
 
-def _merged(mapping: Mapping) -> list[Entry]:
+def _merged(mapping: Mapping) -> list[YamlEntry]:
     """The entries of a map with `<<` merged; as in PyYAML, own entries take precedence, then the last of duplicates."""
-    inherited: list[Entry] = []
-    own: list[Entry] = []
+    inherited: list[YamlEntry] = []
+    own: list[YamlEntry] = []
     for entry in mapping.entries:
         if entry.key.text != "<<" or entry.key.style:
             own.append(entry)
@@ -227,11 +227,11 @@ def _merged(mapping: Mapping) -> list[Entry]:
     return list({entry.key.text: entry for entry in inherited + own}.values())
 
 
-def _faults_of_value(value: Value, key: Scalar) -> Iterator[Fault]:
+def _faults_of_value(value: Value, key: Scalar) -> Iterator[FileFault]:
     for item in (value, *value.items):
-        if item.kind is Kind.NULL:
-            yield Fault(FaultKind.EMPTY, key.at if item is value else item.at, key.text)
-        elif item.kind is Kind.OTHER:
-            yield Fault(FaultKind.UNUSABLE, item.at, key.text)
-        elif item.kind is Kind.INT and item.value not in _INT32:
-            yield Fault(FaultKind.OVERFLOW, item.at, key.text)
+        if item.kind is ValueKind.NULL:
+            yield FileFault(FaultKind.EMPTY, key.at if item is value else item.at, key.text)
+        elif item.kind is ValueKind.OTHER:
+            yield FileFault(FaultKind.UNUSABLE, item.at, key.text)
+        elif item.kind is ValueKind.INT and item.value not in _INT32:
+            yield FileFault(FaultKind.OVERFLOW, item.at, key.text)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from urdfctl.model.controllers.build_parameters import PARAMETERS_KEY
 from urdfctl.model.controllers.controllers import ControllersFile, Key
 from urdfctl.source.span import Place
-from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, YamlFile
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, YamlEntry, YamlFile
 
 MANAGER = "controller_manager"
 OF_OTHER_STACKS = ("package", "module")
@@ -33,7 +33,7 @@ def types_in(file: YamlFile) -> Iterator[str]:
             yield kind.text
 
 
-def _form(file: YamlFile) -> tuple[int | None, list[Entry]]:
+def _form(file: YamlFile) -> tuple[int | None, list[YamlEntry]]:
     """The ROS generation that a file is written for, and the entries that show it."""
     entries = [entry for document in file.documents for entry in _entries(document)]
     evidence = [entry for entry in entries if entry.key.text.startswith(PARAMETERS_KEY)]
@@ -44,7 +44,7 @@ def _form(file: YamlFile) -> tuple[int | None, list[Entry]]:
     return 1 if evidence else None, evidence
 
 
-def _entries(node: Node, depth: int = 0) -> Iterable[Entry]:
+def _entries(node: Node, depth: int = 0) -> Iterable[YamlEntry]:
     if not isinstance(node, Mapping) or depth > _DEEPEST:
         return
     for entry in node.entries:
@@ -52,11 +52,11 @@ def _entries(node: Node, depth: int = 0) -> Iterable[Entry]:
         yield from _entries(entry.value, depth + 1)
 
 
-def _is_of_a_manager(entry: Entry) -> bool:
+def _is_of_a_manager(entry: YamlEntry) -> bool:
     return entry.key.text.rpartition("/")[2] == MANAGER and isinstance(entry.value, Mapping)
 
 
-def _is_typed(entry: Entry) -> bool:
+def _is_typed(entry: YamlEntry) -> bool:
     """Whether an entry is a ROS 1 controller: a map with a type of the form package/Class."""
     if not isinstance(entry.value, Mapping):
         return False

@@ -58,7 +58,7 @@ class Key(NamedTuple):
     at: Place
 
 
-class Fault(NamedTuple):
+class FileFault(NamedTuple):
     """A fault in a file.
 
     subject: the name that it is about, if any.
@@ -243,7 +243,7 @@ class ControllersFile(NamedTuple):
     form: int | None
     is_moveit: bool = False
     readable: bool = True
-    faults: tuple[Fault, ...] = ()
+    faults: tuple[FileFault, ...] = ()
     told_by: tuple[Key, ...] = ()
     empty: bool = False
 
@@ -281,7 +281,7 @@ class Controllers(NamedTuple):
         return all(each.exists or os.path.basename(each.text.strip()) in names for each in self.references)
 
     @property
-    def faults(self) -> tuple[Fault, ...]:
+    def faults(self) -> tuple[FileFault, ...]:
         """The faults of all files."""
         return tuple(fault for file in self.files for fault in file.faults)
 

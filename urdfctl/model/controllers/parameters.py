@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice, takewhile
 
 from urdfctl.source.span import Place
-from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.kinds import ValueKind
 from urdfctl.startup.records import NamedTuple
 
 
@@ -21,7 +21,7 @@ class Value(NamedTuple):
     fields: the entries of a map that is an element of a list.
     """
 
-    kind: Kind
+    kind: ValueKind
     value: bool | int | float | str | None
     text: str
     at: Place
@@ -31,12 +31,12 @@ class Value(NamedTuple):
     @property
     def is_known(self) -> bool:
         """Whether the value is literal: neither it nor an element contains a substitution."""
-        return self.kind is not Kind.UNKNOWN and all(item.is_known for item in self.items)
+        return self.kind is not ValueKind.UNKNOWN and all(item.is_known for item in self.items)
 
     @property
     def strings(self) -> tuple[tuple[str, Place], ...]:
         """The text of the value or of its elements, as far as their reader types them as strings, with places."""
-        strings = [item for item in (self, *self.items) if item.kind is Kind.STRING]
+        strings = [item for item in (self, *self.items) if item.kind is ValueKind.STRING]
         return tuple((item.text, item.at) for item in strings)
 
 
@@ -92,7 +92,7 @@ class Parameters:
         """The parameters that are not maps, and empty maps."""
         if self._leaves is None:
             parents = {name.rpartition(".")[0] for name in self._by_name}
-            self._leaves = tuple(p for p in self if p.value.kind is not Kind.MAP or p.name not in parents)
+            self._leaves = tuple(p for p in self if p.value.kind is not ValueKind.MAP or p.name not in parents)
         return self._leaves
 
     def below(self, name: str = "") -> tuple[Parameter, ...]:
@@ -114,4 +114,4 @@ class Parameters:
         return Parameters(parameter._replace(name=name[len(start) :]) for name, _, parameter in in_order)
 
 
-__all__ = ["Kind", "Parameter", "Parameters", "Value"]
+__all__ = ["Parameter", "Parameters", "Value", "ValueKind"]

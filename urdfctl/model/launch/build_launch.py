@@ -12,10 +12,10 @@ from urdfctl.model.launch.launch import (
     Description,
     InlineParameters,
     Launch,
+    LaunchedFile,
     Node,
-    Option,
     ParameterLoad,
-    Reference,
+    ProgramOption,
     Simulation,
     Spawn,
     Word,
@@ -50,7 +50,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
     root = document.documentElement if document else None
     if root is None or root.tagName != "launch" or is_of_ros2(root):
         return None
-    builder = _Builder(sources)
+    builder = _LaunchBuilder(sources)
     builder.walk(root, Scope(path, "", ChainMap(dict(arguments)), sure=True))
     return Launch(
         path,
@@ -100,7 +100,7 @@ def _all(element: Element) -> Iterator[Element]:
         pending.extend(current.elements())
 
 
-class _Builder:
+class _LaunchBuilder:
     def __init__(self, sources: Sources) -> None:
         self.sources = sources
         self.descriptions: list[Description] = []
@@ -111,7 +111,7 @@ class _Builder:
         self.elsewhere: list[Spawn] = []
         self.nodes: list[Node] = []
         self.simulations: list[Simulation] = []
-        self.references: list[Reference] = []
+        self.references: list[LaunchedFile] = []
         self.packages: list[Word] = []
         self.strays: list[Word] = []
         self.moveit: list[MoveItFiles] = []
@@ -309,7 +309,7 @@ class _Builder:
             exists = None
         reference = FileReference(written, at, located, exists)
         if located is not None:
-            self.references.append(Reference(reference, use, None, sure))
+            self.references.append(LaunchedFile(reference, use, None, sure))
         return reference
 
     def _node(self, element: Element, scope: Scope, texts: Substitutions) -> None:
@@ -366,7 +366,7 @@ class _Builder:
 
     def _spawn(self, element: Element, words: list[str], scope: Scope, texts: Substitutions, *, active: bool) -> None:
         names: list[tuple[str, Place]] = []
-        options: list[Option] = []
+        options: list[ProgramOption] = []
         namespace, complete = scope.namespace, True
         at = element.at["args"]
         rest = zip(words, at.words(words), strict=True)
@@ -375,10 +375,10 @@ class _Builder:
             if option in _OPTIONS_WITH_VALUE:
                 value, of_value = (value, place) if mark else next(rest, ("", at))
                 namespace = scope.joined(value) if option == "--namespace" else namespace
-                options.append(Option(option, Word(value, of_value), place))
+                options.append(ProgramOption(option, Word(value, of_value), place))
             elif word.startswith("--"):
                 active = active and option != "--stopped"
-                options.append(Option(option, None, place))
+                options.append(ProgramOption(option, None, place))
             elif UNKNOWN in word:
                 complete = False
             elif word.endswith((".yaml", ".yml")):

@@ -104,7 +104,7 @@ class InlineParameters(NamedTuple):
     sure: bool = True
 
 
-class Option(NamedTuple):
+class ProgramOption(NamedTuple):
     """An option of a program, as written, with its value; None if it has no value."""
 
     name: str
@@ -134,11 +134,11 @@ class Spawn(NamedTuple):
     complete: bool = True
     manager: str | None = "controller_manager"
     program: Word | None = None
-    options: tuple[Option, ...] = ()
+    options: tuple[ProgramOption, ...] = ()
     files: tuple[FileReference, ...] = ()
     after: tuple[str, ...] = ()
 
-    def option(self, *names: str) -> Option | None:
+    def option(self, *names: str) -> ProgramOption | None:
         """Return the first option with one of these names, if any."""
         return next((option for option in self.options if option.name in names), None)
 
@@ -187,7 +187,7 @@ class Simulation(NamedTuple):
     sure: bool = True
 
 
-class Reference(NamedTuple):
+class LaunchedFile(NamedTuple):
     """A file that the launch file uses.
 
     use: `description`, `parameters`, `include` or `argument`.
@@ -227,7 +227,7 @@ class Launch(NamedTuple):
     elsewhere: tuple[Spawn, ...] = ()
     nodes: tuple[Node, ...] = ()
     simulations: tuple[Simulation, ...] = ()
-    references: tuple[Reference, ...] = ()
+    references: tuple[LaunchedFile, ...] = ()
     packages: tuple[Word, ...] = ()
     package: Package | None = None
     strays: tuple[Word, ...] = ()

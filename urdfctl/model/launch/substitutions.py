@@ -14,7 +14,7 @@ _EVAL = r"\$\(eval (.*)\)"
 _TRUTH = {"true": True, "1": True, "false": False, "0": False}
 
 
-class Substitutions:
+class Substituter:
     """Resolves substitutions in the texts of one launch file.
 
     arguments: the launch arguments by name.

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.model.controllers import Key, MoveItController, MoveItList
 from urdfctl.model.moveit.moveit import JointLimits, Pipeline, Solver
 from urdfctl.source.span import Place
-from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, Sequence, YamlFile
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlEntry, YamlFile
 
 _MANAGER = "moveit_simple_controller_manager"
 _REQUIRED = ("type", "action_ns", "joints")
@@ -143,7 +143,7 @@ def _manager(document: Mapping | None) -> Mapping | None:
     return document if document and document.get("controller_names") is not None else None
 
 
-def _entry(node: Node | None, name: str) -> Entry | None:
+def _entry(node: Node | None, name: str) -> YamlEntry | None:
     entries = node.entries if isinstance(node, Mapping) else ()
     return next((entry for entry in entries if entry.key.text == name), None)
 

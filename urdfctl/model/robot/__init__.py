@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from urdfctl.model.robot.parts import Number, Reference, Tag, Text, leading_number, text_of
+from urdfctl.model.robot.parts import ElementText, Number, PartReference, Tag, leading_number, text_of
 from urdfctl.model.robot.robot import Geometry, Inertial, Joint, Limit, Link, Mesh, MeshFile, Mimic, Plugin, Robot
 from urdfctl.model.robot.ros2_control import (
+    ComponentPart,
     ControlTransmission,
     ControlTransmissionEnd,
     Hardware,
+    HardwareParameter,
     Interface,
-    Parameter,
-    Part,
     Ros2Control,
 )
 from urdfctl.model.robot.transmission import Transmission, TransmissionEnd
 
 __all__ = [
+    "ComponentPart",
     "ControlTransmission",
     "ControlTransmissionEnd",
+    "ElementText",
     "Geometry",
     "Hardware",
+    "HardwareParameter",
     "Inertial",
     "Interface",
     "Joint",
@@ -29,14 +32,11 @@ __all__ = [
     "MeshFile",
     "Mimic",
     "Number",
-    "Parameter",
-    "Part",
+    "PartReference",
     "Plugin",
-    "Reference",
     "Robot",
     "Ros2Control",
     "Tag",
-    "Text",
     "Transmission",
     "TransmissionEnd",
     "leading_number",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from urdfctl.model.robot.build_ros2_control import ros2_control_of
-from urdfctl.model.robot.parts import Number, Reference, Tag, text_of, texts_of
+from urdfctl.model.robot.parts import Number, PartReference, Tag, text_of, texts_of
 from urdfctl.model.robot.robot import (
     Gazebo,
     Geometry,
@@ -148,9 +148,9 @@ def _joint(element: dom.Element) -> Joint:
     )
 
 
-def _reference(element: dom.Element, name: str) -> Reference | None:
+def _reference(element: dom.Element, name: str) -> PartReference | None:
     child = _first(element, name)
-    return Reference(child.attrs.get("link"), child.at, "link") if child is not None else None
+    return PartReference(child.attrs.get("link"), child.at, "link") if child is not None else None
 
 
 def _limit(element: dom.Element | None) -> Limit | None:

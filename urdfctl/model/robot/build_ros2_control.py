@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from urdfctl.model.robot.parts import Tag, text_of, texts_of
 from urdfctl.model.robot.ros2_control import (
+    ComponentPart,
     ControlTransmission,
     ControlTransmissionEnd,
     Hardware,
+    HardwareParameter,
     Interface,
-    Parameter,
-    Part,
     Ros2Control,
 )
 from urdfctl.source.xml import dom
@@ -43,9 +43,9 @@ def ros2_control_of(element: dom.Element, parent: str) -> Ros2Control:
     )
 
 
-def _parameters(element: dom.Element) -> tuple[Parameter, ...]:
+def _parameters(element: dom.Element) -> tuple[HardwareParameter, ...]:
     return tuple(
-        Parameter(child.attrs.get("name"), text_of(child).past_comments, child.at, Tag(child))
+        HardwareParameter(child.attrs.get("name"), text_of(child).past_comments, child.at, Tag(child))
         for child in element.elements()
         if child.tagName == "param"
     )
@@ -56,7 +56,7 @@ def _hardware(element: dom.Element) -> Hardware:
     return Hardware(element.at, texts_of(element, "plugin"), _parameters(element), others, Tag(element))
 
 
-def _part(element: dom.Element) -> Part:
+def _part(element: dom.Element) -> ComponentPart:
     interfaces: dict[str, list[Interface]] = {"command": [], "state": []}
     others = []
     for child in element.elements():
@@ -66,7 +66,7 @@ def _part(element: dom.Element) -> Part:
             interfaces[kind].append(Interface(kind, name, child.at, _parameters(child), Tag(child)))
         elif child.tagName != "param":
             others.append(Tag(child))
-    return Part(
+    return ComponentPart(
         kind=element.tagName,
         name=element.attrs.get("name"),
         at=element.at,

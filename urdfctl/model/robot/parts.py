@@ -7,15 +7,14 @@ from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
 from urdfctl.source.span import Place
-from urdfctl.source.xml.dom import COMMENT, Element
-from urdfctl.source.xml.dom import Text as Characters
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 from urdfctl.startup.records import NamedTuple
 
 _NUMBER = r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"
 _LEADING_NUMBER = r"(?i)\s*[+-]?((\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|inf(inity)?|nan)"
 
 
-class Text(NamedTuple):
+class ElementText(NamedTuple):
     """The text of an element.
 
     value: the text as ROS's XML readers return it, without surrounding blanks; empty if a comment precedes it.
@@ -35,7 +34,7 @@ class Text(NamedTuple):
         return self.value or self.hidden
 
 
-class Reference(NamedTuple):
+class PartReference(NamedTuple):
     """A reference to another part by name, in an attribute.
 
     name: the name; None if the attribute is missing.
@@ -137,21 +136,23 @@ class Tag:
         return (child for child in self.children if child.name == name)
 
 
-def text_of(element: Element) -> Text:
+def text_of(element: Element) -> ElementText:
     """Return the text of an element, as ROS's XML readers see it."""
     first, comment = element.firstChild, False
-    while isinstance(first, Characters):
+    while isinstance(first, XmlText):
         if first.nodeType == COMMENT:
             comment = True
         elif first.data.strip():
             value = first.data.strip()
             padded = len(value) < len(first.data)
-            return Text("", element.at, value, padded) if comment else Text(value, element.at, padded=padded)
+            return (
+                ElementText("", element.at, value, padded) if comment else ElementText(value, element.at, padded=padded)
+            )
         first = first.nextSibling
-    return Text("", element.at)
+    return ElementText("", element.at)
 
 
-def texts_of(element: Element, name: str) -> tuple[Text, ...]:
+def texts_of(element: Element, name: str) -> tuple[ElementText, ...]:
     """Return the texts of an element's children with a name."""
     return tuple(text_of(child) for child in element.elements() if child.tagName == name)
 
@@ -164,7 +165,7 @@ def _comments(element: Element) -> Iterator[Comment]:
             if isinstance(node, Element):
                 pending += [(node, nodes), (node, node.children())]
                 break
-            if isinstance(node, Characters) and node.nodeType == COMMENT:
+            if isinstance(node, XmlText) and node.nodeType == COMMENT:
                 yield Comment(node.data, _place_of(node.data, after))
 
 

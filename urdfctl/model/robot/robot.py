@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfctl.model.robot.parts import Number, Reference, Tag
+from urdfctl.model.robot.parts import Number, PartReference, Tag
 from urdfctl.model.robot.ros2_control import Ros2Control
 from urdfctl.model.robot.transmission import Transmission
 from urdfctl.source.span import Place
@@ -80,8 +80,8 @@ class Joint(NamedTuple):
     name: str | None
     type: str | None
     at: Place
-    parent: Reference | None
-    child: Reference | None
+    parent: PartReference | None
+    child: PartReference | None
     axis: Number | None
     limit: Limit | None
     mimic: Mimic | None

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.robot.parts import Tag, Text
+from urdfctl.model.robot.parts import ElementText, Tag
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 
-class Parameter(NamedTuple):
+class HardwareParameter(NamedTuple):
     """A `<param name="...">value</param>`. Like ros2_control, `value` skips comments before the text."""
 
     name: str | None
@@ -24,7 +24,7 @@ class Interface(NamedTuple):
     kind: str
     name: str | None
     at: Place
-    parameters: tuple[Parameter, ...]
+    parameters: tuple[HardwareParameter, ...]
     tag: Tag
 
     @property
@@ -32,12 +32,12 @@ class Interface(NamedTuple):
         """The name of the XML element."""
         return self.tag.name
 
-    def parameter(self, name: str) -> Parameter | None:
+    def parameter(self, name: str) -> HardwareParameter | None:
         """Return the last parameter with a name, which is the one that ros2_control uses."""
         return _last(self.parameters, name)
 
 
-class Part(NamedTuple):
+class ComponentPart(NamedTuple):
     """A `<joint>`, `<sensor>` or `<gpio>` of a component.
 
     kind: `joint`, `sensor` or `gpio`.
@@ -50,7 +50,7 @@ class Part(NamedTuple):
     at: Place
     commands: tuple[Interface, ...]
     states: tuple[Interface, ...]
-    parameters: tuple[Parameter, ...]
+    parameters: tuple[HardwareParameter, ...]
     others: tuple[Tag, ...]
     tag: Tag
 
@@ -59,7 +59,7 @@ class Part(NamedTuple):
         """All interfaces, with the command interfaces first, as the parser reads them."""
         return self.commands + self.states
 
-    def parameter(self, name: str) -> Parameter | None:
+    def parameter(self, name: str) -> HardwareParameter | None:
         """Return the last parameter with a name, which is the one that ros2_control uses."""
         return _last(self.parameters, name)
 
@@ -72,8 +72,8 @@ class Hardware(NamedTuple):
     """
 
     at: Place
-    plugins: tuple[Text, ...]
-    parameters: tuple[Parameter, ...]
+    plugins: tuple[ElementText, ...]
+    parameters: tuple[HardwareParameter, ...]
     others: tuple[Tag, ...]
     tag: Tag
 
@@ -82,7 +82,7 @@ class Hardware(NamedTuple):
         """The class that is loaded: the first `<plugin>`; None if there is none."""
         return self.plugins[0].past_comments if self.plugins else None
 
-    def parameter(self, name: str) -> Parameter | None:
+    def parameter(self, name: str) -> HardwareParameter | None:
         """Return the last parameter with a name, which is the one that ros2_control uses."""
         return _last(self.parameters, name)
 
@@ -98,8 +98,8 @@ class ControlTransmissionEnd(NamedTuple):
     name: str | None
     role: str | None
     at: Place
-    reductions: tuple[Text, ...]
-    offsets: tuple[Text, ...]
+    reductions: tuple[ElementText, ...]
+    offsets: tuple[ElementText, ...]
     tag: Tag
 
 
@@ -108,10 +108,10 @@ class ControlTransmission(NamedTuple):
 
     name: str | None
     at: Place
-    plugins: tuple[Text, ...]
+    plugins: tuple[ElementText, ...]
     joints: tuple[ControlTransmissionEnd, ...]
     actuators: tuple[ControlTransmissionEnd, ...]
-    parameters: tuple[Parameter, ...]
+    parameters: tuple[HardwareParameter, ...]
     tag: Tag
 
     @property
@@ -137,13 +137,13 @@ class Ros2Control(NamedTuple):
     type: str | None
     at: Place
     hardware: tuple[Hardware, ...]
-    parts: tuple[Part, ...]
+    parts: tuple[ComponentPart, ...]
     transmissions: tuple[ControlTransmission, ...]
     others: tuple[Tag, ...]
     parent: str
     tag: Tag
 
-    def of_kind(self, kind: str) -> Iterator[Part]:
+    def of_kind(self, kind: str) -> Iterator[ComponentPart]:
         """Return the parts of one kind: `joint`, `sensor` or `gpio`."""
         return (part for part in self.parts if part.kind == kind)
 
@@ -153,5 +153,5 @@ class Ros2Control(NamedTuple):
         return self.hardware[-1].plugin if self.hardware else None
 
 
-def _last(parameters: tuple[Parameter, ...], name: str) -> Parameter | None:
+def _last(parameters: tuple[HardwareParameter, ...], name: str) -> HardwareParameter | None:
     return next((parameter for parameter in reversed(parameters) if parameter.name == name), None)

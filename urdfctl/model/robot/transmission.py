@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.model.robot.parts import Tag, Text
+from urdfctl.model.robot.parts import ElementText, Tag
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
@@ -18,14 +18,14 @@ class TransmissionEnd(NamedTuple):
 
     name: str | None
     at: Place
-    role: Text | None
-    interfaces: tuple[Text, ...]
-    reductions: tuple[Text, ...]
-    offsets: tuple[Text, ...]
+    role: ElementText | None
+    interfaces: tuple[ElementText, ...]
+    reductions: tuple[ElementText, ...]
+    offsets: tuple[ElementText, ...]
     others: tuple[Tag, ...]
 
     @property
-    def named_interfaces(self) -> tuple[Text, ...]:
+    def named_interfaces(self) -> tuple[ElementText, ...]:
         """The interfaces that are not empty; ros_control's parser keeps only these."""
         return tuple(interface for interface in self.interfaces if interface.value)
 
@@ -45,7 +45,7 @@ class Transmission(NamedTuple):
 
     name: str | None
     at: Place
-    type: Text | None
+    type: ElementText | None
     type_attribute: str | None
     joints: tuple[TransmissionJoint, ...]
     actuators: tuple[Actuator, ...]

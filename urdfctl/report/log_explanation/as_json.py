@@ -6,7 +6,7 @@ import json
 from typing import Any
 
 from urdfctl import __version__
-from urdfctl.logs.digest import Digest, Known, Unknown
+from urdfctl.logs.digest import Digest, KnownMessage, Unknown
 from urdfctl.logs.evidence import CheckedFolder
 from urdfctl.report.log_explanation.next_commands import next_commands
 from urdfctl.rules import fault_of
@@ -31,7 +31,7 @@ def render_log_json(digest: Digest, *, complete: bool, files: CheckedFolder | No
     return json.dumps(plain, indent=1, ensure_ascii=True) + "\n"
 
 
-def _message(known: Known) -> dict[str, Any]:
+def _message(known: KnownMessage) -> dict[str, Any]:
     message, reading = known.message, known.reading
     return {
         "id": message.id,

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from urdfctl.catalog.distros import in_words
-from urdfctl.logs.digest import Digest, Known, Unknown
+from urdfctl.logs.digest import Digest, KnownMessage, Unknown
 from urdfctl.logs.evidence import CheckedFolder, LikelyCause
 from urdfctl.logs.pattern import filled
 from urdfctl.output.printing import visible
@@ -64,13 +64,13 @@ def _summary(digest: Digest, *, complete: bool) -> str:
     return f"{digest.lines} line{'' if digest.lines == 1 else 's'}: {messages}{more}"
 
 
-def _where(known: Known, *, pasted: bool) -> str:
+def _where(known: KnownMessage, *, pasted: bool) -> str:
     """The message as the log has it, with its line and count."""
     times = f" ({known.times} times{_others(known.values)})" if known.times > 1 else ""
     return _short(known.text) if pasted else f"line {known.line}{times}: {_short(known.text)}"
 
 
-def _explained(known: Known, *, brief: bool) -> Iterator[str]:
+def _explained(known: KnownMessage, *, brief: bool) -> Iterator[str]:
     """The meaning, the causes (unless `brief`) and the fix."""
     reading = known.reading
     if known.settled:
@@ -91,7 +91,7 @@ def _explained(known: Known, *, brief: bool) -> Iterator[str]:
     yield from _paragraph(reading.best_fix, "  Fix: ", "    ")
 
 
-def _source(known: Known) -> str:
+def _source(known: KnownMessage) -> str:
     message = known.message
     return "\n".join(_paragraph(f"Printed by {message.by} ({in_words(message.distros)}): {message.authority}", "", ""))
 

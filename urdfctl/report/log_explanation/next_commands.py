@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfctl.logs.digest import Known
+from urdfctl.logs.digest import KnownMessage
 from urdfctl.logs.evidence import CheckedFolder
 from urdfctl.startup.records import NamedTuple
 
@@ -12,14 +12,14 @@ _MOST_CODES = 6
 _URGENT = ("failure", "consequence")
 
 
-class Command(NamedTuple):
+class NextCommand(NamedTuple):
     """A command line and its purpose."""
 
     text: str
     purpose: str
 
 
-def next_commands(known: Iterable[Known], files: CheckedFolder | None = None) -> tuple[Command, ...]:
+def next_commands(known: Iterable[KnownMessage], files: CheckedFolder | None = None) -> tuple[NextCommand, ...]:
     """Return the commands that find the causes: of the failures, or of the other messages if there are no failures.
 
     files: the folder in which the causes were already searched.
@@ -31,20 +31,20 @@ def next_commands(known: Iterable[Known], files: CheckedFolder | None = None) ->
     unsettled = [entry for entry in known if not entry.settled]
     codes = list(dict.fromkeys(code for entry in urgent or unsettled for code in entry.rules))
     if not codes:
-        return (Command("urdfctl lint robot.xacro controllers.yaml", "finds other errors"),) if urgent else ()
+        return (NextCommand("urdfctl lint robot.xacro controllers.yaml", "finds other errors"),) if urgent else ()
     more = f" and {len(codes) - _MOST_CODES} more" if len(codes) > _MOST_CODES else ""
     shown = ", ".join(codes[:_MOST_CODES]) + more
     controllers = " controllers.yaml" if any(code.startswith("UC4") for code in codes) else ""
     return (
-        Command(f"urdfctl lint robot.xacro{controllers}", f"finds {shown} in your files"),
-        Command(f"urdfctl explain {codes[0]}", "explains a rule, with an example"),
+        NextCommand(f"urdfctl lint robot.xacro{controllers}", f"finds {shown} in your files"),
+        NextCommand(f"urdfctl explain {codes[0]}", "explains a rule, with an example"),
     )
 
 
-def _after_checking(known: Iterable[Known], files: CheckedFolder) -> tuple[Command, ...]:
+def _after_checking(known: Iterable[KnownMessage], files: CheckedFolder) -> tuple[NextCommand, ...]:
     """The commands to run after the causes were searched in a folder."""
     found = [found.code for entry in known for cause in entry.reading.causes for found in cause.found]
-    explain = (Command(f"urdfctl explain {found[0]}", "explains the rule, with an example"),) if found else ()
+    explain = (NextCommand(f"urdfctl explain {found[0]}", "explains the rule, with an example"),) if found else ()
     errors = f"{files.others} {'other ' if found else ''}error{'' if files.others == 1 else 's'}"
     purpose = f"shows {errors} in these files" if files.others else "shows all findings in these files"
-    return (*explain, Command(f"urdfctl lint {files.folder}", purpose))
+    return (*explain, NextCommand(f"urdfctl lint {files.folder}", purpose))

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.control.chains import Chained, chained_claims
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.session import Configured, Session
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
@@ -69,14 +69,14 @@ def chained_interface_not_exported(project: Project) -> Iterator[Finding]:
 def _unexported(session: Session, controller: Configured) -> Iterator[Finding]:
     for chained in chained_claims(session, controller):
         exports = chained.following.exports
-        offered = exports.reference if chained.kind is Kind.COMMAND else exports.state
+        offered = exports.reference if chained.kind is ClaimKind.COMMAND else exports.state
         at = place_of(controller, chained.claim)
         if chained.is_offered is False and at is not None and (exports.reference or exports.state):
             yield Finding(at, _message(chained, [claim.name for claim in offered]), _notes(chained))
 
 
 def _message(chained: Chained, offered: list[str]) -> str:
-    kind = "reference interface" if chained.kind is Kind.COMMAND else "state interface"
+    kind = "reference interface" if chained.kind is ClaimKind.COMMAND else "state interface"
     following, preceding = chained.following.name, chained.preceding.name
     message = f"controller '{following}' has no {kind} '{chained.claim.name}', which controller '{preceding}' claims"
     if not offered:

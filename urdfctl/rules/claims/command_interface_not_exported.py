@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import of_each_candidate
 from urdfctl.rules.claims.unoffered import unoffered
@@ -69,4 +69,4 @@ def command_interface_not_exported(project: Project) -> Iterator[Finding]:
     The controller is loaded and configured, but cannot be activated. For each joint, the hardware exports the command
     interfaces listed in the `<ros2_control>` tag. A controller claims those that its parameters or its type name.
     """
-    return of_each_candidate(project, lambda session, controller: unoffered(session, controller, Kind.COMMAND))
+    return of_each_candidate(project, lambda session, controller: unoffered(session, controller, ClaimKind.COMMAND))

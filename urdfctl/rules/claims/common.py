@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Iterator
 
 from urdfctl.catalog.distros import applies_to
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware.interfaces import Absence, Kind
+from urdfctl.control.hardware.interfaces import Absence, ClaimKind
 from urdfctl.control.parameters.readers import controllers_in
-from urdfctl.control.session import Configured, Missing, Session, sessions
+from urdfctl.control.session import Configured, MissingInterface, Session, sessions
 from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.controllers import Controller
 from urdfctl.rule import Finding, Note, Project, Severity
@@ -83,7 +83,7 @@ def place_of(controller: Configured, claim: Claim, *, of_interface: bool = False
     return value.at
 
 
-def severity_of(session: Session, controller: Configured, missing: Iterable[Missing]) -> Severity:
+def severity_of(session: Session, controller: Configured, missing: Iterable[MissingInterface]) -> Severity:
     """Return the severity of missing interfaces: error if they are certainly missing.
 
     If it is unknown which controllers are started, the file may offer several controllers to choose from. The finding
@@ -112,11 +112,11 @@ def _has_alternative(session: Session, controller: Configured) -> bool:
     )
 
 
-def missing_of(session: Session, controller: Configured, kind: Kind) -> list[Missing]:
+def missing_of(session: Session, controller: Configured, kind: ClaimKind) -> list[MissingInterface]:
     """Return the claimed interfaces that no hardware offers, except those of unknown joints (reported by other rules)."""
     return [each for each in controller.missing if each.kind is kind and not is_misnamed(each.claim, session.hardware)]
 
 
-def offered_by(session: Session, kind: Kind, component: str) -> str:
+def offered_by(session: Session, kind: ClaimKind, component: str) -> str:
     """Return the interfaces that hardware offers of a component, as text: `position, velocity`."""
     return ", ".join(dict.fromkeys(offer.interface for offer in session.hardware.of(kind, component)))

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.hardware.gazebo_ros1 import in_gazebo
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
@@ -122,7 +122,7 @@ def gazebo_gains_given(project: Project) -> Iterator[Finding]:
     hardware = sessions[-1].hardware
     for section in controllers_in(project).others:
         for joint in section.parameters.below(_GAINS) if section.name == _SECTION and hardware.known else ():
-            offers = hardware.of(Kind.COMMAND, joint.last)
+            offers = hardware.of(ClaimKind.COMMAND, joint.last)
             if not offers:
                 right = nearest(joint.last, hardware.command)
                 hint = f"; did you mean '{right}'?" if right else ""

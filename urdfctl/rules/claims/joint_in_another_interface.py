@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.hardware.interfaces import Kind
-from urdfctl.control.session import Configured, Missing, Session
+from urdfctl.control.hardware.interfaces import ClaimKind
+from urdfctl.control.session import Configured, MissingInterface, Session
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate, place_of
 from urdfctl.rules.claims.ros1 import bare, mended_severity, unregistered
@@ -57,7 +57,9 @@ def joint_in_another_interface(project: Project) -> Iterator[Finding]:
 
 def _mismatched(project: Project, session: Session, controller: Configured) -> Iterator[Finding]:
     hardware = session.hardware
-    missing = [each for each in unregistered(session, controller) if hardware.of(Kind.COMMAND, each.claim.component)]
+    missing = [
+        each for each in unregistered(session, controller) if hardware.of(ClaimKind.COMMAND, each.claim.component)
+    ]
     severity = mended_severity(project, session, controller) if missing else None
     if severity is None:
         return
@@ -70,12 +72,12 @@ def _mismatched(project: Project, session: Session, controller: Configured) -> I
             yield from _finding(project, session, controller, [each], severity)
 
 
-def _offered(session: Session, missing: Missing) -> str:
-    return session.hardware.of(Kind.COMMAND, missing.claim.component)[0].interface
+def _offered(session: Session, missing: MissingInterface) -> str:
+    return session.hardware.of(ClaimKind.COMMAND, missing.claim.component)[0].interface
 
 
 def _finding(
-    project: Project, session: Session, controller: Configured, missing: list[Missing], severity: Severity
+    project: Project, session: Session, controller: Configured, missing: list[MissingInterface], severity: Severity
 ) -> Iterator[Finding]:
     claim, offered = missing[0].claim, _offered(session, missing[0])
     is_whole = len(missing) == len({each.component for each in controller.claims.command})
@@ -91,9 +93,9 @@ def _finding(
         f"controller '{controller.name}' requires {joints} in the {bare(claim.interface)}, but {transmissions} "
         f"offer{'s' * (len(missing) == 1)} the {bare(offered)}; {advice}"
     )
-    interface_at = session.hardware.of(Kind.COMMAND, claim.component)[0].at
+    interface_at = session.hardware.of(ClaimKind.COMMAND, claim.component)[0].at
     notes = (Note(f"the transmission of '{claim.component}' names its interface here", interface_at.content),)
-    places = [session.hardware.of(Kind.COMMAND, each.claim.component)[0].at.content for each in missing]
+    places = [session.hardware.of(ClaimKind.COMMAND, each.claim.component)[0].at.content for each in missing]
     fix = replaced(at, controller.type.type, other) if other else Fix(change, _renamed(places, claim.interface))
     yield Finding(at, message, notes, fix, severity)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.hardware.gazebo_ros1 import in_gazebo
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.model.controllers import Parameter, Parameters
 from urdfctl.rule import Finding, Project, Severity, rule
@@ -196,7 +196,7 @@ def _unenforced(project: Project, joint: Parameter, limits: Parameters) -> Itera
     urdf = robot.joint(joint.name) if robot else None
     if not sessions or urdf is None or urdf.limit is not None or in_gazebo(project) is not Severity.ERROR:
         return
-    for offer in sessions[-1].hardware.of(Kind.COMMAND, joint.name):
+    for offer in sessions[-1].hardware.of(ClaimKind.COMMAND, joint.name):
         lacking = [part for part in _NEEDED.get(bare(offer.interface), ()) if not _is_given(limits, part)]
         if lacking:
             names = in_words([f"max_{part}" for part in lacking])

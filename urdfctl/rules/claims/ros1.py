@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfctl.control.hardware.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.hardware.ros1 import PREFIX
-from urdfctl.control.session import Configured, Missing, Session
+from urdfctl.control.session import Configured, MissingInterface, Session
 from urdfctl.rule import Project, Severity
 from urdfctl.rules.claims.common import missing_of, severity_of
 
@@ -34,9 +34,9 @@ def _lacks_efforts(project: Project, session: Session, controller: Configured) -
     return bool(offered) and wanted == {f"{PREFIX}{_EFFORT}"} and not offered & wanted
 
 
-def unregistered(session: Session, controller: Configured) -> Iterable[Missing]:
+def unregistered(session: Session, controller: Configured) -> Iterable[MissingInterface]:
     """Return a controller's claims to joints that are not registered with the claimed interface of Gazebo."""
-    missing = (*missing_of(session, controller, Kind.COMMAND), *missing_of(session, controller, Kind.STATE))
+    missing = (*missing_of(session, controller, ClaimKind.COMMAND), *missing_of(session, controller, ClaimKind.STATE))
     return (each for each in missing if _is_of_gazebo(each.claim.interface))
 
 

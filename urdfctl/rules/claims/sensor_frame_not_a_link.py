@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
-from urdfctl.model.controllers import Kind
+from urdfctl.model.controllers import ValueKind
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, replaced
+from urdfctl.rules.common import KnownNames, replaced
 
 _SENSOR = """
     <ros2_control name="arm" type="system">
@@ -157,13 +157,13 @@ def sensor_frame_not_a_link(project: Project) -> Iterator[Finding]:
     """
     robot = robot_of(project)
     if robot is not None:
-        names = Names([*(link.name for link in robot.links), *_published(project)])
+        names = KnownNames([*(link.name for link in robot.links), *_published(project)])
         yield from in_each_distro(project, lambda reader: _unknown_frame(reader, names))
 
 
-def _unknown_frame(reader: Reader, names: Names) -> Iterator[Finding]:
+def _unknown_frame(reader: Reader, names: KnownNames) -> Iterator[Finding]:
     given = reader.located.get("frame_id") if reader.type and reader.type.package in _PACKAGES else None
-    if given is None or given.value.kind is not Kind.STRING or not given.value.is_known or not given.value.text:
+    if given is None or given.value.kind is not ValueKind.STRING or not given.value.is_known or not given.value.text:
         return
     name = given.value.text.lstrip("/")
     if name in names or name.rpartition("/")[2] in names:

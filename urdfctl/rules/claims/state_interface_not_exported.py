@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import of_each_candidate
 from urdfctl.rules.claims.unoffered import unoffered
@@ -71,4 +71,4 @@ def state_interface_not_exported(project: Project) -> Iterator[Finding]:
     The controller is loaded and configured, but cannot be activated. A joint, sensor or gpio exports only the state
     interfaces listed in the `<ros2_control>` tag: a joint that exports its position does not also export its velocity.
     """
-    return of_each_candidate(project, lambda session, controller: unoffered(session, controller, Kind.STATE))
+    return of_each_candidate(project, lambda session, controller: unoffered(session, controller, ClaimKind.STATE))

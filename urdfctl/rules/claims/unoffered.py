@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware.interfaces import Kind
-from urdfctl.control.session import Configured, Missing, Session
+from urdfctl.control.hardware.interfaces import ClaimKind
+from urdfctl.control.session import Configured, MissingInterface, Session
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note
 from urdfctl.rules.claims.common import home, missing_of, offered_by, place_of, severity_of
 from urdfctl.rules.common import in_words
 
 
-def unoffered(session: Session, controller: Configured, kind: Kind) -> Iterator[Finding]:
+def unoffered(session: Session, controller: Configured, kind: ClaimKind) -> Iterator[Finding]:
     """Yield the findings on a controller's claims of a kind that the hardware does not offer.
 
     One finding for an interface that all components lack; for another interface one for each component that lacks it.
     """
-    by_interface: dict[str, list[Missing]] = {}
+    by_interface: dict[str, list[MissingInterface]] = {}
     for missing in missing_of(session, controller, kind):
-        if not (kind is Kind.STATE and _is_reported_for_command(session, controller, missing.claim)):
+        if not (kind is ClaimKind.STATE and _is_reported_for_command(session, controller, missing.claim)):
             by_interface.setdefault(missing.claim.interface, []).append(missing)
     for interface, of_interface in by_interface.items():
         claimed = [claim for claim in controller.claimed(kind) if claim.interface == interface]
@@ -38,7 +38,9 @@ def _is_reported_for_command(session: Session, controller: Configured, claim: Cl
     return not session.hardware.has(claim.component) and claim.component in commanded
 
 
-def _finding(session: Session, controller: Configured, kind: Kind, missing: list[Missing]) -> Iterator[Finding]:
+def _finding(
+    session: Session, controller: Configured, kind: ClaimKind, missing: list[MissingInterface]
+) -> Iterator[Finding]:
     claims = [each.claim for each in missing]
     at = place_of(controller, claims[0], of_interface=len(claims) > 1)
     if at is not None:
@@ -47,7 +49,7 @@ def _finding(session: Session, controller: Configured, kind: Kind, missing: list
         yield Finding(at, _message(session, controller, kind, claims), notes, severity=severity)
 
 
-def _message(session: Session, controller: Configured, kind: Kind, claims: list[Claim]) -> str:
+def _message(session: Session, controller: Configured, kind: ClaimKind, claims: list[Claim]) -> str:
     claim, hardware = claims[0], session.hardware
     interface = f"'{claim.interface}' {kind.value} interface"
     if not hardware.has(claim.component):
@@ -67,13 +69,15 @@ def _message(session: Session, controller: Configured, kind: Kind, claims: list[
     offered = offered_by(session, kind, claim.component)
     if offered:
         return f"{message}; {exports}: {offered}"
-    states = offered_by(session, Kind.STATE, claim.component)
+    states = offered_by(session, ClaimKind.STATE, claim.component)
     return f"{message}; {exports} only state interfaces: {states}" if states else f"{message}; {exports} none"
 
 
-def _notes(session: Session, controller: Configured, kind: Kind, claims: list[Claim], at: object) -> Iterator[Note]:
+def _notes(
+    session: Session, controller: Configured, kind: ClaimKind, claims: list[Claim], at: object
+) -> Iterator[Note]:
     claim, hardware = claims[0], session.hardware
-    offers = hardware.of(kind, claim.component) or hardware.of(Kind.STATE, claim.component)
+    offers = hardware.of(kind, claim.component) or hardware.of(ClaimKind.STATE, claim.component)
     if offers:
         yield Note(f"interfaces of '{claim.component}' are defined here", offers[0].at)
     type_at = home(controller.controller)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
-from urdfctl.model.controllers import Kind
+from urdfctl.model.controllers import ValueKind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.common import Names, replaced
+from urdfctl.rules.common import KnownNames, replaced
 from urdfctl.source.span import Place
 
 _BASE = """
@@ -56,18 +56,18 @@ def base_frame_not_a_link(project: Project) -> Iterator[Finding]:
     """
     robot = robot_of(project)
     if robot is not None:
-        names = Names(link.name for link in robot.links)
+        names = KnownNames(link.name for link in robot.links)
         yield from in_each_distro(project, lambda reader: _missing_frame(reader, names))
 
 
-def _missing_frame(reader: Reader, names: Names) -> Iterator[Finding]:
+def _missing_frame(reader: Reader, names: KnownNames) -> Iterator[Finding]:
     parameter, given = reader.known.get("base_frame_id"), reader.located.get("base_frame_id")
     if parameter is None or reader.at is None:
         return
     if given is None:
         yield from _missing_default(reader, reader.at, str(parameter.default or ""), names)
         return
-    if given.value.kind is not Kind.STRING or not given.value.is_known or not given.value.text:
+    if given.value.kind is not ValueKind.STRING or not given.value.is_known or not given.value.text:
         return
     name = given.value.text.rpartition("/")[2]
     if name in names:
@@ -79,7 +79,7 @@ def _missing_frame(reader: Reader, names: Names) -> Iterator[Finding]:
     yield Finding(given.value.at, message, fix=fix, severity=Severity.WARNING)
 
 
-def _missing_default(reader: Reader, at: Place, default: str, names: Names) -> Iterator[Finding]:
+def _missing_default(reader: Reader, at: Place, default: str, names: KnownNames) -> Iterator[Finding]:
     """A finding at the section of a drive that takes its base frame from a default."""
     if default and default not in names and reader.given.get("enable_odom_tf") is not False:
         message = (

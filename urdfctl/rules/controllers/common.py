@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.parameters.readers import controllers_in
-from urdfctl.model.controllers import Fault, FaultKind, Section
+from urdfctl.model.controllers import FaultKind, FileFault, Section
 from urdfctl.rule import Project
 
 
-def faults(project: Project, *kinds: FaultKind) -> Iterator[Fault]:
+def faults(project: Project, *kinds: FaultKind) -> Iterator[FileFault]:
     """Yield the faults of the given kinds for which ROS rejects a controller file."""
     controllers = controllers_in(project)
     for fault in controllers.faults:

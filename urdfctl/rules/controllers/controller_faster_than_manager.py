@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.control.parameters.readers import controllers_in
-from urdfctl.model.controllers import Kind, Value
+from urdfctl.model.controllers import Value, ValueKind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 
 _DEFAULT = 100
@@ -77,5 +77,5 @@ def controller_faster_than_manager(project: Project) -> Iterator[Finding]:
 
 def _rate(value: Value | None) -> int | None:
     """The rate if it is an integer above 0, else None."""
-    rate = value.value if value is not None and value.kind is Kind.INT else None
+    rate = value.value if value is not None and value.kind is ValueKind.INT else None
     return rate if isinstance(rate, int) and rate > 0 else None

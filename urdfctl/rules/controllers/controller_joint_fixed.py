@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.hardware.interfaces import Hardware
+from urdfctl.control.hardware.interfaces import OfferedHardware
 from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
 from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.robot import Robot
@@ -51,7 +51,7 @@ def controller_joint_fixed(project: Project) -> Iterator[Finding]:
         yield from in_each_distro(project, lambda reader: _fixed(reader, robot, hardware[reader.distro], project))
 
 
-def _fixed(reader: Reader, robot: Robot, hardware: Hardware, project: Project) -> Iterator[Finding]:
+def _fixed(reader: Reader, robot: Robot, hardware: OfferedHardware, project: Project) -> Iterator[Finding]:
     for name in named(reader):
         if name.name in hardware.fixed and is_misnamed(name.claim, hardware):
             joint = robot.joint(name.name)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.hardware.interfaces import Hardware
+from urdfctl.control.hardware.interfaces import OfferedHardware
 from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
 from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.common import Names, in_words, replaced
+from urdfctl.rules.common import KnownNames, in_words, replaced
 from urdfctl.rules.controllers.joints import Named, hardware_in, links_called, meant_by, named, severity_of
 
 _ROBOT = """
@@ -97,11 +97,13 @@ def controller_joint_unknown(project: Project) -> Iterator[Finding]:
     robot = robot_of(project)
     if robot is None:
         return
-    hardware, names = hardware_in(project, robot), Names(robot.joint_names)
+    hardware, names = hardware_in(project, robot), KnownNames(robot.joint_names)
     yield from in_each_distro(project, lambda reader: _unknown(reader, robot, hardware[reader.distro], names, project))
 
 
-def _unknown(reader: Reader, robot: Robot, hardware: Hardware, names: Names, project: Project) -> Iterator[Finding]:
+def _unknown(
+    reader: Reader, robot: Robot, hardware: OfferedHardware, names: KnownNames, project: Project
+) -> Iterator[Finding]:
     named_joints = named(reader)
     unknown = [
         joint for joint in named_joints if is_misnamed(joint.claim, hardware) and joint.name not in hardware.fixed

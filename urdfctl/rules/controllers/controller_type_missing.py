@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.parameters.readers import controllers_in
-from urdfctl.model.controllers import Controller, Controllers, Kind
+from urdfctl.model.controllers import Controller, Controllers, ValueKind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.controllers.sections import meant_for
 from urdfctl.source.span import Place
@@ -63,11 +63,11 @@ def controller_type_missing(project: Project) -> Iterator[Finding]:
         if controller.type is None:
             if controller.declared_at is not None or project.launch is None:  # else launch file rules report it
                 yield from _untyped(controllers, controller)
-        elif controller.type.kind is Kind.STRING and not controller.type.text.strip():
+        elif controller.type.kind is ValueKind.STRING and not controller.type.text.strip():
             yield Finding(
                 controller.type.at, f"controller '{controller.name}' has an empty type; write 'package/Class'"
             )
-        elif controller.type.kind is not Kind.STRING and controller.type.is_known and controller.manager is None:
+        elif controller.type.kind is not ValueKind.STRING and controller.type.is_known and controller.manager is None:
             yield Finding(
                 controller.type.at, f"type of controller '{controller.name}' is not a string; write 'package/Class'"
             )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation, in_words, since
-from urdfctl.control.parameters.controller_types import Typed, instead_of, typed
+from urdfctl.control.parameters.controller_types import TypedController, instead_of, typed
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 
 _MAINTAINED = {*since("humble"), "noetic"}
@@ -120,13 +120,13 @@ def controller_type_not_in_distro(project: Project) -> Iterator[Finding]:
             yield _finding(project, controller, tuple(having), absent)
 
 
-def _is_external(project: Project, controller: Typed, distro: str) -> bool:
+def _is_external(project: Project, controller: TypedController, distro: str) -> bool:
     """Whether a package outside ros_control and ros2_control has the type: it may be built for other distros too."""
     kind = project.catalog.controller(controller.type, distro)
     return kind is not None and kind.external
 
 
-def _finding(project: Project, controller: Typed, having: tuple[str, ...], absent: list[str]) -> Finding:
+def _finding(project: Project, controller: TypedController, having: tuple[str, ...], absent: list[str]) -> Finding:
     where = absent[-1] if len(absent) == 1 else "any maintained distro"
     replacement, advice = instead_of(project, controller.type, absent[-1])
     message = f"controller type '{controller.type}' does not exist in {where}, only in {in_words(having)}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation
-from urdfctl.control.parameters.controller_types import Typed, instead_of, typed
+from urdfctl.control.parameters.controller_types import TypedController, instead_of, typed
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 
 
@@ -65,7 +65,7 @@ def controller_type_of_other_ros(project: Project) -> Iterator[Finding]:
         yield Finding(controller.at.at, message, notes, fix)
 
 
-def _namesake(project: Project, controller: Typed) -> str:
+def _namesake(project: Project, controller: TypedController) -> str:
     """The advice to use the only type with the same class in the other generation; empty if there is none."""
     known = project.catalog.known_types(controller.distros[-1])
     same = [name for name in known if name.rpartition("/")[2] == controller.type.rpartition("/")[2]]

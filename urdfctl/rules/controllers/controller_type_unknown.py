@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.parameters.controller_types import Typed, meant_by, typed
+from urdfctl.control.parameters.controller_types import TypedController, meant_by, typed
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
 
@@ -65,5 +65,5 @@ def controller_type_unknown(project: Project) -> Iterator[Finding]:
             yield Finding(at, message, fix=replaced(at, controller.type, meant))
 
 
-def _is_hardware(project: Project, controller: Typed) -> bool:
+def _is_hardware(project: Project, controller: TypedController) -> bool:
     return any(controller.type in project.catalog.known_hardware(distro) for distro in controller.distros)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.parameters.readers import controllers_in, type_of
 from urdfctl.diagnostic import Edit
-from urdfctl.model.controllers import Kind, Parameter, Value
+from urdfctl.model.controllers import Parameter, Value, ValueKind
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import label
 
@@ -55,7 +55,7 @@ def extra_joint_ignored(project: Project) -> Iterator[Finding]:
     for controller in controllers_in(project).controllers:
         given = controller.parameters.value(_JOINTS) if type_of(controller) == _TYPE else None
         for joint in given.items if given is not None else ():
-            if joint.kind is Kind.MAP:
+            if joint.kind is ValueKind.MAP:
                 yield from _faults(joint)
 
 
@@ -65,7 +65,7 @@ def _faults(joint: Value) -> Iterator[Finding]:
         yield Finding(joint.at, "extra joint has no name and is ignored; add one, e.g. 'name: caster_joint'")
         return
     for field in (fields[name] for name in _NUMBERS if name in fields):
-        if field.value.kind not in (Kind.FLOAT, Kind.UNKNOWN):
+        if field.value.kind not in (ValueKind.FLOAT, ValueKind.UNKNOWN):
             yield Finding(field.value.at, _message(fields["name"], field), fix=_fix(field.value))
 
 
@@ -75,7 +75,7 @@ def _message(name: Parameter, field: Parameter) -> str:
 
 
 def _fix(value: Value) -> Fix | None:
-    if value.kind is not Kind.INT:
+    if value.kind is not ValueKind.INT:
         return None
     right = f"{value.value}.0"
     return Fix(f"write {right}", (Edit(value.at.span, right),), safe=True)

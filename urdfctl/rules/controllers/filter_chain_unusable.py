@@ -6,15 +6,15 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import ROS2
-from urdfctl.catalog.entries import Parameter as Known
+from urdfctl.catalog.entries import ParameterEntry as Known
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameters.given import plain
 from urdfctl.control.parameters.readers import Reader, in_each_distro
-from urdfctl.model.controllers import Kind, Parameter
+from urdfctl.model.controllers import Parameter, ValueKind
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.controllers.filters import Chain, chains
+from urdfctl.rules.controllers.filters import FilterChain, chains
 
 Filters = Mapping[str, Mapping[str, Known]]
 _FILE = """
@@ -69,7 +69,7 @@ def _faults(reader: Reader, catalog: Catalog) -> Iterator[Finding]:
     yield from _shared(reader)
 
 
-def _unfiltered(reader: Reader, filter_chains: list[Chain]) -> Iterator[Finding]:
+def _unfiltered(reader: Reader, filter_chains: list[FilterChain]) -> Iterator[Finding]:
     """Inputs of a filtering controller that have no chain."""
     inputs = reader.located.value("input_interfaces") if "<input_interfaces>.filter_chain" in reader.known else None
     chained = {chain.name for chain in filter_chains}
@@ -89,13 +89,13 @@ def _shared(reader: Reader) -> Iterator[Finding]:
         yield Finding(shared.key, message, severity=Severity.ERROR)
 
 
-def _faults_of_filter(chain: Chain, name: str, at: Parameter, known: Filters) -> Iterator[Finding]:
+def _faults_of_filter(chain: FilterChain, name: str, at: Parameter, known: Filters) -> Iterator[Finding]:
     for wanted in ("name", "type"):
         if f"{name}.{wanted}" not in chain.parameters:
             yield Finding(at.key, f"filter '{chain.name}.{name}' has no '{wanted}'", severity=Severity.ERROR)
             return
     kind = chain.parameters.value(f"{name}.type")
-    if kind is None or kind.kind is not Kind.STRING or not kind.is_known:
+    if kind is None or kind.kind is not ValueKind.STRING or not kind.is_known:
         return
     if kind.text not in known:
         hint = did_you_mean(kind.text, known)

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.control.parameters.readers import Reader
-from urdfctl.model.controllers import Kind, Parameter, Parameters
+from urdfctl.model.controllers import Parameter, Parameters, ValueKind
 from urdfctl.startup.records import NamedTuple
 
 _CHAIN = "filter_chain"
 
 
-class Chain(NamedTuple):
+class FilterChain(NamedTuple):
     """A filter chain."""
 
     name: str
@@ -30,12 +30,12 @@ class Chain(NamedTuple):
             number += 1
 
 
-def chains(reader: Reader) -> Iterator[Chain]:
+def chains(reader: Reader) -> Iterator[FilterChain]:
     """Yield the filter chains in a controller's parameters."""
     for parameter in reader.type.parameters.values() if reader.type else ():
         if not parameter.name.endswith(_CHAIN) or parameter.type != "none":
             continue
         for name in expanded(parameter.name, reader.given):
             given = reader.located.get(name)
-            if given is not None and given.value.kind is Kind.MAP:
-                yield Chain(name, reader.located.under(name), given)
+            if given is not None and given.value.kind is ValueKind.MAP:
+                yield FilterChain(name, reader.located.under(name), given)

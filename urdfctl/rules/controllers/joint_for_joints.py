@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.parameters.readers import Reader, in_each_distro
-from urdfctl.model.controllers import Kind, Parameter, Value
+from urdfctl.model.controllers import Parameter, Value, ValueKind
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.controllers.parameters import missing, number_slips, slips, unread
 
@@ -71,8 +71,8 @@ def _fix(parameter: Parameter, right: str, *, wants_list: bool) -> Fix | None:
 
 def _rewritten(value: Value, *, wants_list: bool) -> str | None:
     """The source text of one name as a list, or of a list of one name as a name; None for other values."""
-    if wants_list and value.kind is Kind.STRING:
+    if wants_list and value.kind is ValueKind.STRING:
         return f"[{value.at.span.text}]"
     if not wants_list and len(value.items) == 1:
         return value.items[0].at.span.text
-    return value.at.span.text if wants_list == (value.kind is Kind.LIST) else None
+    return value.at.span.text if wants_list == (value.kind is ValueKind.LIST) else None

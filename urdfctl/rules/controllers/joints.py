@@ -7,12 +7,12 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, claims
-from urdfctl.control.hardware.interfaces import Hardware, fixed_joints
+from urdfctl.control.hardware.interfaces import OfferedHardware, fixed_joints
 from urdfctl.control.hardware.offered import hardware_of
 from urdfctl.control.parameters.readers import Reader
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Note, Project, Severity
-from urdfctl.rules.common import Names
+from urdfctl.rules.common import KnownNames
 from urdfctl.rules.controllers.parameters import known_as
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -64,7 +64,7 @@ def _readable(reader: Reader, name: str) -> object:
     return UNKNOWN if wrong else value
 
 
-def meant_by(names: Names, wrong: Named, beside: set[str]) -> str | None:
+def meant_by(names: KnownNames, wrong: Named, beside: set[str]) -> str | None:
     """Return the joint that a wrong name almost certainly means, or None.
 
     The joint has a similar name, is not in `beside`, and is not just a joint with another number or side.
@@ -82,14 +82,14 @@ def in_row(name: str) -> str:
     return "".join(swapped.get(word.lower(), word.lower()) for word in words)
 
 
-def hardware_in(project: Project, robot: Robot) -> dict[str, Hardware]:
+def hardware_in(project: Project, robot: Robot) -> dict[str, OfferedHardware]:
     """Return the hardware by distro; if it is unknown, a Hardware with only the robot's joints."""
     by_distro = {distro: hardware_of(project, distro) for distro in project.distros}
-    joints_only = Hardware(joints=frozenset(robot.joint_names), fixed=fixed_joints(robot), known=False)
+    joints_only = OfferedHardware(joints=frozenset(robot.joint_names), fixed=fixed_joints(robot), known=False)
     return {distro: hardware if hardware.known else joints_only for distro, hardware in by_distro.items()}
 
 
-def severity_of(project: Project, hardware: Hardware, *, meant: bool, others: bool) -> Severity:
+def severity_of(project: Project, hardware: OfferedHardware, *, meant: bool, others: bool) -> Severity:
     """Return the severity of a wrong joint name.
 
     If it is unknown which controllers are started, the controller may be for another robot. This is less likely if the

@@ -9,7 +9,7 @@ from urdfctl.control.parameters.readers import Reader, controllers_in, in_each_d
 from urdfctl.model.controllers import Controller, Controllers, FaultKind
 from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import in_words
-from urdfctl.rules.controllers.parameters import Missing, is_another, missing, slips
+from urdfctl.rules.controllers.parameters import MissingParameter, is_another, missing, slips
 from urdfctl.rules.controllers.sections import meant_for
 
 _LOSES_PARAMETERS = (FaultKind.OUTSIDE_PARAMETERS, FaultKind.NODE_NAME, FaultKind.PARAMETERS_NOT_A_MAP, FaultKind.ROOT)
@@ -217,7 +217,7 @@ def _incomplete_node(reader: Reader) -> Iterator[Finding]:
         yield Finding(reader.at, message, severity=Severity.ERROR)
 
 
-def _names(lacks: list[Missing]) -> str:
+def _names(lacks: list[MissingParameter]) -> str:
     [first, *others] = lacks
     if not others and first.words.startswith("or "):
         return f"'{first.name}' {first.words.removesuffix(' is required')}"

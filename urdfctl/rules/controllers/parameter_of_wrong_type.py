@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.entries import ParameterEntry
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameters.readers import Reader, in_each_distro
-from urdfctl.model.controllers import Kind, Value
+from urdfctl.model.controllers import Value, ValueKind
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import is_ros1, known_as
 
@@ -68,13 +68,13 @@ def _wrong(reader: Reader) -> Iterator[Finding]:
         if matched is None:
             continue
         parameter = reader.known[matched[0]]
-        if parameter.ignored or (given.value.kind is Kind.MAP and given.name in _groups(reader)):
+        if parameter.ignored or (given.value.kind is ValueKind.MAP and given.name in _groups(reader)):
             continue
-        if given.value.kind is Kind.NULL:
+        if given.value.kind is ValueKind.NULL:
             continue  # UC406 reports it
         if not is_ros1(reader) and len({item.kind for item in given.value.items}) > 1:
             continue  # UC408 reports it
-        value: object = {} if given.value.kind is Kind.MAP else reader.given.get(given.name)
+        value: object = {} if given.value.kind is ValueKind.MAP else reader.given.get(given.name)
         problem = type_problem(value, parameter, reader.distro)
         if problem is not None:
             message = f"'{given.name}' {problem}"
@@ -89,13 +89,13 @@ def _groups(reader: Reader) -> set[str]:
     return {name.partition(".")[0] for name in reader.known if "." in name}
 
 
-def _fix(value: Value, parameter: Parameter) -> Fix | None:
+def _fix(value: Value, parameter: ParameterEntry) -> Fix | None:
     """Add a decimal point to integers if a number is expected; put brackets around a string if a list is expected."""
     if "double" in parameter.type:
-        integers = [item for item in (value.items or (value,)) if item.kind is Kind.INT]
+        integers = [item for item in (value.items or (value,)) if item.kind is ValueKind.INT]
         if integers and all(re.fullmatch(r"[+-]?[0-9]+", item.at.span.text) for item in integers):
             edits = tuple(Edit(item.at.span, f"{item.text}.0") for item in integers)
             return Fix("add a decimal point", edits, safe=True)
-    if parameter.type == "string_array" and value.kind is Kind.STRING and value.text == value.at.span.text:
+    if parameter.type == "string_array" and value.kind is ValueKind.STRING and value.text == value.at.span.text:
         return Fix("write it as a list", (Edit(value.at.span, f"[{value.text}]"),))
     return None

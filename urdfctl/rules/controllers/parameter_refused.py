@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.entries import ParameterEntry
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import shown, type_problem
 from urdfctl.catalog.values import is_list
 from urdfctl.control.parameters.readers import Reader, in_each_distro
-from urdfctl.model.controllers import Kind, Value
+from urdfctl.model.controllers import Value, ValueKind
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import replaced
@@ -68,7 +68,7 @@ def _refused(reader: Reader) -> Iterator[Finding]:
     for given in reader.located:
         matched = known_as(reader, given.name)
         value = reader.given.get(given.name)
-        if matched is None or value is None or given.value.kind is Kind.MAP:
+        if matched is None or value is None or given.value.kind is ValueKind.MAP:
             continue
         parameter = reader.known[matched[0]]
         if parameter.ignored or (value == [] and not is_ros1(reader)) or type_problem(value, parameter, reader.distro):
@@ -82,7 +82,7 @@ def _refused(reader: Reader) -> Iterator[Finding]:
                 break
 
 
-def _fix(value: Value, parameter: Parameter) -> Fix | None:
+def _fix(value: Value, parameter: ParameterEntry) -> Fix | None:
     choices = parameter.validators.get("one_of")
     meant = nearest(value.text, map(str, choices)) if isinstance(choices, list) else None
     return replaced(value.at, value.text, meant) if meant else None

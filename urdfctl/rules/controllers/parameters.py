@@ -6,13 +6,13 @@ from collections.abc import Collection, Iterator, Mapping
 from functools import lru_cache
 
 from urdfctl.catalog.distros import generation
-from urdfctl.catalog.entries import FormerParameter, Parameter
+from urdfctl.catalog.entries import FormerParameter, ParameterEntry
 from urdfctl.catalog.map_parameters import expected, matching, prefixes
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameters.readers import Reader, readers_of
 from urdfctl.control.parameters.rules import breaches
-from urdfctl.model.controllers import Controller, Kind
+from urdfctl.model.controllers import Controller, ValueKind
 from urdfctl.model.controllers import Parameter as Given
 from urdfctl.names import nearest
 from urdfctl.rule import Project
@@ -31,7 +31,7 @@ _REQUIRING = ("not_empty", "needs", "any_set", "one_group_set", "length")
 """Kinds of rules on parameters that a missing parameter can break."""
 
 
-class Missing(NamedTuple):
+class MissingParameter(NamedTuple):
     """A required parameter that a node does not get."""
 
     name: str
@@ -52,7 +52,7 @@ def _known_as(reader: Reader) -> dict[str, tuple[str, str | None] | None]:
     return {parameter.name: matching(parameter.name, reader.known) for parameter in reader.located}
 
 
-def replacement_of(reader: Reader, parameter: Parameter | FormerParameter) -> str | None:
+def replacement_of(reader: Reader, parameter: ParameterEntry | FormerParameter) -> str | None:
     """Return what takes the place of a parameter, in words: as a migration writes it, or as the catalogue says."""
     from urdfctl.catalog.moves import replacement_in_words
 
@@ -137,12 +137,12 @@ _nearest = lru_cache(maxsize=256)(nearest)
 def _misplaced(parameter: Given, candidates: frozenset[str]) -> str | None:
     """The only known parameter in a map with this last name: `constraints.goal_time` for `goal_time`."""
     same = _of_last(candidates).get(parameter.last, [])
-    return same[0] if len(same) == 1 and parameter.value.kind is not Kind.MAP else None
+    return same[0] if len(same) == 1 and parameter.value.kind is not ValueKind.MAP else None
 
 
 def namesakes(reader: Reader, parameter: Given) -> list[str]:
     """Return the known parameters in maps with this last name, e.g. `linear.x.max_velocity` for `max_velocity`."""
-    if parameter.value.kind is Kind.MAP or "." in parameter.name:
+    if parameter.value.kind is ValueKind.MAP or "." in parameter.name:
         return []
     return [name for name in _expected(reader) if name.endswith(f".{parameter.name}")]
 
@@ -159,29 +159,31 @@ def of_other_ros(project: Project, reader: Reader, name: str) -> int | None:
 
 
 @once_per_object
-def _expected(reader: Reader) -> dict[str, Parameter]:
+def _expected(reader: Reader) -> dict[str, ParameterEntry]:
     """The parameters of the node by full name, with map placeholders replaced by the given elements."""
     return expected(reader.known, reader.given)
 
 
 @once_per_object
-def missing(reader: Reader) -> list[Missing]:
+def missing(reader: Reader) -> list[MissingParameter]:
     """Return the required parameters that a node does not get.
 
     Gains of ROS 1's PID controllers are not included; they have rules of their own.
     """
-    by_name = {name: Missing(name, refused=True) for name, parameter in _needed(reader) if not _is_given(reader, name)}
+    by_name = {
+        name: MissingParameter(name, refused=True) for name, parameter in _needed(reader) if not _is_given(reader, name)
+    }
     for breach in breaches(reader.type, reader.given) if reader.type else ():
         name = breach.parameter
         if name in by_name or _is_given(reader, name) or breach.rule.kind not in _REQUIRING or name == "gains":
             continue
         if "<" in name:  # the list for the placeholder is missing or invalid, which is reported by itself
             continue
-        by_name[name] = Missing(name, breach.rule.severity == "error", breach.message)
+        by_name[name] = MissingParameter(name, breach.rule.severity == "error", breach.message)
     return list(by_name.values())
 
 
-def _needed(reader: Reader) -> Iterator[tuple[str, Parameter]]:
+def _needed(reader: Reader) -> Iterator[tuple[str, ParameterEntry]]:
     for name, parameter in _expected(reader).items():
         gain = is_ros1(reader) and name.rpartition(".")[2] == "p"
         if parameter.needed and not gain:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.model.controllers import Fault, FaultKind
+from urdfctl.model.controllers import FaultKind, FileFault
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.common import faults
 
@@ -50,7 +50,7 @@ def value_not_for_parameter_server(project: Project) -> Iterator[Finding]:
         yield Finding(fault.at, _message(fault))
 
 
-def _message(fault: Fault) -> str:
+def _message(fault: FileFault) -> str:
     if fault.kind is FaultKind.OVERFLOW:
         return f"integer '{fault.at.span.text}' exceeds the 32 bits of a ROS 1 integer; quote it to make it a string"
     if fault.kind is FaultKind.KEY:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.parameters.readers import controllers_in
-from urdfctl.model.controllers import Kind
+from urdfctl.model.controllers import ValueKind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 
 _MANAGER = """
@@ -50,7 +50,7 @@ def wildcard_wins(project: Project) -> Iterator[Finding]:
     for name, own, effective in nodes:
         for leaf in own.leaves:
             winner = effective.get(leaf.name)
-            if winner is None or winner.value == leaf.value or leaf.value.kind is Kind.MAP:
+            if winner is None or winner.value == leaf.value or leaf.value.kind is ValueKind.MAP:
                 continue
             if _written(winner.value.text, winner.value.items) != _written(leaf.value.text, leaf.value.items):
                 message = f"'{leaf.name}' of '{name}' is overridden by a later section with a wildcard"

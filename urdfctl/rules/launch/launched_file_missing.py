@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.launch import Reference
+from urdfctl.model.launch import LaunchedFile
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.launch_samples import BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
 
@@ -51,7 +51,7 @@ def launched_file_missing(project: Project) -> Iterator[Finding]:
                 yield Finding(reference.file.at, message, severity=severity)
 
 
-def _shown(reference: Reference, project: Project) -> str:
+def _shown(reference: LaunchedFile, project: Project) -> str:
     """Return a file's path, starting with the package name if it is in the package."""
     path = reference.file.path or reference.file.text
     package = project.launch.package if project.launch else None

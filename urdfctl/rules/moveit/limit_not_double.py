@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.moveit.samples import LIMITS, planned
-from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.kinds import ValueKind
 from urdfctl.source.yaml.types import typed_by_rcl
 
 _NEEDED_BY = {
@@ -47,7 +47,7 @@ def limit_not_double(project: Project) -> Iterator[Finding]:
         for key, value in limits.values:
             flag = limits.value(_NEEDED_BY.get(key.text, ""))
             is_read = key.text in _ALWAYS or (flag is not None and flag.text.lower() == "true")
-            if is_read and typed_by_rcl(value).kind is Kind.INT:
+            if is_read and typed_by_rcl(value).kind is ValueKind.INT:
                 fix = Fix(f"write {value.text}.0", (Edit(value.at.span, f"{value.text}.0"),), safe=True)
                 message = f"'{key.text}' of joint '{limits.joint.text}' must be a double: write {value.text}.0"
                 yield Finding(value.at, message, (), fix)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced
+from urdfctl.rules.common import KnownNames, is_known, replaced
 from urdfctl.rules.moveit.common import is_of_other_robot, planning
 from urdfctl.rules.moveit.samples import LIMITS, planned
 
@@ -32,7 +32,7 @@ def limits_joint_unknown(project: Project) -> Iterator[Finding]:
     groups, moveit = planning(project), project.moveit
     if groups is None or moveit is None or is_of_other_robot(project):
         return
-    names = Names(groups.joints)
+    names = KnownNames(groups.joints)
     for limits in moveit.limits:
         joint = limits.joint
         variable = joint.text.rpartition("/")[0]

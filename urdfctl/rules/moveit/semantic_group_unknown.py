@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.model.controllers import Key
 from urdfctl.model.moveit import Semantic
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced
+from urdfctl.rules.common import KnownNames, is_known, replaced
 from urdfctl.rules.moveit.samples import planned
 
 
@@ -28,7 +28,7 @@ def semantic_group_unknown(project: Project) -> Iterator[Finding]:
     semantic = project.moveit.semantic if project.moveit else None
     if semantic is None or not semantic.complete:
         return
-    names = Names(group.name.text for group in semantic.groups)
+    names = KnownNames(group.name.text for group in semantic.groups)
     for what, key in _named(semantic):
         if key.text in names or not is_known(key.text):
             continue

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.controllers import Key
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced
+from urdfctl.rules.common import KnownNames, is_known, replaced
 from urdfctl.rules.moveit.common import is_of_other_robot, joints_in, links_in, planning
 from urdfctl.rules.moveit.samples import planned
 
@@ -38,7 +38,7 @@ def semantic_part_unknown(project: Project) -> Iterator[Finding]:
 
 
 def _unknown(kind: str, named: Iterator[tuple[str, Key]], known: set[str]) -> Iterator[Finding]:
-    names = Names(known)
+    names = KnownNames(known)
     for what, key in named:
         if key.text in names or not is_known(key.text):
             continue

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, in_words, is_known, replaced
+from urdfctl.rules.common import KnownNames, in_words, is_known, replaced
 from urdfctl.rules.moveit.samples import KINEMATICS, planned
 
 
@@ -29,7 +29,7 @@ def solver_group_unknown(project: Project) -> Iterator[Finding]:
     if moveit is None or semantic is None or not semantic.complete or not semantic.groups:
         return
     known = [group.name.text for group in semantic.groups]
-    names = Names(known)
+    names = KnownNames(known)
     for solver in moveit.solvers:
         group = solver.group
         if solver.solver is None or group.text in names or not is_known(group.text):

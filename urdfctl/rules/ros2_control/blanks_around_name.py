@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, since
 from urdfctl.diagnostic import Edit
-from urdfctl.model.robot import Ros2Control, Tag, Text
+from urdfctl.model.robot import ElementText, Ros2Control, Tag
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced, severity_where
 from urdfctl.rules.ros2_control.common import OLD, components
@@ -76,7 +76,7 @@ def blanks_around_name(project: Project) -> Iterator[Finding]:
                     yield Finding(tag.at[attribute], message, fix=fix)
 
 
-def _bare(plugin: Text) -> Fix:
+def _bare(plugin: ElementText) -> Fix:
     tag = plugin.at.span
     closing = plugin.at.closing
     if closing is None or plugin.at.content.span.text != plugin.value:

@@ -7,7 +7,7 @@ from collections.abc import Container, Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ROS2, since, until
-from urdfctl.model.robot import Interface, Parameter, Part, Ros2Control, Tag, Text
+from urdfctl.model.robot import ComponentPart, ElementText, HardwareParameter, Interface, Ros2Control, Tag
 from urdfctl.rule import Edit, Fix, Note, Project
 from urdfctl.rules.common import is_known, label, robot_in
 from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
@@ -30,7 +30,7 @@ def components(project: Project) -> tuple[Ros2Control, ...]:
     return tuple(control for control in robot.ros2_controls if control.parent == robot.element) if robot else ()
 
 
-def parts(project: Project, *kinds: str) -> Iterator[tuple[Ros2Control, Part]]:
+def parts(project: Project, *kinds: str) -> Iterator[tuple[Ros2Control, ComponentPart]]:
     """Yield the joints, sensors and gpios of all components, or only some kinds, each with its component."""
     for control in components(project):
         for part in control.parts:
@@ -38,14 +38,14 @@ def parts(project: Project, *kinds: str) -> Iterator[tuple[Ros2Control, Part]]:
                 yield control, part
 
 
-def interfaces(project: Project) -> Iterator[tuple[Part, Interface]]:
+def interfaces(project: Project) -> Iterator[tuple[ComponentPart, Interface]]:
     """Yield all interfaces, each with its joint, sensor or gpio."""
     for _, part in parts(project):
         for interface in part.interfaces:
             yield part, interface
 
 
-def parameters(project: Project) -> Iterator[tuple[str, tuple[Parameter, ...]]]:
+def parameters(project: Project) -> Iterator[tuple[str, tuple[HardwareParameter, ...]]]:
     """Yield the parameters of each element that has some, after the label of the element."""
     for control in components(project):
         for hardware in control.hardware:
@@ -68,7 +68,7 @@ def called(interface: Interface) -> str:
     return label(f"{interface.kind} interface", interface.name)
 
 
-def of_part(control: Ros2Control, part: Part) -> str:
+def of_part(control: Ros2Control, part: ComponentPart) -> str:
     """Return the label of a part in its component, for a message."""
     return f"{label(part.kind, part.name)} in {component(control)}"
 
@@ -87,7 +87,7 @@ def whole_element(at: Place) -> SourceSpan | None:
     return SourceSpan(at.source, start.start, end + 1) if end >= 0 else None
 
 
-def followers(project: Project) -> Iterator[tuple[Part, tuple[Ros2Control, str]]]:
+def followers(project: Project) -> Iterator[tuple[ComponentPart, tuple[Ros2Control, str]]]:
     """Yield the mimic joints, each with its component and the name of the mimicked joint.
 
     As in jazzy's parser, a joint is a mimic joint if the URDF has a `<mimic>` and its attribute `mimic` is not false.
@@ -167,7 +167,7 @@ def folded(name: str) -> str:
     return name.strip("\"' ").lower().replace("::", "/").replace("-", "_")
 
 
-def corrected(text: Text, new: str) -> Fix:
+def corrected(text: ElementText, new: str) -> Fix:
     """Return the fix that replaces the text of an element; without edits if the source does not write it literally."""
     content = text.at.content.span
     edits = (Edit(content, new),) if content.text == text.past_comments else ()

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, severity_where, whole_robot_in
+from urdfctl.rules.common import KnownNames, is_known, severity_where, whole_robot_in
 from urdfctl.rules.ros2_control.common import JAZZY, component, parts
 from urdfctl.rules.written import at_written
 
@@ -54,7 +54,7 @@ def component_joint_unknown(project: Project) -> Iterator[Finding]:
     if robot is None or project.library or not robot.joints:
         return
     joints = list(parts(project, "joint"))
-    known = Names(robot.joint_names, (joint.name for _, joint in joints))
+    known = KnownNames(robot.joint_names, (joint.name for _, joint in joints))
     for control, joint in joints:
         name = joint.name
         if name is None or not is_known(name) or name.strip() in known:

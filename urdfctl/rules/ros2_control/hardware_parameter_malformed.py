@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.hardware import HardwareType
-from urdfctl.model.robot import Parameter
+from urdfctl.model.robot import HardwareParameter
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, severity_where
 from urdfctl.rules.ros2_control.common import JAZZY, components, is_boolean, is_number, known_hardware
@@ -97,5 +97,5 @@ def hardware_parameter_malformed(project: Project) -> Iterator[Finding]:
                 yield Finding(parameter.at, message, severity=severity)
 
 
-def _knows(hardware: HardwareType, parameter: Parameter) -> bool:
+def _knows(hardware: HardwareType, parameter: HardwareParameter) -> bool:
     return parameter.name in (hardware.hardware_parameters or ())

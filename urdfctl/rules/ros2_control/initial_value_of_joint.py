@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.robot import Part, Ros2Control
+from urdfctl.model.robot import ComponentPart, Ros2Control
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known, label
 from urdfctl.rules.ros2_control.common import is_deaf, known_hardware, parts
@@ -76,5 +76,5 @@ def _is_old(project: Project, control: Ros2Control) -> bool:
     )
 
 
-def _of_interface(part: Part, name: str) -> bool:
+def _of_interface(part: ComponentPart, name: str) -> bool:
     return name == "initial_value" or any(name == f"initial_{interface.name}" for interface in part.interfaces)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.robot import Interface, Limit, Number, Parameter
+from urdfctl.model.robot import HardwareParameter, Interface, Limit, Number
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.ros2_control.common import called, is_number, parts
@@ -77,7 +77,7 @@ def interface_limits_wider_than_urdf(project: Project) -> Iterator[Finding]:
                 yield Finding(beyond[0][0].at, f"{of} has {given}, beyond the URDF's {in_urdf}", (note,), _fix(beyond))
 
 
-def _fix(beyond: list[tuple[Parameter, Number]]) -> Fix:
+def _fix(beyond: list[tuple[HardwareParameter, Number]]) -> Fix:
     """Replace the wider limits with those of the URDF."""
     texts = [
         f"-{number.text}" if parameter.name == "min" and number.attribute != "lower" else number.text
@@ -90,7 +90,7 @@ def _fix(beyond: list[tuple[Parameter, Number]]) -> Fix:
     return Fix(f"write {title}, as in the URDF", edits if is_literal else ())
 
 
-def _beyond(interface: Interface, limit: Limit) -> Iterator[tuple[Parameter, Number]]:
+def _beyond(interface: Interface, limit: Limit) -> Iterator[tuple[HardwareParameter, Number]]:
     """The limits that are wider than in the URDF, each with the limit of the URDF."""
     velocity, effort = limit.velocity, limit.effort
     pairs = {"position": (limit.lower, limit.upper), "velocity": (velocity, velocity), "effort": (effort, effort)}

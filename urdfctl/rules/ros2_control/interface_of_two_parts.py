@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.robot import Part, Ros2Control
+from urdfctl.model.robot import ComponentPart, Ros2Control
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known
 from urdfctl.rules.ros2_control.common import component, of_part, parts
@@ -54,7 +54,7 @@ def interface_of_two_parts(project: Project) -> Iterator[Finding]:
     An interface is identified by both names, such as `elbow/position`. The second one is dropped, whichever component
     it is in, and nothing drives its hardware.
     """
-    first: dict[tuple[str, str, str], tuple[Ros2Control, Part]] = {}
+    first: dict[tuple[str, str, str], tuple[Ros2Control, ComponentPart]] = {}
     for control, part in parts(project):
         name = (part.name or "").strip()
         if not name or not is_known(name):

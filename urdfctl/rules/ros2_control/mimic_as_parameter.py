@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.robot import Parameter, Part
+from urdfctl.model.robot import ComponentPart, HardwareParameter
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_all_there, is_known, robot_in, severity_where
@@ -85,7 +85,7 @@ def mimic_as_parameter(project: Project) -> Iterator[Finding]:
             yield Finding(parameter.at, message, fix=fix)
 
 
-def _in_urdf(joint: Part, parameter: Parameter) -> str:
+def _in_urdf(joint: ComponentPart, parameter: HardwareParameter) -> str:
     multiplier = joint.parameter("multiplier")
     times = f' multiplier="{multiplier.value}"' if multiplier else ""
     return f'<mimic joint="{parameter.value}"{times}/>'

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.robot import Parameter
+from urdfctl.model.robot import HardwareParameter
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.ros2_control.common import parameters, side_by_side
@@ -52,7 +52,7 @@ def parameter_twice(project: Project) -> Iterator[Finding]:
     The last value is used, without a message.
     """
     for of, given in parameters(project):
-        first: dict[str, Parameter] = {}
+        first: dict[str, HardwareParameter] = {}
         for parameter in given:
             name = parameter.name
             if name is None or not is_known(name):

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.robot import Part
+from urdfctl.model.robot import ComponentPart
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import label, replaced
 from urdfctl.rules.ros2_control.common import parts
@@ -50,7 +50,7 @@ def part_without_prefix(project: Project) -> Iterator[Finding]:
             yield _finding(part, declared)
 
 
-def _finding(part: Part, declared: Place) -> Finding:
+def _finding(part: ComponentPart, declared: Place) -> Finding:
     name, parameter = part.name or "", declared.span.text
     at = part.at["name"]
     message = f"{label(part.kind, name)} has no prefix; its macro takes '{parameter}', but never uses it"
@@ -58,7 +58,7 @@ def _finding(part: Part, declared: Place) -> Finding:
     return Finding(at, message, (Note(f"'{parameter}' is declared here", declared),), fix)
 
 
-def _unused_prefix(part: Part) -> Place | None:
+def _unused_prefix(part: ComponentPart) -> Place | None:
     """The prefix parameter of the macro that writes the part literally, if the macro never uses it."""
     call = part.at.call
     if call is None or "$" in part.at["name"].span.text:

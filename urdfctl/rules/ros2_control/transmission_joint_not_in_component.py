@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_all_there, is_known, label, replaced
+from urdfctl.rules.common import KnownNames, is_all_there, is_known, label, replaced
 from urdfctl.rules.ros2_control.common import component, components
 
 
@@ -54,7 +54,7 @@ def transmission_joint_not_in_component(project: Project) -> Iterator[Finding]:
     The controller manager rejects the whole description. The joint must be in the same `<ros2_control>`.
     """
     for control in components(project):
-        known = Names((joint.name or "").strip() for joint in control.of_kind("joint"))
+        known = KnownNames((joint.name or "").strip() for joint in control.of_kind("joint"))
         if not is_all_there(project, control.tag) or not is_known(*(joint.name for joint in control.of_kind("joint"))):
             continue
         for transmission in control.transmissions:

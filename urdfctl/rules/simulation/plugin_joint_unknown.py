@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.control.hardware.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
+from urdfctl.rules.common import KnownNames, is_known, replaced, whole_robot_in
 from urdfctl.rules.simulation.common import default_joints, named_joints
 
 
@@ -101,7 +101,7 @@ def plugin_joint_unknown(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None:
         return
-    names = Names(joint.name for joint in robot.joints)
+    names = KnownNames(joint.name for joint in robot.joints)
     fixed = {joint.name for joint in robot.joints if joint.type == "fixed"} - {
         gazebo.reference for gazebo in robot.gazebos if any(child.name in _KEEPING for child in gazebo.tag.children)
     }

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.control.hardware.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
+from urdfctl.rules.common import KnownNames, is_known, replaced, whole_robot_in
 
 
 @rule(
@@ -84,7 +84,7 @@ def plugin_link_unknown(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None:
         return
-    names = Names(link.name for link in robot.links)
+    names = KnownNames(link.name for link in robot.links)
     for sim_plugin in loaded_plugins(project):
         children = sim_plugin.children
         for setting, tag in sim_plugin.settings():

@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import since
 from urdfctl.control.hardware.gazebo_ros1 import has_own_simulation
 from urdfctl.diagnostic import Edit, Severity
 from urdfctl.model.project import Project
-from urdfctl.model.robot import Joint, Tag, Text, Transmission, TransmissionEnd
+from urdfctl.model.robot import ElementText, Joint, Tag, Transmission, TransmissionEnd
 from urdfctl.names import enumerated, folded
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PREFIX
@@ -86,7 +86,7 @@ def with_prefix(interface: str, project: Project) -> str:
     return PREFIX + bare if takes_prefix(project) else bare
 
 
-def in_place_of(text: Text, right: str) -> tuple[Edit, ...]:
+def in_place_of(text: ElementText, right: str) -> tuple[Edit, ...]:
     """Return the edit that replaces an element's text; none if the source does not contain it literally."""
     span = text.at.content.span
     return (Edit(span, right),) if span.text == text.value else ()

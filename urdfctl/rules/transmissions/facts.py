@@ -36,7 +36,7 @@ ROLES = {"joint": JOINT_ROLES, "actuator": ACTUATOR_ROLES}
 """Roles by the kind of a transmission's end."""
 
 
-class TransmissionType(NamedTuple):
+class TransmissionNeeds(NamedTuple):
     """What a transmission type requires (its *_transmission_loader.cpp)."""
 
     joints: int
@@ -48,9 +48,9 @@ class TransmissionType(NamedTuple):
 
 
 TYPES = {
-    "transmission_interface/SimpleTransmission": TransmissionType(1, 1, has_roles=False),
-    "transmission_interface/DifferentialTransmission": TransmissionType(2, 2, has_roles=True),
-    "transmission_interface/FourBarLinkageTransmission": TransmissionType(2, 2, has_roles=True),
+    "transmission_interface/SimpleTransmission": TransmissionNeeds(1, 1, has_roles=False),
+    "transmission_interface/DifferentialTransmission": TransmissionNeeds(2, 2, has_roles=True),
+    "transmission_interface/FourBarLinkageTransmission": TransmissionNeeds(2, 2, has_roles=True),
 }
 
 NO_PLUGIN_TYPES = (PACKAGE, PREFIX, "pr2_mechanism_model/")

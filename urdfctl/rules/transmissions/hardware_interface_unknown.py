@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.control.hardware.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
-from urdfctl.model.robot import Text
+from urdfctl.model.robot import ElementText
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known
@@ -178,7 +178,7 @@ def _unknown_to(project: Project) -> str:
     return f"is unknown to {reader}, which knows {known}"
 
 
-def _severity(project: Project, interface: Text, meant: str | None, *, first: bool) -> Severity | None:
+def _severity(project: Project, interface: ElementText, meant: str | None, *, first: bool) -> Severity | None:
     """None if the interface is known or cannot be checked. Gazebo reads only a joint's first interface."""
     short = interface.value.removeprefix(PREFIX)
     simulated = in_gazebo(project) if first else None

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.model.robot import Text, Transmission, TransmissionEnd, leading_number
+from urdfctl.model.robot import ElementText, Transmission, TransmissionEnd, leading_number
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.common import is_of_another_package, on_hardware, read_transmissions
@@ -82,7 +82,7 @@ def _read_ends(transmission: Transmission) -> list[tuple[str, TransmissionEnd]]:
     return [*(("joint", joint) for joint in joints), *(("actuator", actuator) for actuator in transmission.actuators)]
 
 
-def _fault(reduction: Text) -> str | None:
+def _fault(reduction: ElementText) -> str | None:
     number = leading_number(reduction.value)
     if number is None:
         return f"is not a number: '{reduction.value}'" if reduction.value else "is empty"

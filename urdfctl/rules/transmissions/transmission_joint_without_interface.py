@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.model.robot import Text, Transmission, TransmissionEnd
+from urdfctl.model.robot import ElementText, Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole, renamed
 from urdfctl.rules.transmissions.common import inserted, misspelt, read_transmissions, with_prefix
@@ -82,14 +82,14 @@ def _repair(transmission: Transmission, joint: TransmissionEnd, project: Project
     return Fix(title, inserted(joint.at, element) if literal and not joint.interfaces else (), safe=literal)
 
 
-def _intended(transmission: Transmission, joint: TransmissionEnd) -> tuple[Text | None, str]:
+def _intended(transmission: Transmission, joint: TransmissionEnd) -> tuple[ElementText | None, str]:
     """The intended interface and its source: a comment in the joint, an element beside it, or an actuator."""
     for interface in joint.interfaces:
         if interface.hidden:
             return interface._replace(value=interface.hidden), ", without the comment before the text"
     beside = [other for other in transmission.others if other.name == "hardwareInterface" and other.text]
     if beside:
-        return Text(beside[0].text, beside[0].at), ", as it is beside the joint"
+        return ElementText(beside[0].text, beside[0].at), ", as it is beside the joint"
     named = {text.value: text for actuator in transmission.actuators for text in actuator.named_interfaces}
     if len(named) == 1:
         return next(iter(named.values())), ", as in its actuator"

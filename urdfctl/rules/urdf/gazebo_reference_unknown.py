@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, whole_robot_in
+from urdfctl.rules.common import KnownNames, is_known, whole_robot_in
 from urdfctl.rules.written import at_written
 
 
@@ -40,7 +40,7 @@ def gazebo_reference_unknown(project: Project) -> Iterator[Finding]:
     if robot is None:
         return
     taken = {gazebo.reference for gazebo in robot.gazebos}
-    names = Names([*(link.name for link in robot.links), *robot.joint_names], taken)
+    names = KnownNames([*(link.name for link in robot.links), *robot.joint_names], taken)
     for gazebo in robot.gazebos:
         reference = gazebo.reference
         if not reference or reference in names or not is_known(reference):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.robot import Joint, Link, Reference
+from urdfctl.model.robot import Joint, Link, PartReference
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known, label, replaced, robot_in
 from urdfctl.source.opaque import UNKNOWN
@@ -75,7 +75,7 @@ def link_named_without_prefix(project: Project) -> Iterator[Finding]:
 
 
 def _prefixed(
-    joint: Joint, end: Reference | None, other: Reference | None, links: dict[str | None, Link]
+    joint: Joint, end: PartReference | None, other: PartReference | None, links: dict[str | None, Link]
 ) -> Link | None:
     """The link of the same macro that a joint must mean; None if it may mean a link from outside."""
     if end is None or not end.name or not is_known(end.name) or end.name in links:

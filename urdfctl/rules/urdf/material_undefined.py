@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
+from urdfctl.rules.common import KnownNames, is_known, replaced, whole_robot_in
 from urdfctl.rules.urdf.materials import materials_of
 
 
@@ -57,7 +57,7 @@ def material_undefined(project: Project) -> Iterator[Finding]:
         return
     materials = list(materials_of(robot))
     defined = {material.name for material in materials if material.link is None}
-    names = Names(material.name for material in materials if material.is_definition)
+    names = KnownNames(material.name for material in materials if material.is_definition)
     for material in materials:
         name = material.name
         if material.is_definition:

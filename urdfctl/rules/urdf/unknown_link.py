@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, label, replaced, whole_robot_in
+from urdfctl.rules.common import KnownNames, is_known, label, replaced, whole_robot_in
 from urdfctl.rules.urdf.tree import child_of
 from urdfctl.rules.written import where_written
 
@@ -47,7 +47,7 @@ def unknown_link(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None:
         return
-    links = Names(link.name for link in robot.links)
+    links = KnownNames(link.name for link in robot.links)
     places = {link.name: link.at for link in robot.links}
     children = {child_of(joint) for joint in robot.joints}
     for joint in robot.joints:

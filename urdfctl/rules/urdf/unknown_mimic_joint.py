@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, label, robot_in, whole_robot_in
+from urdfctl.rules.common import KnownNames, is_known, label, robot_in, whole_robot_in
 from urdfctl.rules.urdf.common import known_part
 from urdfctl.rules.written import at_written
 
@@ -54,7 +54,7 @@ def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
     names = [joint.name or "" for joint in robot.joints]
     if not all(known_part(name) for name in names):
         return  # a joint of the library may have any name
-    joints = Names(names)
+    joints = KnownNames(names)
     for joint in robot.joints:
         mimic = joint.mimic
         if mimic is None or not mimic.joint or mimic.joint in joints or not known_part(mimic.joint):

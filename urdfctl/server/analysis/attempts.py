@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.server.analysis.items import Item
+from urdfctl.server.analysis.items import OfferedItem
 from urdfctl.server.analysis.question import Question
 from urdfctl.startup.records import NamedTuple
 
@@ -44,13 +44,13 @@ def codes_of(findings: Iterable[Diagnostic]) -> Codes:
     return Counter((finding.at.file, finding.code) for finding in findings)
 
 
-def harmless(question: Question, items: Sequence[Item], attempts: Attempts) -> list[Item]:
+def harmless(question: Question, items: Sequence[OfferedItem], attempts: Attempts) -> list[OfferedItem]:
     """Return the items without those that cause a finding, in order; those that need more to be written are last.
 
     A finding counts that is neither in the text as it is, nor was there before, nor comes with all items: what else is
     not saved yet causes that. Items for which there is no time are kept; doubtful ones only if no item was tried.
     """
-    new: dict[Item, set[str]] = {}
+    new: dict[OfferedItem, set[str]] = {}
     left = SECONDS
     for robot in range(attempts.robots if items else 0):
         started = time.thread_time()
@@ -64,25 +64,25 @@ def harmless(question: Question, items: Sequence[Item], attempts: Attempts) -> l
     return sorted(kept, key=lambda item: bool(new.get(item)))
 
 
-def _is_whole(item: Item) -> bool:
+def _is_whole(item: OfferedItem) -> bool:
     """Return whether nothing is left open in an item, such as the value of a parameter."""
     return not item.text.endswith((":", '=""'))
 
 
-def _refused(item: Item, new: Mapping[Item, set[str]]) -> bool:
+def _refused(item: OfferedItem, new: Mapping[OfferedItem, set[str]]) -> bool:
     return not new.get(item, set()) <= _LATER.get(item.kind, frozenset())
 
 
 def _caused(
-    question: Question, items: Sequence[Item], attempts: Attempts, robot: int, seconds: float
-) -> Iterator[tuple[Item, set[str]]]:
+    question: Question, items: Sequence[OfferedItem], attempts: Attempts, robot: int, seconds: float
+) -> Iterator[tuple[OfferedItem, set[str]]]:
     """Yield the items for which there is time, with the codes of what each causes in a robot."""
     end = time.thread_time() + seconds
     now = attempts.lint(robot, question.source.data, seconds)
     if now is None:
         return
     usual = codes_of(finding for finding in now if not _is_at(finding, question)) | attempts.saved(robot)
-    found: dict[Item, Codes] = {}
+    found: dict[OfferedItem, Codes] = {}
     for item in items:
         left = end - time.thread_time()
         findings = attempts.lint(robot, inserted(question, item), left) if left > 0 else None
@@ -120,7 +120,7 @@ def _is_at(finding: Diagnostic, question: Question) -> bool:
     return is_around and not data[at.start : at.end].startswith(b"<") and b"\n" not in data[at.start : at.end]
 
 
-def inserted(question: Question, item: Item) -> bytes:
+def inserted(question: Question, item: OfferedItem) -> bytes:
     """Return the text of the file with an item in place of the whole word around the place."""
     data, offset = question.source.data, question.offset
     start = question.source.offset(question.line, max(1, question.column - item.replaces))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from urdfctl.startup.records import NamedTuple
 
 
-class Item(NamedTuple):
+class OfferedItem(NamedTuple):
     """Something that can be written at a place.
 
     text: what is inserted.

@@ -26,7 +26,7 @@ from urdfctl.trace.address import text_in
 LINK, JOINT, CONTROLLER = "link", "joint", "controller"
 
 
-class Name(NamedTuple):
+class NamePlace(NamedTuple):
     """One place of a name.
 
     kind: link, joint, controller, macro, parameter, property or argument.
@@ -47,7 +47,7 @@ class Name(NamedTuple):
         """Whether something else than the name is written there."""
         return self.span.text != self.text
 
-    def is_same(self, other: Name) -> bool:
+    def is_same(self, other: NamePlace) -> bool:
         """Return whether another place is of the same thing."""
         return (self.kind, self.text, self.scope) == (other.kind, other.text, other.scope)
 
@@ -74,9 +74,9 @@ _USED = {
 _OF_EITHER = {("robot", "gazebo", "reference")}
 
 
-def _names_in(loaded: LoadedTarget) -> list[Name]:
+def _names_in(loaded: LoadedTarget) -> list[NamePlace]:
     """Return all names in the files of a robot, each place once."""
-    found: dict[tuple[str, int, int, str], Name] = {}
+    found: dict[tuple[str, int, int, str], NamePlace] = {}
     for name in _names(loaded):
         found.setdefault((name.span.file, name.span.start, name.span.end, name.text), name)
     return list(found.values())
@@ -85,15 +85,15 @@ def _names_in(loaded: LoadedTarget) -> list[Name]:
 names_in = once_per_object(_names_in, most=8)
 
 
-def name_at(names: Iterable[Name], file: str, offset: int) -> Name | None:
+def name_at(names: Iterable[NamePlace], file: str, offset: int) -> NamePlace | None:
     """Return the name at a byte offset of a file: the shortest of those around it; None if there is none."""
     around = (name for name in names if name.span.file == file and name.span.start <= offset <= name.span.end)
     return min(around, key=lambda name: (name.span.end - name.span.start, not name.defines), default=None)
 
 
-def _names(loaded: LoadedTarget) -> Iterator[Name]:
+def _names(loaded: LoadedTarget) -> Iterator[NamePlace]:
     for found in xacro_names(source for source in loaded.sources.values() if source.is_xacro):
-        yield Name(*found)
+        yield NamePlace(*found)
     known: dict[str, set[str]] = {LINK: set(), JOINT: set()}
     if loaded.root is not None:
         for name in _of_robot(loaded.root, known):
@@ -104,16 +104,16 @@ def _names(loaded: LoadedTarget) -> Iterator[Name]:
     known[CONTROLLER] = {controller.name for controller in controllers.controllers} if controllers else set()
     for controller in controllers.controllers if controllers else ():
         if controller.declared_at is not None:
-            yield Name(CONTROLLER, controller.name, controller.declared_at.span, defines=True)
+            yield NamePlace(CONTROLLER, controller.name, controller.declared_at.span, defines=True)
     launch = loaded.project.launch
     for spawn in launch.spawns if launch else ():
-        yield from (Name(CONTROLLER, name, at.part(name).span) for name, at in spawn.names if name)
+        yield from (NamePlace(CONTROLLER, name, at.part(name).span) for name, at in spawn.names if name)
     if loaded.root is not None:
         path = os.path.realpath(loaded.root.source.path)
         given = (
             one for one in (launch.descriptions if launch else ()) if os.path.realpath(one.file.path or "") == path
         )
-        yield from (Name(ARGUMENT, word.text, word.at.part(word.text).span) for one in given for word in one.names)
+        yield from (NamePlace(ARGUMENT, word.text, word.at.part(word.text).span) for one in given for word in one.names)
     parameters = set(_parameters(loaded.project))
     for source in loaded.sources.values():
         if source.path.endswith(".srdf"):
@@ -139,25 +139,25 @@ def _place(span: SourceSpan) -> tuple[str, int]:
     return span.file, span.start
 
 
-def _of_robot(root: Element, known: dict[str, set[str]]) -> Iterator[Name]:
+def _of_robot(root: Element, known: dict[str, set[str]]) -> Iterator[NamePlace]:
     later: list[tuple[Element, str]] = []
     for element in root.walk():
         parent = element.parentNode.tagName if isinstance(element.parentNode, Element) else ""
         for attribute, text in element.attrs.items():
             path = parent, element.tagName, attribute
             if path in _DEFINED:
-                yield Name(_DEFINED[path], text, element.at[attribute].span, defines=True)
+                yield NamePlace(_DEFINED[path], text, element.at[attribute].span, defines=True)
             elif path in _USED:
-                yield Name(_USED[path], text, element.at[attribute].span)
+                yield NamePlace(_USED[path], text, element.at[attribute].span)
             elif path in _OF_EITHER:
                 later.append((element, attribute))
     for element, attribute in later:
         text = element.attrs[attribute]
         kind = JOINT if text in known[JOINT] and text not in known[LINK] else LINK
-        yield Name(kind, text, element.at[attribute].span)
+        yield NamePlace(kind, text, element.at[attribute].span)
 
 
-def _of_plugins(root: Element, known: dict[str, set[str]]) -> Iterator[Name]:
+def _of_plugins(root: Element, known: dict[str, set[str]]) -> Iterator[NamePlace]:
     """The names in the texts of simulator plugins, sensors and parameters."""
     pending = [element for element in root.elements() if element.tagName in {"gazebo", "ros2_control"}]
     while pending:
@@ -166,7 +166,7 @@ def _of_plugins(root: Element, known: dict[str, set[str]]) -> Iterator[Name]:
         words = text_in(element)
         kind = _kind_of(words, element.tagName, known)
         if kind and not element.elements():
-            yield Name(kind, words, element.at.content.span)
+            yield NamePlace(kind, words, element.at.content.span)
 
 
 def _kind_of(text: str, key: str, known: dict[str, set[str]]) -> str | None:
@@ -176,7 +176,7 @@ def _kind_of(text: str, key: str, known: dict[str, set[str]]) -> str | None:
     return next((kind for kind in order if text and text in known[kind]), None)
 
 
-def _of_srdf(source: SourceText, known: dict[str, set[str]]) -> Iterator[Name]:
+def _of_srdf(source: SourceText, known: dict[str, set[str]]) -> Iterator[NamePlace]:
     try:
         root = parse(source).documentElement
     except ReadError:
@@ -185,12 +185,12 @@ def _of_srdf(source: SourceText, known: dict[str, set[str]]) -> Iterator[Name]:
         yield from (name._replace(defines=False) for name in _of_robot(root, known))
 
 
-def _of_yaml(node: Node, known: dict[str, set[str]], key: str) -> Iterator[Name]:
+def _of_yaml(node: Node, known: dict[str, set[str]], key: str) -> Iterator[NamePlace]:
     if isinstance(node, Scalar):
         in_lists = key in {"controller_names", "controllers", "chained_controllers", "fallback_controllers"}
         kind = CONTROLLER if in_lists and node.text in known[CONTROLLER] else _kind_of(node.text, key, known)
         if kind:
-            yield Name(kind, node.text, _inside(node))
+            yield NamePlace(kind, node.text, _inside(node))
     elif isinstance(node, Sequence):
         for item in node.items:
             yield from _of_yaml(item, known, key)
@@ -198,9 +198,9 @@ def _of_yaml(node: Node, known: dict[str, set[str]], key: str) -> Iterator[Name]
         for entry in node.entries:
             name = entry.key.text.rpartition("/")[2]
             if name in known[CONTROLLER]:
-                yield Name(CONTROLLER, name, entry.key.at.part(name).span)
+                yield NamePlace(CONTROLLER, name, entry.key.at.part(name).span)
             elif kind := _kind_of(name, key, known):
-                yield Name(kind, name, entry.key.at.part(name).span)
+                yield NamePlace(kind, name, entry.key.at.part(name).span)
             yield from _of_yaml(entry.value, known, name)
 
 

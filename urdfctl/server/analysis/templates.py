@@ -6,14 +6,14 @@ import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
-from urdfctl.diagnostic import Replacement, located
+from urdfctl.diagnostic import ShownEdit, located
 from urdfctl.errors import UserError
-from urdfctl.server.analysis.names import Name
+from urdfctl.server.analysis.names import NamePlace
 
 _EXPRESSION = r"(\$\{[^{}]*\}|\$\([^()]*\))"
 
 
-def renamed_parts(all_names: Sequence[Name], at: Name, new: str) -> list[Replacement]:
+def renamed_parts(all_names: Sequence[NamePlace], at: NamePlace, new: str) -> list[ShownEdit]:
     """Return the edits that write a computed name in another way, and rename everything that is named by it.
 
     all_names: the places of names in all robots. at: the computed name. new: its new text, with the same expressions.
@@ -25,7 +25,7 @@ def renamed_parts(all_names: Sequence[Name], at: Name, new: str) -> list[Replace
             f"'{at.text}' is computed from '{written}'; change only its literal parts, as in '{_hint(written)}'"
         )
     changed: dict[str, str] = {}
-    places: list[Name] = []
+    places: list[NamePlace] = []
     found = {name.text for name in all_names if (name.kind, name.span) == (at.kind, at.span)}
     while found - set(changed):
         changed.update({old: _filled(written, new, old) for old in found - set(changed)})
@@ -33,11 +33,13 @@ def renamed_parts(all_names: Sequence[Name], at: Name, new: str) -> list[Replace
         spans = {name.span for name in places if name.span.text == written}
         found |= {name.text for name in all_names if name.kind == at.kind and name.span in spans}
     _check(all_names, places, changed, written)
-    edits = {Replacement(located(one.span), new if one.span.text == written else changed[one.text]) for one in places}
+    edits = {ShownEdit(located(one.span), new if one.span.text == written else changed[one.text]) for one in places}
     return sorted(edits, key=lambda edit: (edit.file, edit.start))
 
 
-def _check(all_names: Iterable[Name], places: Iterable[Name], changed: Mapping[str, str], written: str) -> None:
+def _check(
+    all_names: Iterable[NamePlace], places: Iterable[NamePlace], changed: Mapping[str, str], written: str
+) -> None:
     """Raise UserError if a place is computed in another way, or if a new name exists already."""
     for one in places:
         if one.is_computed and one.span.text != written:

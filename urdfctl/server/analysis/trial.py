@@ -10,7 +10,7 @@ from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import claims
 from urdfctl.control.conflicts import resource
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.parameters.gains import missing_gains
 from urdfctl.control.parameters.given import given_values
 from urdfctl.control.parameters.rules import breaches
@@ -68,7 +68,7 @@ class Trial(NamedTuple):
             return
         hardware, others = self.session.hardware, self._others()
         seen: set[str] = set()
-        for use, found in ((Kind.COMMAND, claimed.command), (Kind.STATE, claimed.state)):
+        for use, found in ((ClaimKind.COMMAND, claimed.command), (ClaimKind.STATE, claimed.state)):
             for claim in found:
                 name = claim.name
                 is_chained = self.session.distro in CHAINING[use] and name.partition("/")[0] in self._chainable()
@@ -76,9 +76,9 @@ class Trial(NamedTuple):
                     yield "absent", f"{use.value} {name}"
                 if claim.component in hardware.fixed or (not hardware.known and claim.component not in self.joints):
                     yield "joint", claim.component
-                if use is Kind.COMMAND and (resource(claim, self.session.distro) in others or name in seen):
+                if use is ClaimKind.COMMAND and (resource(claim, self.session.distro) in others or name in seen):
                     yield "conflict", name
-                seen |= {name} if use is Kind.COMMAND else set()
+                seen |= {name} if use is ClaimKind.COMMAND else set()
 
     def _others(self) -> set[str]:
         own = self.controller.controller

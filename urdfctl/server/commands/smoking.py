@@ -7,7 +7,7 @@ import os
 from collections import Counter
 from typing import Any
 
-from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Severity, Step
+from urdfctl.diagnostic import CallStep, Diagnostic, Location, Remark, Repair, Severity
 from urdfctl.load.target import Target
 from urdfctl.server.commands.processes import pip_install
 from urdfctl.smoke.engines import installed
@@ -74,7 +74,7 @@ def _diagnostic(data: dict[str, Any], folder: str) -> Diagnostic:
         message=data["message"],
         at=_location(data, folder),
         expanded_from=tuple(
-            tuple(Step(os.path.join(folder, s["file"]), s["line"], s["column"], s["what"]) for s in chain)
+            tuple(CallStep(os.path.join(folder, s["file"]), s["line"], s["column"], s["what"]) for s in chain)
             for chain in data["expanded_from"]
         ),
         notes=tuple(_remark(note, folder) for note in data["notes"]),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from urdfctl.server.analysis.names import Name
+from urdfctl.server.analysis.names import NamePlace
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.analysis.scopes import Defined, Scopes, macro_around
 from urdfctl.server.analysis.xacro_names import ARGUMENT, MACRO, PARAMETER, PROPERTY
@@ -15,12 +15,12 @@ CONSTANTS = {"pi": math.pi, "e": math.e, "tau": math.tau}
 _MOST_VALUES = 4
 
 
-def is_builtin(name: Name, scopes: Scopes) -> bool:
+def is_builtin(name: NamePlace, scopes: Scopes) -> bool:
     """Return whether a name in an expression is a constant that xacro brings, not a property of these files."""
     return name.kind == PROPERTY and name.text in CONSTANTS and not any(_same(scopes, name))
 
 
-def described_name(question: Question, name: Name) -> Iterator[str]:
+def described_name(question: Question, name: NamePlace) -> Iterator[str]:
     """Yield what is known about a macro, parameter, property or argument, as Markdown; nothing about other names."""
     if name.kind not in {ARGUMENT, MACRO, PARAMETER, PROPERTY}:
         return
@@ -44,7 +44,7 @@ def described_name(question: Question, name: Name) -> Iterator[str]:
             yield from _given(question, name.text)
 
 
-def _same(scopes: Scopes, name: Name) -> Iterator[Defined]:
+def _same(scopes: Scopes, name: NamePlace) -> Iterator[Defined]:
     return (one for one in scopes.of(name.kind) if one.name == name.text)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.entries import ParameterEntry
 from urdfctl.catalog.validators import requirement
 from urdfctl.generate.controllers.recipes import recipes
 from urdfctl.rules.prose import as_markdown
@@ -39,14 +39,14 @@ def meaning(kind: str, name: str) -> list[str]:
     return []
 
 
-def unit(parameter: Parameter) -> list[str]:
+def unit(parameter: ParameterEntry) -> list[str]:
     """Return the unit of a number; nothing if it is not known, or if it has none."""
     if not _NUMBERS & set(parameter.types):
         return []
     return [name for pattern, name in _UNITS.items() if re.search(pattern, parameter.name)][:1]
 
 
-def described_parameter(parameter: Parameter, name: str, owner: str) -> str:
+def described_parameter(parameter: ParameterEntry, name: str, owner: str) -> str:
     """Return what the catalogue knows about a parameter, as Markdown."""
     lines = [f"**parameter** `{name}` of {owner}", f"type: `{parameter.type}`"]
     lines[1:1] = meaning(owner.partition(" ")[0], parameter.name)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from lsprotocol import types
 
-from urdfctl.diagnostic import Diagnostic, Replacement
+from urdfctl.diagnostic import Diagnostic, ShownEdit
 from urdfctl.server.protocol.diagnostics import shown_diagnostic
 from urdfctl.server.protocol.positions import Positions
 from urdfctl.server.protocol.uris import uri_of
@@ -59,7 +59,7 @@ def _fixes(findings: Iterable[Diagnostic], positions: Positions) -> Iterator[typ
 def _fix_all(findings: Sequence[Diagnostic], positions: Positions) -> Iterator[types.CodeAction]:
     """All safe fixes of a file. One that overlaps an earlier one is left for the next time."""
     safe = [finding.fix for finding in findings if finding.fix and finding.fix.safe and finding.fix.edits]
-    kept: list[Replacement] = []
+    kept: list[ShownEdit] = []
     for fix in safe:
         if not any(_overlaps(edit, other) for edit in fix.edits for other in kept):
             kept += (edit for edit in fix.edits if edit not in kept)
@@ -69,13 +69,13 @@ def _fix_all(findings: Sequence[Diagnostic], positions: Positions) -> Iterator[t
         yield types.CodeAction(title=title, kind=FIX_ALL, edit=edit_of(kept, positions))
 
 
-def _overlaps(edit: Replacement, other: Replacement) -> bool:
+def _overlaps(edit: ShownEdit, other: ShownEdit) -> bool:
     if edit == other or edit.file != other.file:
         return False
     return edit.start < other.end and other.start < edit.end
 
 
-def edit_of(edits: Iterable[Replacement], positions: Positions) -> types.WorkspaceEdit:
+def edit_of(edits: Iterable[ShownEdit], positions: Positions) -> types.WorkspaceEdit:
     """Return edits of files as an editor makes them."""
     changes: dict[str, list[types.TextEdit]] = {}
     for edit in edits:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.server.analysis.items import Item
+from urdfctl.server.analysis.items import OfferedItem
 from urdfctl.server.analysis.scopes import MAP, NUMBER, TEXT, TRUTH, Defined, Scopes, is_number_at, is_positive_at
 from urdfctl.server.analysis.spot import Spot
 from urdfctl.server.analysis.xacro_names import ARGUMENT, PARAMETER, PROPERTY
@@ -15,16 +15,16 @@ from urdfctl.server.features.fitting import defined_names, fitting_names, kind_a
 _ARE_NAMES = frozenset({"name", "link", "reference", "joint", "params", "filename"})
 
 
-def arguments(spot: Spot) -> Iterator[Item]:
+def arguments(spot: Spot) -> Iterator[OfferedItem]:
     """Yield the arguments that can be written in `$(arg ...)`."""
     scopes = spot.scopes()
     expected = _expected(spot, scopes, "")
     for one in scopes.of(ARGUMENT):
         if _fits(scopes, one, expected):
-            yield Item(one.name, ARGUMENT, f"default: `{one.value}`" if one.value is not None else "")
+            yield OfferedItem(one.name, ARGUMENT, f"default: `{one.value}`" if one.value is not None else "")
 
 
-def values(spot: Spot) -> Iterator[Item]:
+def values(spot: Spot) -> Iterator[OfferedItem]:
     """Yield the properties and parameters that can be written in `${...}`."""
     begun, opened = spot.before[spot.found.start() :], spot.opened
     if begun.count("'") % 2 or spot.found["dot"]:
@@ -44,9 +44,9 @@ def values(spot: Spot) -> Iterator[Item]:
     ]
     visible.sort(key=lambda one: expected is not None and scopes.nature(one) != expected)
     for one in _of_names(spot, visible, scopes) or visible:
-        yield Item(one.name, one.kind, f"= `{one.value}`" if one.value is not None else "")
+        yield OfferedItem(one.name, one.kind, f"= `{one.value}`" if one.value is not None else "")
     if expected == NUMBER and not must_be_positive:
-        yield Item("pi", PROPERTY, f"a constant of xacro: `{CONSTANTS['pi']}`")
+        yield OfferedItem("pi", PROPERTY, f"a constant of xacro: `{CONSTANTS['pi']}`")
 
 
 def _expected(spot: Spot, scopes: Scopes, expression: str) -> str | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from urdfctl.server.analysis.items import Item
+from urdfctl.server.analysis.items import OfferedItem
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.analysis.scopes import Defined, Scopes, written_default
 from urdfctl.server.analysis.spot import ATTRIBUTE, OPEN_ATTRIBUTE, Spot, names_of_attributes
@@ -19,7 +19,7 @@ _OPEN_CALL = rf"<xacro:(?P<macro>[\w.-]+)(?P<given>(?:{ATTRIBUTE})*)\s+(?P<word>
 _INTERFACES = {"command_interface", "state_interface"}
 
 
-def in_xml(question: Question) -> Iterator[Item]:
+def in_xml(question: Question) -> Iterator[OfferedItem]:
     """Yield what can be written at a place."""
     before = question.source.data[: question.offset].decode("utf-8", "replace")
     before = before[before.rfind("<") :] if "<" in before else ""
@@ -32,12 +32,12 @@ def in_xml(question: Question) -> Iterator[Item]:
             return
 
 
-def _packages(spot: Spot) -> Iterator[Item]:
+def _packages(spot: Spot) -> Iterator[OfferedItem]:
     rest = re.match(r"[\w.-]*\)?/([^\"'$()<>\s]+)", spot.after)
-    yield from (Item(name, "package") for name in packages_with(spot.question, rest[1] if rest else ""))
+    yield from (OfferedItem(name, "package") for name in packages_with(spot.question, rest[1] if rest else ""))
 
 
-def _files(spot: Spot) -> Iterator[Item]:
+def _files(spot: Spot) -> Iterator[OfferedItem]:
     tag = spot.opened["tag"] if spot.opened else spot.tag
     yield from files_in_package(spot.question, tag, spot.found["package"], spot.found["word"])
 
@@ -45,7 +45,7 @@ def _files(spot: Spot) -> Iterator[Item]:
 # -- macros ------------------------------------------------------------------------------------------------------------
 
 
-def _macros(spot: Spot) -> Iterator[Item]:
+def _macros(spot: Spot) -> Iterator[OfferedItem]:
     """The macros that can be called with the attributes that are written already."""
     scopes, around = spot.scopes(), spot.macro()
     tail = re.match(rf"[\w.-]*(?P<given>(?:{ATTRIBUTE})*)\s*(?P<end>/?>)", spot.after)
@@ -53,7 +53,7 @@ def _macros(spot: Spot) -> Iterator[Item]:
         is_defined = bool(around) or one.file != spot.question.file or one.start < spot.start
         if one.name and one.name != around and is_defined and (tail is None or _is_called_so(scopes, one, tail)):
             words = ", ".join(f"`{name}`" for name in scopes.parameters(one.name))
-            yield Item(f"xacro:{one.name}", MACRO, f"parameters: {words}" if words else "")
+            yield OfferedItem(f"xacro:{one.name}", MACRO, f"parameters: {words}" if words else "")
 
 
 def _is_called_so(scopes: Scopes, macro: Defined, tail: re.Match[str]) -> bool:
@@ -65,7 +65,7 @@ def _is_called_so(scopes: Scopes, macro: Defined, tail: re.Match[str]) -> bool:
     return needed <= given <= set(parameters) and not (blocks and tail["end"] == "/>")
 
 
-def _macro_parameters(spot: Spot) -> Iterator[Item]:
+def _macro_parameters(spot: Spot) -> Iterator[OfferedItem]:
     """The parameters that a call does not give yet, with their defaults; first those that it must give."""
     tail = re.match(rf"[\w-]*(?:\s*=\s*(?:\"[^\"]*\"|'[^']*'))?(?P<given>(?:{ATTRIBUTE})*)", spot.after)
     given = names_of_attributes(spot.found["given"] + (tail["given"] if tail else ""))
@@ -73,27 +73,27 @@ def _macro_parameters(spot: Spot) -> Iterator[Item]:
     for one in sorted(parameters, key=lambda each: each.value is not None):
         if one.name not in given and not one.is_block:
             about = "must be given" if one.value is None else f"default: `{one.value}`"
-            yield Item(f'{one.name}="{written_default(one.value or "")}"', PARAMETER, about)
+            yield OfferedItem(f'{one.name}="{written_default(one.value or "")}"', PARAMETER, about)
 
 
 # -- attributes --------------------------------------------------------------------------------------------------------
 
 
-def _in_attribute(spot: Spot) -> Iterator[Item]:
+def _in_attribute(spot: Spot) -> Iterator[OfferedItem]:
     tag, attribute, question = spot.found["tag"], spot.found["name"], spot.question
     kind = kind_at(tag, attribute, spot.parent)
     if kind is not None:
         fitting = list(fitting_names(question, kind))
         is_unknown = not fitting and not question.is_current
         texts = (name.text for name in defined_names(question, kind)) if is_unknown else fitting
-        yield from (Item(text, kind) for text in texts)
+        yield from (OfferedItem(text, kind) for text in texts)
     elif tag in _INTERFACES and attribute == "name":
-        yield from (Item(name, "interface") for name in fitting_interfaces(question))
+        yield from (OfferedItem(name, "interface") for name in fitting_interfaces(question))
     elif tag == "node" and attribute == "args":
         yield from in_spawner(question, spot.found["word"], is_spawner="spawn" in spot.before)
 
 
-_ANSWERS: list[tuple[str, Callable[[Spot], Iterator[Item]]]] = [
+_ANSWERS: list[tuple[str, Callable[[Spot], Iterator[OfferedItem]]]] = [
     (r"\$\(find(?:-pkg-share)?\s+(?P<word>[\w.-]*)$", _packages),
     (r"(?:package|model)://(?P<word>[\w.-]*)$", _packages),
     (r"\$\(find(?:-pkg-share)?\s+(?P<package>[\w.-]+)\)/(?P<word>[^\"'$()<>\s]*)$", _files),

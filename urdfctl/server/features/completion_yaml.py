@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
-from urdfctl.catalog.entries import ControllerType, Parameter
+from urdfctl.catalog.entries import ControllerType, ParameterEntry
 from urdfctl.catalog.map_parameters import expanded, matching
 from urdfctl.control.parameters.minimal import minimal_parameters
 from urdfctl.control.session import session_of
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.server.analysis.items import Item
+from urdfctl.server.analysis.items import OfferedItem
 from urdfctl.server.analysis.names import CONTROLLER, JOINT, LINK
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.analysis.trial import Trial
@@ -22,7 +22,7 @@ _WORD = r"[\"']?(?P<word>[\w/.-]*)$"
 _LISTS_CONTROLLERS = frozenset({"controller_names", "controllers", "chained_controllers", "fallback_controllers"})
 
 
-def in_yaml(question: Question) -> Iterator[Item]:
+def in_yaml(question: Question) -> Iterator[OfferedItem]:
     """Yield what can be written at a place."""
     line = question.before
     keys = _keys_above(question)
@@ -40,7 +40,7 @@ def in_yaml(question: Question) -> Iterator[Item]:
             yield item._replace(text=gap + item.text)
 
 
-def _replacing(word: str, items: Iterator[Item]) -> Iterator[Item]:
+def _replacing(word: str, items: Iterator[OfferedItem]) -> Iterator[OfferedItem]:
     return (item._replace(replaces=len(word)) for item in items)
 
 
@@ -85,7 +85,7 @@ def _at(question: Question, keys: list[str]) -> Iterator[tuple[Trial, str]]:
             yield trial, ".".join(key for key in inside if key != "ros__parameters")
 
 
-def _types(question: Question) -> Iterator[Item]:
+def _types(question: Question) -> Iterator[OfferedItem]:
     """The types of the distro that fit a controller's parameters and claims, first those that need nothing else."""
     keys = [key for key in _own(_keys_above(question)) if key != "ros__parameters"]
     known_names = {"controller_manager", *(trial.controller.name for trial in _trials(question))}
@@ -102,7 +102,7 @@ def _types(question: Question) -> Iterator[Item]:
         trials = [trial for trial in _trials(question) if trial.controller.name in name]
         possible = _possible(known, trials, beside)
         for kind in sorted(possible, key=lambda one: any(trial.faults(one, _given(trial)) for trial in trials)):
-            yield Item(kind.type, "type", f"a controller type of {distro}", is_doubtful=not trials)
+            yield OfferedItem(kind.type, "type", f"a controller type of {distro}", is_doubtful=not trials)
 
 
 def _has_other_types(question: Question) -> bool:
@@ -151,7 +151,7 @@ def _misfits(kind: ControllerType, trial: Trial) -> int:
     return len(trial.faults(kind, given) - trial.now()) if given else 0
 
 
-def _elements(question: Question, keys: list[str], word: str) -> Iterator[Item]:
+def _elements(question: Question, keys: list[str], word: str) -> Iterator[OfferedItem]:
     """Elements of a list: of a controller's parameter those with which nothing is wrong that is right now."""
     trials = [(trial, name) for trial, name in _at(question, keys) if trial.controller.type is not None]
     for trial, kind, name, declared in _declared(trials):
@@ -159,7 +159,7 @@ def _elements(question: Question, keys: list[str], word: str) -> Iterator[Item]:
         given = [one for one in now if one and one != word] if isinstance(now, list) else []
         for choice in _choices(trial, kind.parameters[declared], declared):
             if choice not in given and trial.is_as_good(kind, {**trial.values, name: [*given, choice]}):
-                yield Item(choice, _kind_of(trial, choice))
+                yield OfferedItem(choice, _kind_of(trial, choice))
     if not trials:
         key = keys[-1] if keys else ""
         kinds = (CONTROLLER,) if key in _LISTS_CONTROLLERS else (JOINT,) if "joint" in key else ()
@@ -191,7 +191,7 @@ def _kind_of(trial: Trial, choice: str) -> str:
     return JOINT if choice in trial.joints else "interface"
 
 
-def _choices(trial: Trial, parameter: Parameter, name: str) -> list[str]:
+def _choices(trial: Trial, parameter: ParameterEntry, name: str) -> list[str]:
     """Texts that a parameter or its elements can be: what its validators name, joints, interfaces, or full names."""
     allowed = parameter.validators.get("one_of", parameter.validators.get("subset_of"))
     if isinstance(allowed, list | tuple):
@@ -210,7 +210,7 @@ def _choices(trial: Trial, parameter: Parameter, name: str) -> list[str]:
     return []
 
 
-def _scalars(question: Question, keys: list[str]) -> Iterator[Item]:
+def _scalars(question: Question, keys: list[str]) -> Iterator[OfferedItem]:
     """A single value: what its parameter accepts; in other files, a joint or a link by the key."""
     trials = [(trial, name) for trial, name in _at(question, keys) if trial.controller.type is not None]
     for trial, kind, name, declared in _declared(trials):
@@ -219,7 +219,7 @@ def _scalars(question: Question, keys: list[str]) -> Iterator[Item]:
         texts += _choices(trial, parameter, declared) if "string" in parameter.types else []
         for value in texts:
             if trial.is_as_good(kind, {**trial.values, name: value}):
-                yield Item(_written(value), "value")
+                yield OfferedItem(_written(value), "value")
         if "frame" in name and "string" in parameter.types:
             yield from _named(question, LINK)
     key = keys[-1]
@@ -229,14 +229,14 @@ def _scalars(question: Question, keys: list[str]) -> Iterator[Item]:
         yield from _named(question, JOINT)
 
 
-def _named(question: Question, *kinds: str) -> Iterator[Item]:
-    yield from (Item(name.text, name.kind) for name in defined_names(question, *kinds))
+def _named(question: Question, *kinds: str) -> Iterator[OfferedItem]:
+    yield from (OfferedItem(name.text, name.kind) for name in defined_names(question, *kinds))
 
 
 # -- parameters --------------------------------------------------------------------------------------------------------
 
 
-def _parameters(question: Question, keys: list[str]) -> Iterator[Item]:
+def _parameters(question: Question, keys: list[str]) -> Iterator[OfferedItem]:
     for robot in question.robots:
         joints = _commanded(robot)
         for trial, prefix in _at(question, keys):
@@ -253,7 +253,7 @@ def _commanded(robot: LoadedTarget) -> list[str]:
     return [part.name for part in parts if part.name] or moving
 
 
-def _of_controller(trial: Trial, prefix: str, joints: list[str]) -> Iterator[Item]:
+def _of_controller(trial: Trial, prefix: str, joints: list[str]) -> Iterator[OfferedItem]:
     """The parameters that a controller does not have yet, below the keys that are written already.
 
     Each has a value of its type with which nothing is wrong that is right now, or none if none is known.
@@ -272,7 +272,7 @@ def _of_controller(trial: Trial, prefix: str, joints: list[str]) -> Iterator[Ite
             if full.startswith(below) and "." not in rest and full not in trial.values:
                 value = _value(trial, name, full, [joints, examples.get(name), parameter.default])
                 about = described_parameter(parameter, full, f"{each.type.type} ({distro})")
-                yield Item(f"{rest}: {_written(value)}".rstrip(), PARAMETER, about)
+                yield OfferedItem(f"{rest}: {_written(value)}".rstrip(), PARAMETER, about)
 
 
 def _value(trial: Trial, name: str, full: str, candidates: list[object]) -> object:

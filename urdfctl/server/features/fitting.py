@@ -8,10 +8,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.session import session_of
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.server.analysis.names import JOINT, LINK, Name, names_in
+from urdfctl.server.analysis.names import JOINT, LINK, NamePlace, names_in
 from urdfctl.server.analysis.question import Question
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import ReadError
@@ -21,7 +21,7 @@ from urdfctl.startup.records import NamedTuple
 from urdfctl.trace.address import text_in
 
 _MOVING = frozenset({"revolute", "continuous", "prismatic"})
-INTERFACES = {"command_interface": Kind.COMMAND, "state_interface": Kind.STATE}
+INTERFACES = {"command_interface": ClaimKind.COMMAND, "state_interface": ClaimKind.STATE}
 
 
 _KINDS = {
@@ -39,7 +39,7 @@ def kind_at(tag: str, attribute: str, parent: Callable[[], str]) -> str | None:
     return _KINDS.get((tag, attribute))
 
 
-def defined_names(question: Question, *kinds: str) -> Iterator[Name]:
+def defined_names(question: Question, *kinds: str) -> Iterator[NamePlace]:
     """Yield the known names of some kinds, such as links, where the robots define them."""
     for robot in question.robots:
         for name in names_in(robot):
@@ -270,7 +270,7 @@ _EXCLUSIVE = {("joint", "child"), ("ros2_control", "joint"), ("transmission", "j
 # -- interfaces --------------------------------------------------------------------------------------------------------
 
 
-def _unmet(here: Here) -> set[tuple[Kind, str, str]]:
+def _unmet(here: Here) -> set[tuple[ClaimKind, str, str]]:
     """The interfaces that controllers claim and no hardware offers: kind, component and name."""
     project = here.robot.project
     if project.controllers is None or not project.distros:
@@ -299,7 +299,7 @@ def fitting_interfaces(question: Question) -> Iterator[str]:
         yield from (each for each in claimed or known if each and each not in taken)
 
 
-def _provided(here: Here, kind: Kind, joint: Element) -> tuple[str, ...]:
+def _provided(here: Here, kind: ClaimKind, joint: Element) -> tuple[str, ...]:
     """The interfaces that a joint's hardware provides; the usual ones if the catalogue does not know it."""
     project = here.robot.project
     distro = project.distro or project.distros[-1]
@@ -308,7 +308,7 @@ def _provided(here: Here, kind: Kind, joint: Element) -> tuple[str, ...]:
     plugin = next((text_in(one) for one in plugins if one.tagName == "plugin"), "")
     known = project.catalog.hardware(plugin, distro) if plugin else None
     if known is not None and joint.tagName == "joint":
-        own = known.command_interfaces if kind is Kind.COMMAND else known.state_interfaces
+        own = known.command_interfaces if kind is ClaimKind.COMMAND else known.state_interfaces
         if own is not None:
             return own
     return project.catalog.standard_interfaces(distro)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.entries import ParameterEntry
 from urdfctl.catalog.map_parameters import matching
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.session import Configured, session_of
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Joint
-from urdfctl.server.analysis.names import JOINT, LINK, Name
+from urdfctl.server.analysis.names import JOINT, LINK, NamePlace
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.features.about_faults import faults_at
 from urdfctl.server.features.about_names import described_name
@@ -46,18 +46,18 @@ def _name(question: Question) -> Iterator[str]:
         yield from _of_robots(question.robots, name)
 
 
-def _scope(name: Name) -> str:
+def _scope(name: NamePlace) -> str:
     return f" of macro `{name.scope}`" if name.scope else ""
 
 
-def _element(robot: LoadedTarget, name: Name) -> Element | None:
+def _element(robot: LoadedTarget, name: NamePlace) -> Element | None:
     if robot.root is None or name.kind not in {JOINT, LINK}:
         return None
     children = robot.root.elements()
     return next((one for one in children if one.tagName == name.kind and one.attrs.get("name") == name.text), None)
 
 
-def _of_robots(robots: Sequence[LoadedTarget], name: Name) -> Iterator[str]:
+def _of_robots(robots: Sequence[LoadedTarget], name: NamePlace) -> Iterator[str]:
     """What is known of a joint or link in all robots that have it, which may be in several namespaces."""
     uses: dict[str, None] = {}
     for loaded in robots:
@@ -111,10 +111,10 @@ def _claims(question: Question) -> Iterator[str]:
         yield "\n".join([heading, *(lines or ["no controller uses it"])])
 
 
-def _users(project: Project, kind: Kind, component: str, name: str) -> Iterator[str]:
+def _users(project: Project, kind: ClaimKind, component: str, name: str) -> Iterator[str]:
     if project.controllers is None or not project.distros:
         return
-    verb = "claims it" if kind is Kind.COMMAND else "reads it"
+    verb = "claims it" if kind is ClaimKind.COMMAND else "reads it"
     for each in session_of(project, project.distro or project.distros[-1]).controllers:
         if any((claim.component, claim.interface) == (component, name) for claim in each.claimed(kind)):
             yield f"- controller `{each.controller.in_namespace}` {verb}"
@@ -154,7 +154,7 @@ def _type(question: Question, each: Configured, distro: str) -> Iterator[str]:
     yield "  \n".join(lines)
 
 
-def _known(each: Configured, name: str) -> Parameter | None:
+def _known(each: Configured, name: str) -> ParameterEntry | None:
     if each.type is None:
         return None
     found = matching(name, each.type.parameters)

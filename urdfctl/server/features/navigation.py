@@ -6,9 +6,9 @@ import os
 import re
 from collections.abc import Iterable
 
-from urdfctl.diagnostic import Location, Replacement, located
+from urdfctl.diagnostic import Location, ShownEdit, located
 from urdfctl.errors import UserError
-from urdfctl.server.analysis.names import LINK, Name, name_at, names_in
+from urdfctl.server.analysis.names import LINK, NamePlace, name_at, names_in
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.analysis.scopes import macro_around
 from urdfctl.server.analysis.templates import renamed_parts
@@ -24,9 +24,9 @@ class NamesAround:
     """The names in all robots of a question, and the one at its place; None if there is none."""
 
     def __init__(self, question: Question) -> None:
-        self.at: Name | None = None
+        self.at: NamePlace | None = None
         self.is_current = question.is_current
-        found: dict[tuple[str, int, int, str], Name] = {}
+        found: dict[tuple[str, int, int, str], NamePlace] = {}
         for robot in question.robots:
             names = names_in(robot)
             if self.at is None:
@@ -35,7 +35,7 @@ class NamesAround:
                 found.setdefault((name.span.file, name.span.start, name.span.end, name.text), name)
         self.all = list(found.values())
 
-    def same(self) -> list[Name]:
+    def same(self) -> list[NamePlace]:
         """Return all places of the thing that is named there."""
         if self.at is None:
             return []
@@ -55,7 +55,7 @@ def definitions(around: NamesAround) -> list[Location]:
     return _places(defined)
 
 
-def _macro_of(name: Name) -> tuple[str, str]:
+def _macro_of(name: NamePlace) -> tuple[str, str]:
     """The file and the macro that a name is written in; the file is empty outside of macros."""
     macro = macro_around(name.span.source.data, name.span.start)
     return name.span.file if macro else "", macro
@@ -66,7 +66,7 @@ def references(around: NamesAround, *, with_definition: bool) -> list[Location]:
     return _places(name for name in around.same() if with_definition or not name.defines)
 
 
-def _places(names: Iterable[Name]) -> list[Location]:
+def _places(names: Iterable[NamePlace]) -> list[Location]:
     return sorted({located(name.span) for name in names})
 
 
@@ -85,13 +85,13 @@ def check_renamable(around: NamesAround) -> None:
         raise UserError(f"{at.kind} '{at.text}' is not defined in these files")
 
 
-def _of_computed(name: Name) -> UserError:
+def _of_computed(name: NamePlace) -> UserError:
     where = located(name.span)
     written = f"'{name.span.text}' at {os.path.basename(where.file)}:{where.line}"
     return UserError(f"'{name.text}' is computed from {written}; rename its literal parts there")
 
 
-def renamed(around: NamesAround, new: str) -> list[Replacement]:
+def renamed(around: NamesAround, new: str) -> list[ShownEdit]:
     """Return the edits that rename the thing at the asked place. UserError with the reason if that is impossible.
 
     A computed name is given with its expressions: `${prefix}wrist` for `${prefix}elbow`.
@@ -111,4 +111,4 @@ def renamed(around: NamesAround, new: str) -> list[Replacement]:
     shared = {PROPERTY: PARAMETER, PARAMETER: PROPERTY}.get(at.kind)
     if any(name.kind == shared and name.text in {at.text, new} for name in around.all):
         raise UserError(f"'{at.text}' or '{new}' is a parameter of a macro and elsewhere a property; rename it by hand")
-    return [Replacement(location, new) for location in _places(around.same())]
+    return [ShownEdit(location, new) for location in _places(around.same())]

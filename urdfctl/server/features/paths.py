@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfctl.server.analysis.items import Item
+from urdfctl.server.analysis.items import OfferedItem
 from urdfctl.server.analysis.question import Question
 from urdfctl.source.disk.files import first_bytes
 from urdfctl.source.disk.gate import exists, walk
@@ -42,7 +42,7 @@ def packages_with(question: Question, rest: str) -> Iterator[str]:
             yield name
 
 
-def files_in_package(question: Question, tag: str, package: str, begun: str) -> Iterator[Item]:
+def files_in_package(question: Question, tag: str, package: str, begun: str) -> Iterator[OfferedItem]:
     """Yield the files in a package that an element can read, by their paths relative to the package.
 
     begun: the part of the path that is written already. Left out are files that xacro reads already; robots of their
@@ -57,7 +57,7 @@ def files_in_package(question: Question, tag: str, package: str, begun: str) -> 
     suffixes = _SUFFIXES.get(tag) or ((os.path.splitext(begun)[1],) if "." in begun else ())
     read = {os.path.realpath(path) for path in _read_now(question)}
     own = {os.path.realpath(question.file)}
-    robots: list[Item] = []
+    robots: list[OfferedItem] = []
     for path in _below(folder):
         relative = os.path.relpath(path, folder).replace(os.sep, "/")
         if not relative.startswith(begun) or not (not suffixes or path.lower().endswith(suffixes)):
@@ -65,9 +65,9 @@ def files_in_package(question: Question, tag: str, package: str, begun: str) -> 
         if os.path.realpath(path) in (read if tag == "xacro:include" else own):
             continue
         if tag == "xacro:include" and _is_robot(path):
-            robots.append(Item(relative, "file", is_doubtful=True))
+            robots.append(OfferedItem(relative, "file", is_doubtful=True))
         else:
-            yield Item(relative, "file", is_doubtful=bool(re.search(_OF_TESTS, relative)))
+            yield OfferedItem(relative, "file", is_doubtful=bool(re.search(_OF_TESTS, relative)))
     yield from robots
 
 

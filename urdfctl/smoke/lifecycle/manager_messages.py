@@ -6,7 +6,7 @@ ROS 2: controller_manager.cpp of jazzy. ROS 1: controller_manager.cpp and hardwa
 from __future__ import annotations
 
 from urdfctl.control.claims import Claim
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.control.lifecycle import Reason, Stop
 from urdfctl.control.session import Configured
 from urdfctl.model.stage import Stage
@@ -84,7 +84,7 @@ def reason_of(stop: Stop) -> str:
     """Return why a controller is stopped, in urdfctl's words."""
     claim = f"'{stop.claim.name}'" if stop.claim else ""
     other = f"controller '{stop.other.name}'" if stop.other else "another controller"
-    kind = "command" if stop.kind is Kind.COMMAND else "state"
+    kind = "command" if stop.kind is ClaimKind.COMMAND else "state"
     return {
         Reason.TYPE_MISSING: "its type is missing",
         Reason.TYPE_UNKNOWN: "its type does not exist in this ROS distro",

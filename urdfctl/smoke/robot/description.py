@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfctl.model.geometry import Pose, Rotation, Vector, of_angles, product, transposed, unit
-from urdfctl.model.robot import Joint, Link, Number, Part, Robot, Tag, leading_number
+from urdfctl.model.robot import ComponentPart, Joint, Link, Number, Robot, Tag, leading_number
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
 
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
@@ -54,14 +54,14 @@ def _ordered(root: str, hinges: list[Hinge]) -> list[Hinge]:
     return ordered
 
 
-def _controls(robot: Robot) -> dict[str, Part]:
+def _controls(robot: Robot) -> dict[str, ComponentPart]:
     """The joints of `<ros2_control>` by name."""
     return {
         part.name: part for whole in robot.ros2_controls for part in whole.parts if part.kind == "joint" and part.name
     }
 
 
-def _hinge(joint: Joint, control: Part | None) -> Hinge | None:
+def _hinge(joint: Joint, control: ComponentPart | None) -> Hinge | None:
     parent, child = joint.parent, joint.child
     if not (joint.name and joint.type and parent and parent.name and child and child.name):
         return None
@@ -93,7 +93,7 @@ def _resistance(dynamics: Tag | None, name: str) -> float:
     return value if 0 < value < math.inf else 0.0
 
 
-def _ranges(control: Part) -> Iterator[tuple[str, float, float]]:
+def _ranges(control: ComponentPart) -> Iterator[tuple[str, float, float]]:
     for interface in control.interfaces:
         given = [interface.parameter(name) for name in ("min", "max")]
         least, most = (_float(parameter.value, math.nan) if parameter else math.nan for parameter in given)
@@ -101,7 +101,7 @@ def _ranges(control: Part) -> Iterator[tuple[str, float, float]]:
             yield interface.name, least, most
 
 
-def _initial(control: Part) -> float | None:
+def _initial(control: ComponentPart) -> float | None:
     """The initial position: that of the position interfaces, the state's before the command's."""
     named = [interface for interface in control.interfaces if interface.name == "position"]
     for interface in sorted(named, key=lambda interface: interface.kind != "state"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from urdfctl.control.hardware.interfaces import Kind
+from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.results import Outcome
 from urdfctl.lint.target import LintedTarget
@@ -270,4 +270,4 @@ def as_not_started(result: ControllerResult) -> ControllerResult:
 
 
 def _commanded(controller: ControllerLifecycle) -> frozenset[str]:
-    return frozenset(claim.name for claim in controller.configured.claimed(Kind.COMMAND))
+    return frozenset(claim.name for claim in controller.configured.claimed(ClaimKind.COMMAND))

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.catalog.distros import generation
 from urdfctl.model.project import Project
-from urdfctl.model.robot import ControlTransmission, Ros2Control, Text, Transmission, leading_number
+from urdfctl.model.robot import ControlTransmission, ElementText, Ros2Control, Transmission, leading_number
 from urdfctl.rules.smoke.negative_reduction_ignored import negative_reduction_ignored
 from urdfctl.rules.smoke.reduction_of_zero import reduction_of_zero
 from urdfctl.rules.smoke.transmission_ignored import transmission_ignored
@@ -90,7 +90,7 @@ def _of_ros2(controls: Sequence[Ros2Control], project: Project, distro: str) -> 
 
 
 def _joint_transmissions(
-    transmission: Transmission | ControlTransmission, reductions: Iterable[Text], kind: str, by: str
+    transmission: Transmission | ControlTransmission, reductions: Iterable[ElementText], kind: str, by: str
 ) -> Iterator[JointTransmission]:
     reduction = next((_number(text, 1.0) for text in reductions), 1.0)
     for joint in transmission.joints:
@@ -99,7 +99,7 @@ def _joint_transmissions(
             yield JointTransmission(joint.name, reduction, offset, is_coupled=kind.endswith(_COUPLING), ignored_by=by)
 
 
-def _number(text: Text, default: float) -> float:
+def _number(text: ElementText, default: float) -> float:
     number = leading_number(text.past_comments)
     return default if number is None or not math.isfinite(number) else number
 

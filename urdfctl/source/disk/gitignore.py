@@ -14,7 +14,7 @@ from urdfctl.startup.records import NamedTuple
 _MOST_BYTES = 1 << 20
 
 
-class Pattern(NamedTuple):
+class IgnorePattern(NamedTuple):
     """A line of a .gitignore.
 
     parts: the pattern's parts between slashes; `**` matches any folders.
@@ -96,7 +96,7 @@ class GitIgnore:
         return self._applying[folder]
 
 
-_Applying = tuple[tuple[str, ...], tuple[Pattern, ...]]
+_Applying = tuple[tuple[str, ...], tuple[IgnorePattern, ...]]
 """A folder as path parts relative to a .gitignore, and the patterns of that .gitignore, last one first."""
 
 
@@ -104,7 +104,7 @@ def _repository(folder: str) -> str | None:
     return next((each for each in folders_upwards(folder) if gate.exists(os.path.join(each, ".git"))), None)
 
 
-def _patterns(file: str) -> tuple[Pattern, ...]:
+def _patterns(file: str) -> tuple[IgnorePattern, ...]:
     try:
         text = first_bytes(file, _MOST_BYTES).decode("utf-8", "surrogateescape")
     except OSError:
@@ -112,7 +112,7 @@ def _patterns(file: str) -> tuple[Pattern, ...]:
     return tuple(patterns_of(text.removeprefix("\ufeff")))
 
 
-def patterns_of(text: str) -> Iterator[Pattern]:
+def patterns_of(text: str) -> Iterator[IgnorePattern]:
     """Yield the patterns of a .gitignore."""
     for line in text.split("\n"):
         pattern = re.sub(r"(?<!\\) +\Z", "", line.removesuffix("\r"))
@@ -125,7 +125,7 @@ def patterns_of(text: str) -> Iterator[Pattern]:
         anywhere = "/" not in pattern
         parts = [_glob(part) for part in pattern.removeprefix("/").split("/")]
         if parts != [""]:
-            yield Pattern(tuple(parts), ignores, only_folders, anywhere)
+            yield IgnorePattern(tuple(parts), ignores, only_folders, anywhere)
 
 
 def _glob(part: str) -> str:

@@ -15,10 +15,10 @@ from urdfctl.source.launch.terms import (
     Constant,
     Items,
     Member,
-    Missing,
     OneOf,
     Table,
     Term,
+    UnknownTerm,
     is_same,
     known_text,
     outside,
@@ -72,7 +72,7 @@ class Calls:
             return text_at(os.path.join(*until_too_long(map(shown, arguments))), at)
         if short in _LISTS and len(arguments) <= 1:
             items = listed(first) if first is not None else []
-            return Missing(at) if items is None else Items(items, at)
+            return UnknownTerm(at) if items is None else Items(items, at)
         if name in _ENVIRONMENT:
             return self.environment(arguments, at)
         if short == "process_doc" and isinstance(first, Called):
@@ -91,7 +91,7 @@ class Calls:
         if file.short in {"read", "read_text"} and isinstance(file.of, Called):
             file = file.of
         path = known_text(file.given("file", 0)) if file.short == "open" else None
-        return (self._load(path) if path else None) or Missing(at)
+        return (self._load(path) if path else None) or UnknownTerm(at)
 
     def _share(self, package: Term, at: Place) -> Term:
         """The share folder of a package."""
@@ -149,7 +149,7 @@ class Calls:
             self._removed(of, arguments[0], frame)
         elif name in {"pop", "clear"}:
             of.values[:] = [perhaps(value) for value in of.values]
-        return Missing(at)
+        return UnknownTerm(at)
 
     @staticmethod
     def _removed(of: Items, item: Term, frame: Frame) -> None:

@@ -27,13 +27,13 @@ from urdfctl.source.launch.terms import (
     Constant,
     Context,
     Function,
+    ImportedName,
     Items,
     Member,
-    Missing,
-    Name,
     Perhaps,
     Table,
     Term,
+    UnknownTerm,
     one_of,
     perhaps,
 )
@@ -116,14 +116,14 @@ class Evaluation:
     def value(self, node: ast.expr, frame: Frame) -> Term:
         """Return the term of an expression."""
         if not self.may_go_on():
-            return Missing(self.at(node))
+            return UnknownTerm(self.at(node))
         evaluate = self._kinds.get(type(node))
         self.depth += 1
         try:
-            term = evaluate(node, frame) if evaluate else Missing(self.at(node))
+            term = evaluate(node, frame) if evaluate else UnknownTerm(self.at(node))
         finally:
             self.depth -= 1
-        if isinstance(term, Missing) and term.too_long:
+        if isinstance(term, UnknownTerm) and term.too_long:
             self._too_long(term.at)
         return term
 
@@ -135,14 +135,14 @@ class Evaluation:
             items = listed(value)
             known = items is not None and len(items) == len(target.elts)
             for index, element in enumerate(target.elts):
-                self.bind(element, items[index] if items and known else Missing(self.at(target)), frame)
+                self.bind(element, items[index] if items and known else UnknownTerm(self.at(target)), frame)
         elif isinstance(target, ast.Subscript):
             table = self.value(target.value, frame)
             if isinstance(table, Table):
                 key = self.value(target.slice, frame)
-                table.put(key, value if frame.sure else one_of([value, Missing(self.at(target))], self.at(target)))
+                table.put(key, value if frame.sure else one_of([value, UnknownTerm(self.at(target))], self.at(target)))
         elif isinstance(target, ast.Starred):
-            self.bind(target.value, Missing(self.at(target)), frame)
+            self.bind(target.value, UnknownTerm(self.at(target)), frame)
 
     # -- functions ---------------------------------------------------------------------------------------------------
 
@@ -165,9 +165,9 @@ class Evaluation:
             for parameter, default in zip(positional[len(positional) - len(defaults) :], defaults, strict=True):
                 names.setdefault(parameter.arg, default)
             for parameter, keyword_default in zip(given.kwonlyargs, keyword_defaults, strict=True):
-                names.setdefault(parameter.arg, keyword_default or Missing(at))
+                names.setdefault(parameter.arg, keyword_default or UnknownTerm(at))
             for parameter in positional:
-                names.setdefault(parameter.arg, Missing(at))
+                names.setdefault(parameter.arg, UnknownTerm(at))
             return self._call_in(Frame(names, frame), body, context, at)
 
         return Function(name, call, at)
@@ -179,7 +179,7 @@ class Evaluation:
         frame.calls = caller.calls + 1 if caller else 0
         frame.sure = context is not None or caller is None or caller.sure
         try:
-            return body(frame) if frame.calls <= _MOST_CALLS else Missing(at)
+            return body(frame) if frame.calls <= _MOST_CALLS else UnknownTerm(at)
         finally:
             self.context, self.frame = outer, caller
 
@@ -190,7 +190,7 @@ class Evaluation:
         value = node.value
         if isinstance(value, str):
             return text_at(value, _inside(at, value))
-        return Constant(value, at) if value is None or isinstance(value, (bool, int, float)) else Missing(at)
+        return Constant(value, at) if value is None or isinstance(value, (bool, int, float)) else UnknownTerm(at)
 
     def _list(self, node: ast.List | ast.Tuple | ast.Set, frame: Frame) -> Term:
         return Items(list(islice(self._spread(node.elts, frame), MOST_ITEMS)), self.at(node))
@@ -200,7 +200,7 @@ class Evaluation:
             if isinstance(node, ast.Starred):
                 value = self.value(node.value, frame)
                 items = listed(value)
-                yield from items if items is not None else [Perhaps(Missing(value.at), value.at)]
+                yield from items if items is not None else [Perhaps(UnknownTerm(value.at), value.at)]
             else:
                 yield self.value(node, frame)
 
@@ -237,7 +237,7 @@ class Evaluation:
         if node.id == "__file__":
             return Constant(os.path.abspath(self.source.path), at)
         term = frame.find(node.id)
-        return Name(node.id, at) if term is None else term
+        return ImportedName(node.id, at) if term is None else term
 
     def _named(self, node: ast.NamedExpr, frame: Frame) -> Term:
         value = self.value(node.value, frame)
@@ -247,15 +247,15 @@ class Evaluation:
     def _attribute(self, node: ast.Attribute, frame: Frame) -> Term:
         of = self.value(node.value, frame)
         at = self.at(node)
-        if isinstance(of, Name) and (of.path, node.attr) == ("sys", "argv"):
+        if isinstance(of, ImportedName) and (of.path, node.attr) == ("sys", "argv"):
             return Items([Constant(word, at) for word in ("ros2", "launch", self.source.path)], at)
-        if isinstance(of, Name):
+        if isinstance(of, ImportedName):
             path = f"{of.path}.{node.attr}"
-            return self.member(path) or Name(path, at)
+            return self.member(path) or ImportedName(path, at)
         if isinstance(of, Constant) and isinstance(of.value, str):
             if node.attr == "parent":
                 return Constant(os.path.dirname(of.value), at)
-            return Constant(os.path.basename(of.value), at) if node.attr == "name" else Missing(at)
+            return Constant(os.path.basename(of.value), at) if node.attr == "name" else UnknownTerm(at)
         return Member(of, node.attr, at)
 
     def _subscript(self, node: ast.Subscript, frame: Frame) -> Term:
@@ -264,9 +264,9 @@ class Evaluation:
         if isinstance(node.slice, ast.Slice):
             part = node.slice
             bounds = [self.value(bound, frame) if bound else None for bound in (part.lower, part.upper)]
-            return Missing(at) if part.step else slice_of(of, bounds[0], bounds[1], at)
+            return UnknownTerm(at) if part.step else slice_of(of, bounds[0], bounds[1], at)
         key = self.value(node.slice, frame)
-        if isinstance(of, Name) and of.path == "os.environ":
+        if isinstance(of, ImportedName) and of.path == "os.environ":
             return self._calls.environment([key], at)
         if isinstance(of, Member) and of.name == "launch_configurations":
             return self._performed(Called("LaunchConfiguration", at, [key]), at)
@@ -290,22 +290,22 @@ class Evaluation:
                 doubtful.append(value)
             elif held is decisive or part is node.values[-1]:
                 return one_of([*doubtful, value], self.at(node)) if doubtful else value
-        return one_of(doubtful, self.at(node)) if doubtful else Missing(self.at(node))
+        return one_of(doubtful, self.at(node)) if doubtful else UnknownTerm(self.at(node))
 
     def _unary(self, node: ast.UnaryOp, frame: Frame) -> Term:
         value, at = self.value(node.operand, frame), self.at(node)
         if isinstance(node.op, ast.Not):
             held = truth(value)
-            return Missing(at) if held is None else Constant(not held, at)
+            return UnknownTerm(at) if held is None else Constant(not held, at)
         number = value.value if isinstance(value, Constant) else None
         if isinstance(node.op, ast.USub) and isinstance(number, (int, float)):
             return Constant(-number, at)
-        return Missing(at)
+        return UnknownTerm(at)
 
     def _compare(self, node: ast.Compare, frame: Frame) -> Term:
         at = self.at(node)
         if len(node.ops) != 1:
-            return Missing(at)
+            return UnknownTerm(at)
         left = self.value(node.left, frame)
         return compared(node.ops[0], left, self.value(node.comparators[0], frame), at)
 
@@ -339,7 +339,7 @@ class Evaluation:
         first, *rest = generators
         items = listed(self.value(first.iter, frame))
         if items is None:
-            items = [Perhaps(Missing(self.at(first.iter)), self.at(first.iter))]
+            items = [Perhaps(UnknownTerm(self.at(first.iter)), self.at(first.iter))]
         for item in items:
             if not self.may_go_on():
                 return
@@ -363,7 +363,7 @@ class Evaluation:
                 keywords.update(value.entries)
         if isinstance(node.func, ast.Attribute):
             of = self.value(node.func.value, frame)
-            if not isinstance(of, Name):
+            if not isinstance(of, ImportedName):
                 return self._calls.method(of, node.func.attr, (arguments, keywords), at, frame)
             path = f"{of.path}.{node.func.attr}"
             own = self.member(path)
@@ -373,9 +373,9 @@ class Evaluation:
         function = self.value(node.func, frame)
         if isinstance(function, Function):
             return function.call(arguments, keywords, None)
-        if isinstance(function, Name):
+        if isinstance(function, ImportedName):
             return self._calls.function(function.path, arguments, keywords, at)
-        return Missing(at)
+        return UnknownTerm(at)
 
     def _performed(self, of: Term, at: Place) -> Term:
         evaluation: Evaluation | None = self

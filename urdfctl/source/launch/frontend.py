@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
-from urdfctl.source.launch.terms import Called, Constant, Items, Missing, Table, Term
+from urdfctl.source.launch.terms import Called, Constant, Items, Table, Term, UnknownTerm
 from urdfctl.source.span import Place
 from urdfctl.source.xml.dom import Element
 from urdfctl.source.yaml.tree import Mapping as YamlMap
@@ -126,7 +126,7 @@ def _actions(parent: Entity) -> Term:
         elif tag in _FOR_ALL:
             term = Called(_FOR_ALL[tag], child.at)
         else:
-            term = Missing(child.at)
+            term = UnknownTerm(child.at)
         if isinstance(term, Called):
             for attribute, condition in (("if", "IfCondition"), ("unless", "UnlessCondition")):
                 if attribute in child.attributes:
@@ -138,7 +138,7 @@ def _actions(parent: Entity) -> Term:
 def _text(entity: Entity, *names: str) -> Term:
     """The text of the first of these attributes that the entity has; unknown if it has none."""
     attribute = next((entity.attributes[name] for name in names if name in entity.attributes), None)
-    return substituted(attribute) if attribute is not None else Missing(entity.at)
+    return substituted(attribute) if attribute is not None else UnknownTerm(entity.at)
 
 
 def _called(name: str, entity: Entity, attributes: Mapping[str, str]) -> Called:
@@ -173,7 +173,7 @@ def _parameter(entity: Entity) -> Term:
     value = _text(entity, "value")
     if "type" in entity.attributes:
         value = Called("ParameterValue", value.at, [value], {"value_type": _text(entity, "type")})
-    table.put(entity.attributes.get("name") or Missing(entity.at), value)
+    table.put(entity.attributes.get("name") or UnknownTerm(entity.at), value)
     return table
 
 
@@ -248,7 +248,7 @@ def substituted(text: Constant, depth: int = 0) -> Term:
     while (start := whole.find("$(", index)) >= 0:
         end = _closing(whole, start)
         if end is None or depth > _MOST_DEPTH:
-            return Missing(text.at)
+            return UnknownTerm(text.at)
         if start > index:
             parts.append(Constant(whole[index:start], text.at))
         parts.append(_substitution(whole[start + 2 : end], text.at, depth))
@@ -277,7 +277,7 @@ def _substitution(inside: str, at: Place, depth: int) -> Term:
         text = (quoted.group(1) if quoted.group(1) is not None else quoted.group(2)) if quoted else given
         return Called(_WHOLE[name], at, [substituted(Constant(text, at), depth + 1)])
     if name not in _SUBSTITUTIONS:
-        return Missing(at)
+        return UnknownTerm(at)
     full, most = _SUBSTITUTIONS[name]
     arguments = [substituted(Constant(word, at), depth + 1) for word in _arguments(rest)]
     if full == "EnvironmentVariable" and len(arguments) > 1:

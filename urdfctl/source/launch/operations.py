@@ -12,11 +12,11 @@ from urdfctl.source.launch.terms import (
     Called,
     Constant,
     Items,
-    Missing,
     OneOf,
     Perhaps,
     Table,
     Term,
+    UnknownTerm,
     is_same,
     known_text,
     one_of,
@@ -34,7 +34,7 @@ _FIELD = r"\{\{|\}\}|\{([^{}]*)\}"
 
 def text_at(text: str, at: Place) -> Term:
     """Return a text as a term; unknown if it is longer than any text in a real launch file."""
-    return Constant(text, at) if len(text) <= MOST_CHARACTERS else Missing(at, too_long=True)
+    return Constant(text, at) if len(text) <= MOST_CHARACTERS else UnknownTerm(at, too_long=True)
 
 
 def joined_at(separator: str, parts: Iterable[str], at: Place) -> Term:
@@ -46,7 +46,7 @@ def _replaced_at(pattern: str, value: Callable[[re.Match[str]], str], text: str,
     """A text with values in the place of what a pattern matches, as `text_at` returns it."""
     room = Room()
     replaced = re.sub(pattern, lambda match: room.take(value(match)), text)
-    return Missing(at, too_long=True) if room.is_over else text_at(replaced, at)
+    return UnknownTerm(at, too_long=True) if room.is_over else text_at(replaced, at)
 
 
 def listed(term: Term) -> list[Term] | None:
@@ -55,7 +55,7 @@ def listed(term: Term) -> list[Term] | None:
         return list(term.values)
     if isinstance(term, Table):
         keys: list[Term] = [Constant(key, term.keys[key]) for key in term.entries]
-        return keys if term.whole else [*keys, Perhaps(Missing(term.at), term.at)]
+        return keys if term.whole else [*keys, Perhaps(UnknownTerm(term.at), term.at)]
     return None
 
 
@@ -106,18 +106,18 @@ def added(left: Term, right: Term, at: Place) -> Term:
         return Items([*left.values, *right.values][:MOST_ITEMS], at)
     if isinstance(left, Items) or isinstance(right, Items):
         known = [operand for operand in (left, right) if isinstance(operand, Items)]
-        return Items([*known[0].values, Perhaps(Missing(at), at)], at)
+        return Items([*known[0].values, Perhaps(UnknownTerm(at), at)], at)
     if isinstance(left, Constant) and isinstance(right, Constant):
         if isinstance(left.value, (int, float)) and isinstance(right.value, (int, float)):
             return Constant(left.value + right.value, at)
         if isinstance(left.value, str) and isinstance(right.value, str):
             return text_at(left.value + right.value, at)
-        return Missing(at)
+        return UnknownTerm(at)
     if any(isinstance(operand, Constant) and isinstance(operand.value, str) for operand in (left, right)):
         if isinstance(left, Called) or isinstance(right, Called):
             return Items([left, right], at)  # newer distros: a substitution and a text
         return text_at(shown(left) + shown(right), at)
-    return Missing(at)
+    return UnknownTerm(at)
 
 
 def binary(operator: ast.operator, left: Term, right: Term, at: Place) -> Term:
@@ -134,7 +134,7 @@ def binary(operator: ast.operator, left: Term, right: Term, at: Place) -> Term:
     if isinstance(operator, ast.Mod) and isinstance(left, Constant) and isinstance(left.value, str):
         values = right.values if isinstance(right, Items) else [right]
         return _filled(left.value, values, at)
-    return Missing(at)
+    return UnknownTerm(at)
 
 
 def _below(left: Term, right: Term, at: Place) -> Term:
@@ -143,7 +143,7 @@ def _below(left: Term, right: Term, at: Place) -> Term:
         return text_at(os.path.join(left.value, shown(right)), at)
     if isinstance(left, Called):
         return Called("PathJoinSubstitution", at, [Items([left, right], at)])
-    return Missing(at)
+    return UnknownTerm(at)
 
 
 def _filled(pattern: str, values: Sequence[Term], at: Place) -> Term:
@@ -151,7 +151,7 @@ def _filled(pattern: str, values: Sequence[Term], at: Place) -> Term:
     rest = iter(values)
 
     def value(match: re.Match[str]) -> str:
-        return "%" if match.group() == "%%" else shown(next(rest, Missing(at)))
+        return "%" if match.group() == "%%" else shown(next(rest, UnknownTerm(at)))
 
     return _replaced_at(_PATTERN, value, pattern, at)
 
@@ -161,14 +161,14 @@ def compared(operator: ast.cmpop, left: Term, right: Term, at: Place) -> Term:
     if isinstance(operator, (ast.Eq, ast.Is, ast.NotEq, ast.IsNot)):
         equal = _equal(left, right)
         wanted = isinstance(operator, (ast.Eq, ast.Is))
-        return Missing(at) if equal is None else Constant(equal is wanted, at)
+        return UnknownTerm(at) if equal is None else Constant(equal is wanted, at)
     if isinstance(operator, (ast.In, ast.NotIn)):
         held = _holds(right, left)
-        return Missing(at) if held is None else Constant(held is isinstance(operator, ast.In), at)
+        return UnknownTerm(at) if held is None else Constant(held is isinstance(operator, ast.In), at)
     lesser = isinstance(operator, (ast.Lt, ast.LtE))
     first, second = (left, right) if lesser else (right, left)
     below = _is_below(first, second, equal=isinstance(operator, (ast.LtE, ast.GtE)))
-    return Missing(at) if below is None else Constant(below, at)
+    return UnknownTerm(at) if below is None else Constant(below, at)
 
 
 def _is_below(left: Term, right: Term, *, equal: bool) -> bool | None:
@@ -185,7 +185,7 @@ def _equal(left: Term, right: Term) -> bool | None:
         unknown = UNKNOWN in shown(left) or UNKNOWN in shown(right)
         return None if unknown else left.value == right.value
     if any(isinstance(operand, Constant) and operand.value is None for operand in (left, right)):
-        return None if any(isinstance(operand, (Missing, OneOf)) for operand in (left, right)) else False
+        return None if any(isinstance(operand, (UnknownTerm, OneOf)) for operand in (left, right)) else False
     return None
 
 
@@ -206,11 +206,11 @@ def _holds(container: Term, item: Term) -> bool | None:
 def item_of(of: Term, key: Term, at: Place) -> Term:
     """Return `of[key]`."""
     if isinstance(of, Table) and isinstance(key, Constant) and isinstance(key.value, str):
-        return of.entries.get(key.value) or Missing(at)
+        return of.entries.get(key.value) or UnknownTerm(at)
     if isinstance(of, Items) and isinstance(key, Constant) and isinstance(key.value, int):
         certain = not any(isinstance(value, Perhaps) for value in of.values)
-        return of.values[key.value] if certain and -len(of.values) <= key.value < len(of.values) else Missing(at)
-    return Missing(at)
+        return of.values[key.value] if certain and -len(of.values) <= key.value < len(of.values) else UnknownTerm(at)
+    return UnknownTerm(at)
 
 
 def slice_of(of: Term, start: Term | None, end: Term | None, at: Place) -> Term:
@@ -218,12 +218,12 @@ def slice_of(of: Term, start: Term | None, end: Term | None, at: Place) -> Term:
     given = [part.value if isinstance(part, Constant) else part for part in (start, end)]
     bounds = [bound if isinstance(bound, int) else None for bound in given]
     if bounds != given:
-        return Missing(at)
+        return UnknownTerm(at)
     whole = slice(*bounds)
     if isinstance(of, Items) and not any(isinstance(value, Perhaps) for value in of.values):
         return Items(of.values[whole], at)
     text = known_text(of)
-    return Missing(at) if text is None else Constant(text[whole], at)
+    return UnknownTerm(at) if text is None else Constant(text[whole], at)
 
 
 def method(of: Term, name: str, arguments: Sequence[Term], keywords: Mapping[str, Term], at: Place) -> Term | None:
@@ -234,7 +234,7 @@ def method(of: Term, name: str, arguments: Sequence[Term], keywords: Mapping[str
         return _of_table(of, name, arguments, at)
     if isinstance(of, OneOf) and len(of.options) * len(arguments) < MOST_ITEMS:
         results = [method(option, name, arguments, keywords, at) for option in of.options]
-        return one_of([result for result in results if result], at) if all(results) else Missing(at)
+        return one_of([result for result in results if result], at) if all(results) else UnknownTerm(at)
     return None
 
 
@@ -248,7 +248,7 @@ def _of_text(  # noqa: PLR0911 (one return per method)
     if name == "join" and arguments and isinstance(arguments[0], Items):
         length = len(text) * len(arguments[0].values)
         return (
-            Missing(at, too_long=True)
+            UnknownTerm(at, too_long=True)
             if length > MOST_CHARACTERS
             else joined_at(text, map(shown, arguments[0].values), at)
         )
@@ -261,7 +261,7 @@ def _of_text(  # noqa: PLR0911 (one return per method)
     given = [known_text(argument) for argument in arguments]
     known = [argument for argument in given if argument is not None]
     if len(known) != len(given):
-        return Missing(at)
+        return UnknownTerm(at)
     if name in _WITHOUT_ARGUMENTS and not known:
         changed = text if name in {"as_posix", "absolute", "resolve"} else getattr(str, name)(text)
         return text_at(changed, at)
@@ -271,7 +271,7 @@ def _of_text(  # noqa: PLR0911 (one return per method)
         return text_at(text.replace(known[0], known[1]), at)
     if name == "split" and len(known) <= 1 and known != [""]:
         return Items([Constant(part, at) for part in text.split(known[0] if known else None)][:MOST_ITEMS], at)
-    return Missing(at)
+    return UnknownTerm(at)
 
 
 def _formatted(text: str, arguments: Sequence[Term], keywords: Mapping[str, Term], at: Place) -> Term:
@@ -283,17 +283,17 @@ def _formatted(text: str, arguments: Sequence[Term], keywords: Mapping[str, Term
             return match.group()[0]
         field = field.removesuffix("!s")
         if not field:
-            return shown(next(rest, Missing(at)))
+            return shown(next(rest, UnknownTerm(at)))
         if re.fullmatch(r"\d{1,3}", field):
             return shown(arguments[int(field)]) if int(field) < len(arguments) else UNKNOWN
-        return shown(keywords.get(field) or Missing(at))
+        return shown(keywords.get(field) or UnknownTerm(at))
 
     return _replaced_at(_FIELD, value, text, at)
 
 
 def _of_table(table: Table, name: str, arguments: Sequence[Term], at: Place) -> Term | None:
     keys = [Constant(key, table.keys[key]) for key in table.entries]
-    rest = [] if table.whole else [Perhaps(Missing(at), at)]
+    rest = [] if table.whole else [Perhaps(UnknownTerm(at), at)]
     if name == "items":
         pairs = [Items([key, table.entries[str(key.value)]], key.at) for key in keys]
         return Items([*pairs, *rest], at)
@@ -315,6 +315,6 @@ def _of_table(table: Table, name: str, arguments: Sequence[Term], at: Place) -> 
     if name == "get" and arguments:
         key = known_text(arguments[0])
         if key is None or (key not in table.entries and not table.whole):
-            return Missing(at)
+            return UnknownTerm(at)
         return table.entries.get(key) or (arguments[1] if len(arguments) > 1 else Constant(None, at))
-    return Missing(at)
+    return UnknownTerm(at)

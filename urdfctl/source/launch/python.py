@@ -15,7 +15,7 @@ from urdfctl.source.launch.expressions import Evaluation
 from urdfctl.source.launch.frames import Frame, extend, merged
 from urdfctl.source.launch.modules import Modules
 from urdfctl.source.launch.operations import added, listed, shown, truth
-from urdfctl.source.launch.terms import Constant, Function, Items, Missing, Name, Perhaps, Term, one_of
+from urdfctl.source.launch.terms import Constant, Function, ImportedName, Items, Perhaps, Term, UnknownTerm, one_of
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
@@ -181,7 +181,7 @@ class Run:
         elif isinstance(node, ast.FunctionDef):
             frame.names[node.name] = self._function(node, frame)
         elif isinstance(node, ast.ClassDef):
-            frame.names[node.name] = Missing(self.at(node))
+            frame.names[node.name] = UnknownTerm(self.at(node))
         elif isinstance(node, (ast.Import, ast.ImportFrom)):
             self._import(node, frame)
 
@@ -192,10 +192,10 @@ class Run:
             if alias.asname or is_from:
                 full = prefix + alias.name
                 own = self.evaluation.member(full) if is_from else None
-                frame.names[alias.asname or alias.name] = own or Name(full.lstrip("."), self.at(node))
+                frame.names[alias.asname or alias.name] = own or ImportedName(full.lstrip("."), self.at(node))
             else:
                 top = alias.name.partition(".")[0]
-                frame.names[top] = Name(top, self.at(node))
+                frame.names[top] = ImportedName(top, self.at(node))
 
     def _augmented(self, node: ast.AugAssign, frame: Frame) -> None:
         value = self.value(node.value, frame)
@@ -203,7 +203,7 @@ class Run:
         if isinstance(node.op, ast.Add) and isinstance(old, Items):
             extend(old, value, frame)
         else:
-            new = added(old, value, self.at(node)) if isinstance(node.op, ast.Add) else Missing(self.at(node))
+            new = added(old, value, self.at(node)) if isinstance(node.op, ast.Add) else UnknownTerm(self.at(node))
             self.bind(node.target, new, frame)
 
     def _if(self, node: ast.If, frame: Frame) -> str | None:
@@ -238,7 +238,7 @@ class Run:
         if known is None:
             before, frame.sure = dict(frame.names), False
             if isinstance(node, ast.For):
-                self.bind(node.target, Missing(self.at(node.iter)), frame)
+                self.bind(node.target, UnknownTerm(self.at(node.iter)), frame)
             self.block(node.body, frame)
             frame.names = merged([before, frame.names])
             frame.sure = was_sure

@@ -26,7 +26,7 @@ class Constant(NamedTuple):
         return self.value if isinstance(self.value, str) else None
 
 
-class Missing(NamedTuple):
+class UnknownTerm(NamedTuple):
     """An unknown value. `too_long`: it is a text that is longer than any in a real launch file."""
 
     at: Place
@@ -75,7 +75,7 @@ class Table:
         self.whole = self.whole and other.whole
 
 
-class Name(NamedTuple):
+class ImportedName(NamedTuple):
     """An imported or built-in name; `path` is the full name, e.g. `launch_ros.actions.Node`."""
 
     path: str
@@ -146,7 +146,7 @@ class Perhaps(NamedTuple):
     at: Place
 
 
-Term = Constant | Missing | Items | Table | Name | Called | Member | Function | OneOf | Perhaps
+Term = Constant | UnknownTerm | Items | Table | ImportedName | Called | Member | Function | OneOf | Perhaps
 
 
 class Context(NamedTuple):
@@ -164,14 +164,14 @@ def one_of(options: Sequence[Term], at: Place) -> Term:
                 distinct.append(term)
     if len(distinct) == 1:
         return distinct[0]
-    return OneOf(tuple(distinct), at) if 1 < len(distinct) <= _MOST_OPTIONS else Missing(at)
+    return OneOf(tuple(distinct), at) if 1 < len(distinct) <= _MOST_OPTIONS else UnknownTerm(at)
 
 
 def is_same(left: Term, right: Term) -> bool:
     """Return whether two terms are known to have the same value; two unknown terms count as the same."""
     if isinstance(left, Constant) and isinstance(right, Constant):
         return type(left.value) is type(right.value) and left.value == right.value and UNKNOWN not in str(left.value)
-    return left is right or (isinstance(left, Missing) and isinstance(right, Missing))
+    return left is right or (isinstance(left, UnknownTerm) and isinstance(right, UnknownTerm))
 
 
 def perhaps(term: Term) -> Term:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.source.launch.terms import MOST_ITEMS, Constant, Items, Missing, Plain, Table, Term
+from urdfctl.source.launch.terms import MOST_ITEMS, Constant, Items, Plain, Table, Term, UnknownTerm
 from urdfctl.source.yaml.tree import Mapping, Node, Scalar, YamlFile
 
 _DEEPEST = 12
@@ -20,9 +20,9 @@ def term_of_yaml(file: YamlFile) -> Term | None:
 
 def _term(node: Node, depth: int) -> Term:
     if depth > _DEEPEST:
-        return Missing(node.at)
+        return UnknownTerm(node.at)
     if isinstance(node, Scalar):
-        return Constant(_value(node), node.at) if node.tag is None else Missing(node.at)
+        return Constant(_value(node), node.at) if node.tag is None else UnknownTerm(node.at)
     if isinstance(node, Mapping):
         table = Table(node.at)
         for entry in node.entries[:MOST_ITEMS]:

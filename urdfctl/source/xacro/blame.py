@@ -7,7 +7,7 @@ from types import FrameType, TracebackType
 
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.xml.dom import COMMENT, Element, Node, Text
+from urdfctl.source.xml.dom import COMMENT, Element, XmlNode, XmlText
 from urdfctl.startup.records import NamedTuple
 
 
@@ -18,7 +18,7 @@ class Blame(NamedTuple):
     properties: those that were looked up, innermost last.
     """
 
-    node: Node | None
+    node: XmlNode | None
     attribute: str | None
     properties: tuple[str, ...] = ()
 
@@ -37,14 +37,14 @@ class Blame(NamedTuple):
 
 def blame_of(error: BaseException) -> Blame:
     """Return the node in the innermost evaluating frame of a traceback. It costs nothing unless there is an error."""
-    node: Node | None = None
+    node: XmlNode | None = None
     attribute: str | None = None
     properties: list[str] = []
     trace: TracebackType | None = error.__traceback__
     while trace is not None:
         values = trace.tb_frame.f_locals
         function = trace.tb_frame.f_code.co_name
-        if function in ("eval_all", "handle_macro_call") and isinstance(values.get("node"), Node):
+        if function in ("eval_all", "handle_macro_call") and isinstance(values.get("node"), XmlNode):
             node = values["node"]
             name = values.get("name")
             evaluates = trace.tb_next is not None and trace.tb_next.tb_frame.f_code.co_name == "eval_text"
@@ -71,7 +71,7 @@ def _looked_up(error: BaseException | None) -> list[str]:
     return names
 
 
-def cut_out(blame: Blame, parent: Element, done: list[Node]) -> bool:
+def cut_out(blame: Blame, parent: Element, done: list[XmlNode]) -> bool:
     """Remove what could not be evaluated, so that the rest can be; return False if nothing can be removed.
 
     What comes before it is already evaluated, and must not be again: it is moved to `done`.
@@ -79,24 +79,24 @@ def cut_out(blame: Blame, parent: Element, done: list[Node]) -> bool:
     if blame.attribute is not None and blame.element is parent and blame.attribute in parent.attrs:
         parent.attrs[blame.attribute] = UNKNOWN
         return True
-    node: Node | None = blame.node
+    node: XmlNode | None = blame.node
     while node is not None and node.parentNode is not parent:
         node = node.parentNode
     if node is None:
         return False
     done += _taken_from_before(node, parent)
-    if isinstance(node, Text):
+    if isinstance(node, XmlText):
         node.data = UNKNOWN
     else:
         parent.removeChild(node)
     return True
 
 
-def _taken_from_before(node: Node, parent: Element) -> list[Node]:
+def _taken_from_before(node: XmlNode, parent: Element) -> list[XmlNode]:
     """Remove and return the siblings before a node, without the comments next to it, which xacro removes with it."""
-    taken: list[Node] = []
+    taken: list[XmlNode] = []
     before = node.previousSibling
-    while isinstance(before, Text) and (before.nodeType == COMMENT or not before.data.strip()):
+    while isinstance(before, XmlText) and (before.nodeType == COMMENT or not before.data.strip()):
         before = before.previousSibling
     while before is not None:
         taken.append(before)
@@ -114,7 +114,7 @@ def node_being_evaluated() -> Element | None:
             node = frame.f_locals.get("node")
             if isinstance(node, Element):
                 return node
-            if isinstance(node, Node) and isinstance(node.parentNode, Element):
+            if isinstance(node, XmlNode) and isinstance(node.parentNode, Element):
                 return node.parentNode
         frame = frame.f_back
     return None

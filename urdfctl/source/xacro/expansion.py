@@ -40,8 +40,8 @@ from urdfctl.source.xacro.private import private_module
 from urdfctl.source.xacro.private.replacements import replace
 from urdfctl.source.xacro.private.safety import install_safety, install_yaml
 from urdfctl.source.xacro.private.speed import install_speed
-from urdfctl.source.xacro.private.without_ros import Substitutions
-from urdfctl.source.xml.dom import Cloning, Document, Element, Node, Text
+from urdfctl.source.xacro.private.without_ros import XacroSubstitutions
+from urdfctl.source.xml.dom import Cloning, Document, Element, XmlNode, XmlText
 from urdfctl.source.xml.parsing import parse
 
 
@@ -159,7 +159,7 @@ class Expander:
         ):
             self._originals[name] = getattr(module, name)
             replace(module, name, getattr(self, f"_{name}"))
-        replace(module, "_empty_text_node", Text("\n\n"))
+        replace(module, "_empty_text_node", XmlText("\n\n"))
         replace(module, "parse", self._parse)
         for level in ("warning", "error", "message"):
             replace(module, level, self._listener(level))
@@ -167,7 +167,7 @@ class Expander:
         meter = Meter(trust=self.trust)
         install_speed(module, meter, trust=self.trust)
         install_yaml(module, self.files, meter, self.loaded)
-        Substitutions(module, meter, self.find_package, self.environ).install(trust=self.trust)
+        XacroSubstitutions(module, meter, self.find_package, self.environ).install(trust=self.trust)
         install_safety(module, self.files, meter, trust=self.trust)
 
     def _install_findings(self) -> None:
@@ -261,12 +261,12 @@ class Expander:
             self.declared.setdefault(node.attrs.get("name", ""), node)
         return self._originals["check_attrs"](node, required, optional)
 
-    def _replace_node(self, node: Node, by: object, content_only: bool = False) -> None:  # noqa: FBT001, FBT002 (xacro's signature)
+    def _replace_node(self, node: XmlNode, by: object, content_only: bool = False) -> None:  # noqa: FBT001, FBT002 (xacro's signature)
         if by is None and isinstance(node, Element) and node.tagName == "xacro:attribute":
             self._note_attribute(node, node.parentNode)
         self._originals["replace_node"](node, by, content_only)
 
-    def _note_attribute(self, node: Element, parent: Node | None) -> None:
+    def _note_attribute(self, node: Element, parent: XmlNode | None) -> None:
         """Record who wrote an attribute of `parent`. A value that is not text is a problem: xacro cannot write it."""
         if not isinstance(parent, Element):
             return
@@ -299,7 +299,7 @@ class Expander:
     def _eval_all(self, node: Element, macros: object, symbols: object) -> None:
         evaluate = self._originals["eval_all"]
         depth = len(self.module.filestack), len(self.module.macrostack), len(self.calls)
-        done: list[Node] = []
+        done: list[XmlNode] = []
         while True:
             try:
                 evaluate(node, macros, symbols)

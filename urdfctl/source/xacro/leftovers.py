@@ -11,7 +11,7 @@ from urdfctl.source.disk.gate import is_folder, matching
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.prefixes import ANYTHING_GOES, lacks_prefix, without_prefix
-from urdfctl.source.xml.dom import COMMENT, Document, Element, Text
+from urdfctl.source.xml.dom import COMMENT, Document, Element, XmlText
 
 _ASKED = rb"\$\(\s*arg\s+([^\s()]+)|\barg\(\s*['\"]([^'\"]+)|\$\(\s*eval\b([^<>]*)"
 _BRACES = r"(?<!\$)\{\s*(\w+)\s*\}"
@@ -48,7 +48,7 @@ def repeated_condition(node: Element) -> Iterator[Problem]:
     """Yield the problem of two `<xacro:if>` in a row with the same condition and content. One of them was probably
     meant to be an `<xacro:unless>`."""
     following = node.nextSibling
-    while isinstance(following, Text) and (following.nodeType == COMMENT or not following.data.strip()):
+    while isinstance(following, XmlText) and (following.nodeType == COMMENT or not following.data.strip()):
         following = following.nextSibling
     if not isinstance(following, Element) or following.tagName != node.tagName:
         return

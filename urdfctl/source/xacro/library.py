@@ -14,7 +14,7 @@ from urdfctl.source.xacro.blame import Blame
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.leftovers import unused_arguments
 from urdfctl.source.xacro.unknown import UnknownExpander
-from urdfctl.source.xml.dom import Document, Element, Node
+from urdfctl.source.xml.dom import Document, Element, XmlNode
 
 _TOLD = {
     ProblemKind.XML_SYNTAX,
@@ -112,7 +112,7 @@ def _call_of(body: Element, macros: Any) -> Element:
         tag=f"xacro:{name}", attrs=values, source=body.source, start=body.start, call=None, cloning=body.cloning
     )
     for _ in [p for p in macro.params if p.startswith("*")]:
-        block: Node = Element(
+        block: XmlNode = Element(
             tag=UNKNOWN, attrs={}, source=body.source, start=body.start, call=None, cloning=body.cloning
         )
         call.appendChild(block)

@@ -20,7 +20,7 @@ _NOT_FOUND = NotFoundErr()
 """Created once: xacro asks every element for an attribute that few have, and creating an exception is slow."""
 
 
-class Node:
+class XmlNode:
     """The base class of all nodes: a parent, siblings and children."""
 
     __slots__ = ("firstChild", "lastChild", "nextSibling", "parentNode", "previousSibling")
@@ -28,11 +28,11 @@ class Node:
     nodeType = 0
 
     def __init__(self) -> None:
-        self.parentNode: Node | None = None
-        self.previousSibling: Node | None = None
-        self.nextSibling: Node | None = None
-        self.firstChild: Node | None = None
-        self.lastChild: Node | None = None
+        self.parentNode: XmlNode | None = None
+        self.previousSibling: XmlNode | None = None
+        self.nextSibling: XmlNode | None = None
+        self.firstChild: XmlNode | None = None
+        self.lastChild: XmlNode | None = None
 
     def _unlink(self) -> None:
         parent, before, after = self.parentNode, self.previousSibling, self.nextSibling
@@ -48,14 +48,14 @@ class Node:
             parent.lastChild = before
         self.parentNode = self.previousSibling = self.nextSibling = None
 
-    def removeChild(self, child: Node) -> Node:
+    def removeChild(self, child: XmlNode) -> XmlNode:
         """Remove a child and return it. Raises NotFoundErr if the node is not a child."""
         if child.parentNode is not self:
             raise NotFoundErr
         child._unlink()
         return child
 
-    def appendChild(self, child: Node) -> Node:
+    def appendChild(self, child: XmlNode) -> XmlNode:
         """Append a node to the children and return it; it is removed from its previous parent."""
         if child.parentNode is not None:
             child._unlink()
@@ -69,7 +69,7 @@ class Node:
         self.lastChild = child
         return child
 
-    def insertBefore(self, child: Node, reference: Node | None) -> Node:
+    def insertBefore(self, child: XmlNode, reference: XmlNode | None) -> XmlNode:
         """Insert a node before the child `reference` and return it; None appends it.
 
         Raises NotFoundErr if `reference` is not a child.
@@ -91,11 +91,11 @@ class Node:
         return child
 
     @property
-    def childNodes(self) -> list[Node]:
+    def childNodes(self) -> list[XmlNode]:
         """The children, in order."""
         return list(self.children())
 
-    def children(self) -> Iterator[Node]:
+    def children(self) -> Iterator[XmlNode]:
         """Yield the children in order. The tree must not change during the iteration."""
         child = self.firstChild
         while child is not None:
@@ -112,12 +112,12 @@ class Node:
             child = child.nextSibling
         return elements
 
-    def cloneNode(self, deep: bool = False) -> Node:
+    def cloneNode(self, deep: bool = False) -> XmlNode:
         """Return a copy of the node and its descendants, whatever `deep` is."""
         raise NotImplementedError
 
 
-class Text(Node):
+class XmlText(XmlNode):
     """A text, a CDATA section or a comment, depending on `nodeType`."""
 
     __slots__ = ("data", "nodeType")
@@ -128,11 +128,11 @@ class Text(Node):
         self.data = data
         self.nodeType = node_type
 
-    def cloneNode(self, deep: bool = False) -> Text:
-        return Text(self.data, self.nodeType)
+    def cloneNode(self, deep: bool = False) -> XmlText:
+        return XmlText(self.data, self.nodeType)
 
 
-class Instruction(Text):
+class Instruction(XmlText):
     """A processing instruction."""
 
     __slots__ = ("target",)
@@ -145,7 +145,7 @@ class Instruction(Text):
         return Instruction(self.target, self.data)
 
 
-class DocumentType(Node):
+class DocumentType(XmlNode):
     """A DOCTYPE without an internal subset."""
 
     __slots__ = ("name", "public", "system")
@@ -178,7 +178,7 @@ class _AttributeMap:
         return len(self._values)
 
 
-class Document(Node):
+class Document(XmlNode):
     """The root of the tree: the root element, and the comments and instructions before and after it."""
 
     __slots__ = ("documentElement",)
@@ -205,7 +205,7 @@ class Cloning:
         self.count = 0
 
 
-class Element(Node):
+class Element(XmlNode):
     """An element with its place in the source.
 
     tagName, nodeName: the qualified name.
@@ -290,7 +290,7 @@ class Element(Node):
             cloning=self.cloning,
         )
         copy.nodeName, copy.close, copy.moved = self.nodeName, self.close, self.moved
-        last: Node | None = None
+        last: XmlNode | None = None
         child = self.firstChild
         while child is not None:
             twin = child._copy(call, block) if isinstance(child, Element) else child.cloneNode()

@@ -17,8 +17,8 @@ from urdfctl.source.xml.dom import (
     DocumentType,
     Element,
     Instruction,
-    Node,
-    Text,
+    XmlNode,
+    XmlText,
 )
 
 MAX_DEPTH = 200
@@ -46,7 +46,7 @@ def parse(
     if source.data.startswith(_BOMS_OF_UTF_16):
         message, hint = "the file is UTF-16; xacro and urdfdom read UTF-8", "save it as UTF-8"
         raise ReadError(Problem(ProblemKind.XML_SYNTAX, Place(source, 0, end=0), message, hint=hint))
-    builder = _Builder(source, cloning or Cloning(), call, declarations=declarations)
+    builder = _TreeBuilder(source, cloning or Cloning(), call, declarations=declarations)
     late = re.match(_BLANKS_AND_DECLARATION, source.data) if late_declaration else None
     data = b" " * late.end() + source.data[late.end() :] if late else source.data
     try:
@@ -62,7 +62,7 @@ def parse(
     return builder.document
 
 
-class _Builder:
+class _TreeBuilder:
     """Builds the tree from expat's events."""
 
     def __init__(self, source: SourceText, cloning: Cloning, call: Call | None, *, declarations: bool) -> None:
@@ -71,7 +71,7 @@ class _Builder:
         self._cloning = cloning
         self._call = call
         self._declarations = declarations
-        self.current: Node = self.document
+        self.current: XmlNode = self.document
         self._namespaces: list[tuple[str, str]] = []
         self._in_cdata = self._cdata_continues = False
         self._depth = 0
@@ -144,10 +144,10 @@ class _Builder:
     def _text(self, data: str) -> None:
         last = self.current.lastChild
         kind = CDATA if self._in_cdata else TEXT
-        if isinstance(last, Text) and last.nodeType == kind and (self._cdata_continues or not self._in_cdata):
+        if isinstance(last, XmlText) and last.nodeType == kind and (self._cdata_continues or not self._in_cdata):
             last.data += data
         else:
-            self.current.appendChild(Text(data, kind))
+            self.current.appendChild(XmlText(data, kind))
         self._cdata_continues = self._in_cdata
 
     def _start_cdata(self) -> None:
@@ -157,7 +157,7 @@ class _Builder:
         self._in_cdata = False
 
     def _comment(self, data: str) -> None:
-        self.current.appendChild(Text(data, COMMENT))
+        self.current.appendChild(XmlText(data, COMMENT))
 
     def _instruction(self, target: str, data: str) -> None:
         self.current.appendChild(Instruction(target, data))

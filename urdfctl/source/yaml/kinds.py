@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 
 
-class Kind(Enum):
+class ValueKind(Enum):
     """The kind of a value, as the program that reads the file types it."""
 
     NULL = "null"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.source.yaml.tree import Entry, Mapping, Node, Scalar, Sequence, YamlFile
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlEntry, YamlFile
 
 _DEEPEST = 40
 _MOST_CHARACTERS = 1 << 16
@@ -29,7 +29,7 @@ def _replaced(node: Node, pairs: list[tuple[str, str]], depth: int) -> Node:
         return _scalar(node, pairs)
     if isinstance(node, Sequence):
         return node._replace(items=tuple(_replaced(item, pairs, depth + 1) for item in node.items))
-    entries = (Entry(_scalar(entry.key, pairs), _replaced(entry.value, pairs, depth + 1)) for entry in node.entries)
+    entries = (YamlEntry(_scalar(entry.key, pairs), _replaced(entry.value, pairs, depth + 1)) for entry in node.entries)
     return node._replace(entries=tuple(entries)) if isinstance(node, Mapping) else node
 
 

@@ -68,7 +68,7 @@ class Sequence(NamedTuple):
 class Mapping(NamedTuple):
     """A map: its entries in order, including duplicate keys."""
 
-    entries: tuple[Entry, ...]
+    entries: tuple[YamlEntry, ...]
     tag: str | None
     source: SourceText
     start: int
@@ -84,7 +84,7 @@ class Mapping(NamedTuple):
         return next((entry.value for entry in reversed(self.entries) if entry.key.text == key), None)
 
 
-class Entry(NamedTuple):
+class YamlEntry(NamedTuple):
     """A key and its value."""
 
     key: Scalar
@@ -133,20 +133,20 @@ def read_yaml(source: SourceText, *, by_python: bool = False) -> YamlFile:
 
 def read_yaml_in(source: SourceText, start: int, text: bytes) -> YamlFile:
     """Return the tree of a text in a file, which begins at a byte offset. What is not YAML there has to be blanks."""
-    return _read(_Reader(source, SAFE_LOADER, text, start))
+    return _read(_EventReader(source, SAFE_LOADER, text, start))
 
 
 @once_per_object
 def _by_python(source: SourceText) -> YamlFile:
-    return _read(_Reader(source, yaml.SafeLoader, source.data))
+    return _read(_EventReader(source, yaml.SafeLoader, source.data))
 
 
 @once_per_object
 def _by_fastest(source: SourceText) -> YamlFile:
-    return _read(_Reader(source, SAFE_LOADER, source.data))
+    return _read(_EventReader(source, SAFE_LOADER, source.data))
 
 
-def _read(reader: _Reader) -> YamlFile:
+def _read(reader: _EventReader) -> YamlFile:
     source = reader.source
     try:
         reader.read()
@@ -177,7 +177,7 @@ class _Weight(NamedTuple):
 _LEAF = _Weight(1, 0)
 
 
-class _Reader:
+class _EventReader:
     def __init__(self, source: SourceText, loader: Any, data: bytes, base: int = 0) -> None:
         self.source = source
         self._loader = loader
@@ -273,22 +273,22 @@ class _Reader:
         else:
             self.documents.append(node)
 
-    def _entries(self, opened: _Open) -> tuple[Entry, ...]:
+    def _entries(self, opened: _Open) -> tuple[YamlEntry, ...]:
         keys, values = opened.children[::2], opened.children[1::2]
-        seen: dict[str, Entry] = {}
+        seen: dict[str, YamlEntry] = {}
         entries = []
         for key, value in zip(keys, values, strict=True):
             if not isinstance(key, Scalar):
                 message = "a list or map cannot be a parameter name. Quote text that contains braces or brackets"
                 raise ReadError(Problem(ProblemKind.YAML_SYNTAX, key.at, message))
-            entry = Entry(key, value)
+            entry = YamlEntry(key, value)
             if key.text in seen and key.text != "<<":
                 self._duplicate(entry, seen[key.text])
             seen[key.text] = entry
             entries.append(entry)
         return tuple(entries)
 
-    def _duplicate(self, entry: Entry, first: Entry) -> None:
+    def _duplicate(self, entry: YamlEntry, first: YamlEntry) -> None:
         if len(self.problems) >= _MOST_DUPLICATES:
             return
         name, line = entry.key.text, self.source.position(first.key.start).line

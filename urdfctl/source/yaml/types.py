@@ -11,7 +11,7 @@ import re
 from functools import lru_cache
 from typing import Any
 
-from urdfctl.source.yaml.kinds import Kind
+from urdfctl.source.yaml.kinds import ValueKind
 from urdfctl.source.yaml.tree import Scalar
 from urdfctl.startup.lazy_yaml import yaml
 from urdfctl.startup.records import NamedTuple
@@ -29,10 +29,10 @@ _MOST_DIGITS = 400
 _INT64 = range(-(1 << 63), 1 << 63)
 
 
-class Typed(NamedTuple):
+class TypedScalar(NamedTuple):
     """The kind and value of a scalar. The value is None if there is none, or if it is unknown."""
 
-    kind: Kind
+    kind: ValueKind
     value: bool | int | float | str | None
 
 
@@ -42,31 +42,33 @@ def is_literal(text: str) -> bool:
     return re.search(_SUBSTITUTION, text) is None
 
 
-def typed_by_rcl(scalar: Scalar) -> Typed:
+def typed_by_rcl(scalar: Scalar) -> TypedScalar:
     """Return a scalar as get_value of rcl_yaml_param_parser types it.
 
     It ignores all tags but `!!str`, and rejects an empty plain scalar, which has the kind NULL here.
     """
     text = scalar.text
     if not is_literal(text):
-        return Typed(Kind.UNKNOWN, None)
+        return TypedScalar(ValueKind.UNKNOWN, None)
     if scalar.style in ("'", '"') or scalar.tag == f"{_STANDARD}str":
-        return Typed(Kind.STRING, text)
+        return TypedScalar(ValueKind.STRING, text)
     return _by_rcl(text)
 
 
 @lru_cache(4096)
-def _by_rcl(text: str) -> Typed:
+def _by_rcl(text: str) -> TypedScalar:
     if text in _RCL_TRUE or text in _RCL_FALSE:
-        return Typed(Kind.BOOL, text in _RCL_TRUE)
+        return TypedScalar(ValueKind.BOOL, text in _RCL_TRUE)
     if not text:
-        return Typed(Kind.NULL, None)
+        return TypedScalar(ValueKind.NULL, None)
     integer = _c_integer(text)
     if integer is not None:
-        return Typed(Kind.INT, integer)
+        return TypedScalar(ValueKind.INT, integer)
     number = _c_double(text)
     return (
-        Typed(Kind.STRING, text) if number is None else Typed(Kind.INT if type(number) is int else Kind.FLOAT, number)
+        TypedScalar(ValueKind.STRING, text)
+        if number is None
+        else TypedScalar(ValueKind.INT if type(number) is int else ValueKind.FLOAT, number)
     )
 
 
@@ -96,46 +98,46 @@ def _c_double(text: str) -> float | None:
     return None if overflows else number
 
 
-def typed_by_pyyaml(scalar: Scalar) -> Typed:
+def typed_by_pyyaml(scalar: Scalar) -> TypedScalar:
     """Return a scalar as PyYAML's safe loader types it, with rosparam's angles (in rad)."""
     if not is_literal(scalar.text):
-        return Typed(Kind.UNKNOWN, None)
+        return TypedScalar(ValueKind.UNKNOWN, None)
     tag = scalar.tag
     if tag is None and scalar.style:
-        return Typed(Kind.STRING, scalar.text)
+        return TypedScalar(ValueKind.STRING, scalar.text)
     if tag in ("!", f"{_STANDARD}str"):
-        return Typed(Kind.STRING, scalar.text)
+        return TypedScalar(ValueKind.STRING, scalar.text)
     return _by_pyyaml(scalar.text, tag)
 
 
 @lru_cache(4096)
-def _by_pyyaml(text: str, tag: str | None) -> Typed:
+def _by_pyyaml(text: str, tag: str | None) -> TypedScalar:
     if tag is None and re.fullmatch(_ANGLE, text):
         tag = "!degrees" if text.startswith("deg") else "!radians"
     if tag in ("!degrees", "!radians"):
-        return Typed(Kind.FLOAT, _angle(text, degrees=tag == "!degrees"))
+        return TypedScalar(ValueKind.FLOAT, _angle(text, degrees=tag == "!degrees"))
     tag = tag or _resolver().resolve(yaml.ScalarNode, text, (True, False))
     name = tag.removeprefix(_STANDARD)
     if name not in _PYYAML_KINDS:
-        return Typed(Kind.OTHER, None)
+        return TypedScalar(ValueKind.OTHER, None)
     kind = _PYYAML_KINDS[name]
-    if kind in (Kind.STRING, Kind.NULL):
-        return Typed(kind, text if kind is Kind.STRING else None)
+    if kind in (ValueKind.STRING, ValueKind.NULL):
+        return TypedScalar(kind, text if kind is ValueKind.STRING else None)
     try:
-        return Typed(kind, getattr(_constructor(), f"construct_yaml_{name}")(yaml.ScalarNode(tag, text)))
+        return TypedScalar(kind, getattr(_constructor(), f"construct_yaml_{name}")(yaml.ScalarNode(tag, text)))
     except (ValueError, KeyError, OverflowError):
-        return Typed(Kind.OTHER, None)
+        return TypedScalar(ValueKind.OTHER, None)
 
 
 _PYYAML_KINDS = {
-    "null": Kind.NULL,
-    "bool": Kind.BOOL,
-    "int": Kind.INT,
-    "float": Kind.FLOAT,
-    "str": Kind.STRING,
-    "value": Kind.STRING,
-    "binary": Kind.STRING,
-    "merge": Kind.STRING,
+    "null": ValueKind.NULL,
+    "bool": ValueKind.BOOL,
+    "int": ValueKind.INT,
+    "float": ValueKind.FLOAT,
+    "str": ValueKind.STRING,
+    "value": ValueKind.STRING,
+    "binary": ValueKind.STRING,
+    "merge": ValueKind.STRING,
 }
 
 

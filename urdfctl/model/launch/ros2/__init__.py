@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from urdfctl.model.launch.ros2.build_launch_ros2 import Sources, launch_of_ros2
+from urdfctl.model.launch.ros2.build_launch_ros2 import Ros2Sources, launch_of_ros2
 
 __all__ = [
-    "Sources",
+    "Ros2Sources",
     "launch_of_ros2",
 ]

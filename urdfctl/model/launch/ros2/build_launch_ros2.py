@@ -15,16 +15,16 @@ from urdfctl.model.launch.ros2.simulators import (
     package_outside,
     simulator_of,
 )
-from urdfctl.model.launch.ros2.texts import Scope, Texts, table_of
+from urdfctl.model.launch.ros2.texts import ActionScope, Texts, table_of
 from urdfctl.source.launch.terms import (
     Called,
     Constant,
     Function,
     Items,
-    Missing,
     OneOf,
     Perhaps,
     Term,
+    UnknownTerm,
 )
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -62,7 +62,7 @@ _SPAWNING = frozenset(
 )
 
 
-class Sources(NamedTuple):
+class Ros2Sources(NamedTuple):
     """Access to files, packages and the environment for a launch file.
 
     read: returns the launch description of a file; None if it cannot be read.
@@ -98,13 +98,13 @@ class _State(NamedTuple):
     depth: int = 0
 
 
-def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
+def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources) -> Launch | None:
     """Return the model of a ROS 2 launch file that is started with these arguments; None if it is not such a file."""
     term = sources.read(path)
     if term is None:
         return None
     walk = _Walk(sources)
-    walk.action(term, Scope(path, arguments), _State())
+    walk.action(term, ActionScope(path, arguments), _State())
     facts = walk.facts
     order = {name: index for index, spawn in enumerate(facts.spawns) for name, _ in spawn.names}
     spawns = sorted(facts.spawns, key=lambda spawn: _turn(spawn, facts.spawns, order))
@@ -133,7 +133,7 @@ def _turn(spawn: Spawn, spawns: list[Spawn], order: Mapping[str, int], depth: in
 
 
 class _Walk:
-    def __init__(self, sources: Sources) -> None:
+    def __init__(self, sources: Ros2Sources) -> None:
         self.sources = sources
         self.facts = LaunchFacts(sources.locate)
         self.simulations: list[Simulation] = []
@@ -141,16 +141,16 @@ class _Walk:
         self.complete = True
         self._includes = self._actions = 0
 
-    def texts(self, scope: Scope) -> Texts:
+    def texts(self, scope: ActionScope) -> Texts:
         sources = self.sources
         return Texts(scope, sources.find, sources.environ, sources.values, sources.too_long)
 
-    def nodes(self, scope: Scope) -> Nodes:
+    def nodes(self, scope: ActionScope) -> Nodes:
         return Nodes(self.facts, self.texts(scope))
 
     # -- actions -----------------------------------------------------------------------------------------------------
 
-    def action(self, term: Term | None, scope: Scope, state: _State) -> None:
+    def action(self, term: Term | None, scope: ActionScope, state: _State) -> None:
         """Follow an action or a list of actions."""
         self._actions += 1
         if self._actions > _MOST_ACTIONS or state.depth > _MOST_DEPTH * 4:
@@ -167,7 +167,7 @@ class _Walk:
         elif not (term is None or isinstance(term, Constant)):
             self.complete = False
 
-    def _apart(self, terms: Sequence[Term], scope: Scope, state: _State) -> None:
+    def _apart(self, terms: Sequence[Term], scope: ActionScope, state: _State) -> None:
         """Follow actions each of which may run or not: what they set is known among themselves, and not after them."""
         scopes = [scope.copy() for _ in terms]
         for term, inner in zip(terms, scopes, strict=True):
@@ -175,7 +175,7 @@ class _Walk:
         for inner in scopes:
             scope.blur(inner)
 
-    def _called(self, term: Called, scope: Scope, state: _State) -> None:
+    def _called(self, term: Called, scope: ActionScope, state: _State) -> None:
         held = self.texts(scope).condition(term.keywords.get("condition"))
         if held is False:
             scope = scope.copy()
@@ -187,7 +187,7 @@ class _Walk:
         if held is None:
             outer.blur(scope)
 
-    def _act(self, term: Called, scope: Scope, state: _State) -> None:
+    def _act(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow an action whose condition may be true."""
         if term.short in _ACTIONS:
             _ACTIONS[term.short](self, term, scope, state)
@@ -202,13 +202,13 @@ class _Walk:
         elif term.short not in _HARMLESS and state.held:
             self.complete = False
 
-    def description(self, term: Called, scope: Scope, state: _State) -> None:
+    def description(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow the actions of a launch description, including those added later."""
         self.action(term.given("initial_entities", 0), scope, state)
         for added in term.added:
             self.action(added, scope, state)
 
-    def declared(self, term: Called, scope: Scope, _: _State) -> None:
+    def declared(self, term: Called, scope: ActionScope, _: _State) -> None:
         """Declare a launch argument: set its default if no value was given."""
         texts = self.texts(scope)
         name = texts.of(term.given("name", 0))
@@ -223,7 +223,7 @@ class _Walk:
         scope.settings[name] = value or self.sources.blank()
         self._described(name, default, scope)
 
-    def set(self, term: Called, scope: Scope, state: _State) -> None:
+    def set(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Set a launch configuration (`let` in XML)."""
         texts = self.texts(scope)
         name = texts.of(term.given("name", 0))
@@ -236,12 +236,12 @@ class _Walk:
             scope.settings[name] = texts.of(value)
             self._described(name, value, scope)
 
-    def _described(self, name: str, value: Term | None, scope: Scope) -> None:
+    def _described(self, name: str, value: Term | None, scope: ActionScope) -> None:
         content = content_of(value, self.texts(scope), self.facts.exists) if value is not None else None
         if content is not None:
             scope.contents[name] = content
 
-    def group(self, term: Called, scope: Scope, state: _State) -> None:
+    def group(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow a group. Its settings end with it, unless it is not scoped."""
         texts = self.texts(scope)
         inner = scope if texts.truth(term.keywords.get("scoped")) is False else scope.copy()
@@ -250,13 +250,13 @@ class _Walk:
             inner.settings.update((name, texts.of(value)) for name, value in settings.entries.items())
         self.action(term.given("actions", 0), inner, state)
 
-    def namespace(self, term: Called, scope: Scope, state: _State) -> None:
+    def namespace(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Change the namespace of the following nodes (PushRosNamespace)."""
         if state.held:
             pushed = self.texts(scope).of(term.given("namespace", 0))
             scope.namespace = joined(scope.namespace, pushed)
 
-    def opaque(self, term: Called, scope: Scope, state: _State) -> None:
+    def opaque(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow an OpaqueFunction: call the function with the launch context, and follow the actions it returns."""
         function = term.given("function", 0)
         if not isinstance(function, Function):
@@ -265,15 +265,15 @@ class _Walk:
         given = term.given("args")
         arguments = given.values if isinstance(given, Items) else []
         keywords = table_of(term.given("kwargs"))
-        context = Missing(term.at)
+        context = UnknownTerm(term.at)
         actions = function.call([context, *arguments], keywords.entries if keywords else {}, self.texts(scope).context)
         self.action(actions, scope, state)
 
-    def timer(self, term: Called, scope: Scope, state: _State) -> None:
+    def timer(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow the actions of a timer."""
         self.action(term.given("actions"), scope, state)
 
-    def handler(self, term: Called, scope: Scope, state: _State) -> None:
+    def handler(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow the actions of an event handler for the start or the exit of a process."""
         event = term.given("event_handler", 0)
         if not isinstance(event, Called) or event.short not in _HANDLERS:
@@ -284,16 +284,16 @@ class _Walk:
             state = state._replace(after=tuple(word.text for word in arguments.names) if arguments else ())
         actions = event.given(_HANDLERS[event.short], 1)
         if isinstance(actions, Function):
-            actions = actions.call([Missing(term.at), Missing(term.at)], {}, self.texts(scope).context)
+            actions = actions.call([UnknownTerm(term.at), UnknownTerm(term.at)], {}, self.texts(scope).context)
         self.action(actions, scope, state)
 
-    def moveit(self, term: Called, scope: Scope, state: _State) -> None:
+    def moveit(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Add what a function of moveit_configs_utils.launches starts."""
         self.nodes(scope).moveit(term, sure=state.sure, held=state.held)
 
     # -- included files ----------------------------------------------------------------------------------------------
 
-    def include(self, term: Called, scope: Scope, state: _State) -> None:
+    def include(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow an included launch file. Its settings stay in effect after it."""
         texts = self.texts(scope)
         source = term.given("launch_description_source", 0)
@@ -316,7 +316,7 @@ class _Walk:
             at = source.at if source is not None else term.at
             self._follow(path, Word(path, at), scope, state)
 
-    def _follow(self, path: str, written: Word, scope: Scope, state: _State) -> None:
+    def _follow(self, path: str, written: Word, scope: ActionScope, state: _State) -> None:
         self._includes += 1
         included = None
         if UNKNOWN not in path:
@@ -336,7 +336,7 @@ class _Walk:
         if simulation is not None:
             self.simulations.append(simulation)
 
-    def _process(self, term: Called, scope: Scope, state: _State) -> None:
+    def _process(self, term: Called, scope: ActionScope, state: _State) -> None:
         words = self.nodes(scope).command(term, sure=state.sure, held=state.held, after=state.after)
         texts = [word.text for word in words]
         if not texts or not state.held:
@@ -346,7 +346,7 @@ class _Walk:
             self.complete = False
 
 
-_ACTIONS: dict[str, Callable[[_Walk, Called, Scope, _State], None]] = {
+_ACTIONS: dict[str, Callable[[_Walk, Called, ActionScope, _State], None]] = {
     "LaunchDescription": _Walk.description,
     "DeclareLaunchArgument": _Walk.declared,
     "SetLaunchConfiguration": _Walk.set,

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable
 
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.launch import Description, Node, ParameterLoad, Reference, Spawn, Word
+from urdfctl.model.launch import Description, LaunchedFile, Node, ParameterLoad, Spawn, Word
 from urdfctl.model.launch.ros2.texts import Content
 from urdfctl.model.moveit import MoveItFiles
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -26,7 +26,7 @@ class LaunchFacts:
         self.spawns: list[Spawn] = []
         self.elsewhere: list[Spawn] = []
         self.nodes: list[Node] = []
-        self.references: dict[tuple[str, int], Reference] = {}
+        self.references: dict[tuple[str, int], LaunchedFile] = {}
         self.moveit: list[MoveItFiles] = []
         self.altered = False
         """Whether an action changes the parameters or remappings of all following nodes."""
@@ -43,7 +43,7 @@ class LaunchFacts:
             located, exists = None, None  # depends on the folder that the launch is started in
         reference = FileReference(path, at, located, exists)
         if located is not None:
-            self.references.setdefault((located, at.start), Reference(reference, use, None, sure))
+            self.references.setdefault((located, at.start), LaunchedFile(reference, use, None, sure))
         return reference
 
     def load(

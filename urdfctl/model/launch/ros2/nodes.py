@@ -11,7 +11,7 @@ from urdfctl.model.launch.ros2.moveit import builder_of
 from urdfctl.model.launch.ros2.parameters import DESCRIBED, MANAGERS, NodeParameters
 from urdfctl.model.launch.ros2.spawner import SpawnerArguments, command_arguments, manager_of, spawner_arguments
 from urdfctl.model.launch.ros2.texts import Content, Texts
-from urdfctl.source.launch.terms import Called, Constant, Items, Missing, OneOf, Perhaps, Table, Term
+from urdfctl.source.launch.terms import Called, Constant, Items, OneOf, Perhaps, Table, Term, UnknownTerm
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
 
@@ -249,7 +249,7 @@ def _given(term: Called, keyword: str) -> Term | None:
 
 
 def _as_list(term: Term | None) -> Term | None:
-    return Items([term], term.at) if isinstance(term, (Constant, Called, Missing)) else term
+    return Items([term], term.at) if isinstance(term, (Constant, Called, UnknownTerm)) else term
 
 
 def _one_word(term: OneOf) -> bool:

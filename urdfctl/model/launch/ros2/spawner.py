@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from urdfctl.model.launch import Option, Word
+from urdfctl.model.launch import ProgramOption, Word
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
@@ -41,7 +41,7 @@ class SpawnerArguments(NamedTuple):
     """
 
     names: tuple[Word, ...]
-    options: tuple[Option, ...]
+    options: tuple[ProgramOption, ...]
     manager: str | None
     active: bool
     complete: bool
@@ -60,7 +60,7 @@ def spawner_arguments(words: Sequence[Word], *, complete: bool) -> SpawnerArgume
     complete: False if some words are unknown.
     """
     names: list[Word] = []
-    options: list[Option] = []
+    options: list[ProgramOption] = []
     rest = iter(words)
     for word in rest:
         name, mark, value = word.text.partition("=")
@@ -72,9 +72,9 @@ def spawner_arguments(words: Sequence[Word], *, complete: bool) -> SpawnerArgume
             names += [given] if given else []
         elif name in WITH_VALUE:
             given = Word(value, word.at) if mark else next(rest, None)
-            options.append(Option(name, given, word.at))
+            options.append(ProgramOption(name, given, word.at))
         elif name in _WITHOUT_VALUE or name.startswith("-"):
-            options.append(Option(name, None, word.at))
+            options.append(ProgramOption(name, None, word.at))
             complete = complete and UNKNOWN not in name
         elif word.text:
             names.append(word)
@@ -101,7 +101,7 @@ def command_arguments(words: Sequence[Word]) -> tuple[Word, SpawnerArguments] | 
     verb, parsed = words[2], spawner_arguments(words[3:], complete=True)
     active = _VERBS[verb.text]
     if verb.text != "set_controller_state" and parsed.names[1:]:  # newer distros: the controller, then a file
-        file = Option("--param-file", parsed.names[1], parsed.names[1].at)
+        file = ProgramOption("--param-file", parsed.names[1], parsed.names[1].at)
         parsed = parsed._replace(names=parsed.names[:1], options=(*parsed.options, file))
     if verb.text == "set_controller_state":
         state = parsed.names[1:2]

@@ -40,7 +40,7 @@ class Content(NamedTuple):
     more: bool = False
 
 
-class Scope:
+class ActionScope:
     """The state of a launch file while its actions are followed.
 
     file: path of the file.
@@ -57,13 +57,13 @@ class Scope:
         self.contents: dict[str, Content] = {}
         self.namespace = namespace
 
-    def copy(self) -> Scope:
+    def copy(self) -> ActionScope:
         """Return an independent copy."""
-        copied = Scope(self.file, self.settings, self.namespace)
+        copied = ActionScope(self.file, self.settings, self.namespace)
         copied.contents = dict(self.contents)
         return copied
 
-    def blur(self, other: Scope) -> None:
+    def blur(self, other: ActionScope) -> None:
         """Forget what is different in another scope, which may be in effect instead."""
         for name, value in other.settings.items():
             if self.settings.get(name) != value:
@@ -85,7 +85,7 @@ class Texts:
 
     def __init__(
         self,
-        scope: Scope,
+        scope: ActionScope,
         find: Callable[[str, Place], str | None],
         environ: Mapping[str, str],
         values: Callable[[str], Term | None],

@@ -13,7 +13,7 @@ from urdfctl.source.xacro.private.replacements import replace
 from urdfctl.source.xacro.private.safety import evaluate_text
 
 
-class Substitutions:
+class XacroSubstitutions:
     """The state for resolving `$(...)`, and the function that xacro calls for it."""
 
     def __init__(

@@ -14,7 +14,7 @@ from typing import Any
 
 from urdfctl.source.opaque import AnyArgument
 from urdfctl.source.xacro.expansion import Expander
-from urdfctl.source.xacro.tracing.recording import Condition, Recorder, Step, key_of
+from urdfctl.source.xacro.tracing.recording import EvaluatedText, Recorder, XacroCondition, key_of
 from urdfctl.source.xml.dom import Element
 
 
@@ -50,7 +50,7 @@ class TracingExpander(Expander):
         if node.tagName in ("xacro:if", "xacro:unless"):
             close = node.close if node.close is not None else node.start
             text = node.attrs.get("value", "")
-            found = Condition(key_of(node), close, node.at["value"], text, _defined_in(node))
+            found = XacroCondition(key_of(node), close, node.at["value"], text, _defined_in(node))
             self.recorder.conditions.append(found)
         return super()._check_attrs(node, required, optional)
 
@@ -72,7 +72,9 @@ class _Arguments(AnyArgument):
     def __init__(self, recorder: Recorder, values: dict[str, str]) -> None:
         super().__init__(values)
         self._recorder, self._are_any = recorder, isinstance(values, AnyArgument)
-        self.steps = {name: Step(kind="given", name=name, place=None, text=value) for name, value in values.items()}
+        self.steps = {
+            name: EvaluatedText(kind="given", name=name, place=None, text=value) for name, value in values.items()
+        }
 
     def __missing__(self, name: str) -> str:
         if self._are_any:
@@ -86,7 +88,7 @@ class _Arguments(AnyArgument):
             return super().__getitem__(name) if step is None else str(recorder.replay.value_of(step))
         value = super().__getitem__(name)
         if recorder.open:
-            step = self.steps.setdefault(name, Step(kind="given", name=name, place=None, text=value))
+            step = self.steps.setdefault(name, EvaluatedText(kind="given", name=name, place=None, text=value))
             recorder.open[-1].inputs[(id(self), name)] = step
         return value
 

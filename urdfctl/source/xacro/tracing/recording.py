@@ -10,8 +10,7 @@ from typing import Any
 
 from urdfctl.source.disk.files import Files
 from urdfctl.source.span import Call, Place, SourceText
-from urdfctl.source.xml.dom import COMMENT, Element
-from urdfctl.source.xml.dom import Text as Characters
+from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 from urdfctl.startup.records import NamedTuple
 
 YamlKey = tuple[SourceText, tuple[str | int, ...]]
@@ -20,7 +19,7 @@ Key = tuple[str, int, Call | None]
 """An element of an expansion before macros copied it: its file, its offset, and the call that produced it."""
 
 
-class Step:
+class EvaluatedText:
     """A text that was evaluated, or a constant: the value of an attribute, a property, a parameter or an argument.
 
     kind: attribute, text, property, parameter, default, argument, given or condition.
@@ -42,12 +41,12 @@ class Step:
         self.symbols: Any = None
         self.file: str | None = None
         self.value: Any = text
-        self.inputs: dict[tuple[int, str], Step] = {}
+        self.inputs: dict[tuple[int, str], EvaluatedText] = {}
         self.loads: dict[YamlKey, None] = {}
         self.is_text = kind in {"attribute", "text", "argument", "given", "condition"}
 
 
-class Condition(NamedTuple):
+class XacroCondition(NamedTuple):
     """An `<xacro:if>` or `<xacro:unless>`: where it is, and the properties that are defined in it."""
 
     key: Key
@@ -63,18 +62,18 @@ class Recorder:
     def __init__(self, module: ModuleType, files: Files) -> None:
         self.module: Any = module
         self.files = files
-        self.open: list[Step] = []
+        self.open: list[EvaluatedText] = []
         """The steps that are being evaluated, innermost last."""
-        self.last: Step | None = None
+        self.last: EvaluatedText | None = None
         self.replay: Any = None
         """What answers the look-ups while texts are evaluated again; None during the expansion."""
         self.evaluate: Any = None
         self.arguments: Any = None
-        self.conditions: list[Condition] = []
-        self._steps: dict[Key, dict[str, Step]] = {}
+        self.conditions: list[XacroCondition] = []
+        self._steps: dict[Key, dict[str, EvaluatedText]] = {}
         self._map, self._list = _yaml_types(self)
 
-    def run(self, step: Step, function: Any, *arguments: Any) -> Any:
+    def run(self, step: EvaluatedText, function: Any, *arguments: Any) -> Any:
         """Call a function, whose look-ups are those of a step; return its result, which becomes the step's value."""
         step.file = self.module.filestack[-1]
         self.open.append(step)
@@ -84,47 +83,47 @@ class Recorder:
             self.open.pop()
         return step.value
 
-    def step_for(self, text: str) -> Step:
+    def step_for(self, text: str) -> EvaluatedText:
         """Return the step of a text that xacro evaluates now."""
         frame: FrameType | None = sys._getframe(2)
         while frame is not None and frame.f_code.co_name not in _EVALUATING:
             frame = frame.f_back
-        return self._of_frame(frame, text) if frame is not None else Step("text", "", None, text)
+        return self._of_frame(frame, text) if frame is not None else EvaluatedText("text", "", None, text)
 
-    def _of_frame(self, frame: FrameType, text: str) -> Step:
+    def _of_frame(self, frame: FrameType, text: str) -> EvaluatedText:
         values = frame.f_locals
         if frame.f_code.co_name == "eval_default_arg":
             body, name = values["macro"].body, values["forward_variable"] or ""
             name = name or (frame.f_back.f_locals.get("param", "") if frame.f_back else "")
-            return Step("default", name, written_default(body, name, text), text)
+            return EvaluatedText("default", name, written_default(body, name, text), text)
         node = values.get("node", values.get("elt"))
-        if isinstance(node, Characters):
-            step = Step("text", "", _place_of_text(node), text.strip())
+        if isinstance(node, XmlText):
+            step = EvaluatedText("text", "", _place_of_text(node), text.strip())
             return self._kept(node.parentNode, "", step)
         if not isinstance(node, Element):
-            return Step("text", "", None, text)
+            return EvaluatedText("text", "", None, text)
         name = _attribute_with(node, text, values.get("name"))
         kind = "parameter" if frame.f_code.co_name == "handle_macro_call" else "attribute"
         if node.tagName in ("xacro:if", "xacro:unless"):
             kind = "condition"
-        return self._kept(node, name, Step(kind, name, node.at[name], text))
+        return self._kept(node, name, EvaluatedText(kind, name, node.at[name], text))
 
-    def _kept(self, node: Any, name: str, step: Step) -> Step:
+    def _kept(self, node: Any, name: str, step: EvaluatedText) -> EvaluatedText:
         if isinstance(node, Element):
             self._steps.setdefault(key_of(node), {})[name] = step
         return step
 
     # -- bindings ----------------------------------------------------------------------------------------------------
 
-    def taken_or_constant(self, node: Element, attribute: str, kind: str = "property") -> Step:
+    def taken_or_constant(self, node: Element, attribute: str, kind: str = "property") -> EvaluatedText:
         """Return the step that just evaluated an attribute, or a new one for a text that needs no evaluation."""
         text = node.attrs.get(attribute, "")
         found = self._steps.get(key_of(node), {}).get(attribute)
         if found is not None and "$" in text:
             return found
-        return Step(kind, attribute, node.at[attribute], text)
+        return EvaluatedText(kind, attribute, node.at[attribute], text)
 
-    def step_of_binding(self, key: str) -> Step | None:
+    def step_of_binding(self, key: str) -> EvaluatedText | None:
         """Return the step for a name that xacro defines now; None for blocks and namespaces."""
         frame = sys._getframe(2)
         while frame.f_code.co_name in ("_setitem", "<lambda>", "_bind"):
@@ -138,42 +137,42 @@ class Recorder:
             return self._of_default(values, key)
         return self._of_parameter(values["node"], key, values.get("value"))
 
-    def _of_property(self, node: Element, key: str) -> Step | None:
+    def _of_property(self, node: Element, key: str) -> EvaluatedText | None:
         attribute = "value" if "value" in node.attrs else "default"
         if attribute not in node.attrs:
             return None
         found = self._steps.get(key_of(node), {}).pop(attribute, None)
-        step = found or Step("property", key, node.at[attribute], node.attrs[attribute])
+        step = found or EvaluatedText("property", key, node.at[attribute], node.attrs[attribute])
         step.kind, step.name, step.is_text = "property", key, False
         return step
 
-    def _of_parameter(self, node: Element, key: str, text: Any) -> Step:
+    def _of_parameter(self, node: Element, key: str, text: Any) -> EvaluatedText:
         step = self._steps.get(key_of(node), {}).get(key)
         if step is None or not (isinstance(text, str) and "$" in text):
-            step = Step("parameter", key, node.at[key], text if isinstance(text, str) else "")
+            step = EvaluatedText("parameter", key, node.at[key], text if isinstance(text, str) else "")
         step.is_text = False
         return step
 
-    def _of_default(self, values: dict[str, Any], key: str) -> Step:
+    def _of_default(self, values: dict[str, Any], key: str) -> EvaluatedText:
         macro = values["m"]
         forward, default = macro.defaultmap.get(key, (None, None))
         forwarded = self.binding(values["symbols"], forward) if forward else None
         if forwarded is not None:
-            step = Step("forwarded", key, macro.body.at["params"], "")
+            step = EvaluatedText("forwarded", key, macro.body.at["params"], "")
             step.inputs[(0, key)] = forwarded
             return step
         if default is not None and "$" in default and self.last is not None and self.last.kind == "default":
             step = self.last
         else:
-            step = Step("default", key, written_default(macro.body, key, default or ""), default or "")
+            step = EvaluatedText("default", key, written_default(macro.body, key, default or ""), default or "")
         step.name, step.is_text = key, False
         return step
 
-    def binding(self, table: Any, key: str) -> Step | None:
+    def binding(self, table: Any, key: str) -> EvaluatedText | None:
         """Return the step behind a name in a table of xacro's or in those around it."""
         while isinstance(table, self.module.Table):
             if dict.__contains__(table, key):
-                step: Step | None = table.__dict__.get("steps", {}).get(key)
+                step: EvaluatedText | None = table.__dict__.get("steps", {}).get(key)
                 return step
             table = table.parent
         return None
@@ -195,7 +194,7 @@ class Recorder:
 
     # -- questions ---------------------------------------------------------------------------------------------------
 
-    def step_of(self, element: Element, attribute: str) -> Step:
+    def step_of(self, element: Element, attribute: str) -> EvaluatedText:
         """Return the step that gave an attribute of the expanded tree, or its text if the attribute is empty."""
         source, offset, name = element.source, element.start, attribute
         if element.moved and attribute in element.moved:
@@ -209,12 +208,12 @@ class Recorder:
         if step is not None:
             return step
         if attribute:
-            return Step("attribute", attribute, element.at[attribute], element.attrs.get(attribute, ""))
-        texts = (node.data for node in element.children() if isinstance(node, Characters) and node.nodeType != COMMENT)
+            return EvaluatedText("attribute", attribute, element.at[attribute], element.attrs.get(attribute, ""))
+        texts = (node.data for node in element.children() if isinstance(node, XmlText) and node.nodeType != COMMENT)
         text = "".join(texts).strip()
-        return Step("text", "", element.at.content.part(text), text)
+        return EvaluatedText("text", "", element.at.content.part(text), text)
 
-    def deciding(self, place: Place, properties: frozenset[str]) -> Iterator[Step]:
+    def deciding(self, place: Place, properties: frozenset[str]) -> Iterator[EvaluatedText]:
         """Yield the steps that decide whether what is at a place is there: conditions and names of what is called.
 
         properties: conditions that define one of these decide too, whatever they enclose.
@@ -232,9 +231,9 @@ class Recorder:
             steps = self._steps.get((source.path, offset, call), {})
             yield from (steps[name] for name in ("macro", "filename") if name in steps)
 
-    def _decided_by(self, condition: Condition) -> Step:
+    def _decided_by(self, condition: XacroCondition) -> EvaluatedText:
         found = self._steps.get(condition.key, {}).get("value")
-        return found or Step("condition", "value", condition.at, condition.text)
+        return found or EvaluatedText("condition", "value", condition.at, condition.text)
 
 
 _EVALUATING = ("eval_all", "handle_macro_call", "eval_default_arg", "grab_property", "process_include",
@@ -253,7 +252,7 @@ def _attribute_with(node: Element, text: str, hint: Any) -> str:
     return (same or [name for name, value in node.attrs.items() if value == text] or [""])[0]
 
 
-def _place_of_text(node: Characters) -> Place | None:
+def _place_of_text(node: XmlText) -> Place | None:
     parent = node.parentNode
     return parent.at.content.part(node.data.strip()) if isinstance(parent, Element) else None
 

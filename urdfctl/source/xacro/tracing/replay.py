@@ -10,7 +10,7 @@ from typing import Any
 
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.source.xacro.tracing.recording import Recorder, Step, YamlKey
+from urdfctl.source.xacro.tracing.recording import EvaluatedText, Recorder, YamlKey
 from urdfctl.startup.records import NamedTuple
 
 _NUMBER = re.compile(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\w.])")
@@ -23,11 +23,11 @@ _MOST_VALUES = 200
 _FAILED = object()
 
 
-class Number(NamedTuple):
+class WrittenNumber(NamedTuple):
     """A number that is written in a source, and the step whose text contains it; None for a number in a YAML file."""
 
     span: SourceSpan
-    step: Step | None
+    step: EvaluatedText | None
 
 
 class Replay:
@@ -41,9 +41,9 @@ class Replay:
         self._recorder, self._span, self._text = recorder, span, text
         self._values: dict[int, Any] = {}
         self._affected: dict[int, bool] = {}
-        self.current: Step = Step("text", "", None, "")
+        self.current: EvaluatedText = EvaluatedText("text", "", None, "")
 
-    def value_of(self, step: Step) -> Any:
+    def value_of(self, step: EvaluatedText) -> Any:
         """Return the value that a step has with the other number; an own value if it has none."""
         if not self._is_affected(step):
             return step.value
@@ -58,7 +58,7 @@ class Replay:
             raise _Failed
         return value
 
-    def changes(self, step: Step) -> bool:
+    def changes(self, step: EvaluatedText) -> bool:
         """Return whether a step has another value with the other number, or none."""
         with self._prepared():
             try:
@@ -67,7 +67,7 @@ class Replay:
                 return True
             return bool(_seen(self._recorder, step, value) != _seen(self._recorder, step, step.value))
 
-    def _is_affected(self, step: Step) -> bool:
+    def _is_affected(self, step: EvaluatedText) -> bool:
         known = self._affected.get(id(step))
         if known is None:
             self._affected[id(step)] = False
@@ -76,13 +76,13 @@ class Replay:
             self._affected[id(step)] = known
         return known
 
-    def _is_in(self, step: Step) -> bool:
+    def _is_in(self, step: EvaluatedText) -> bool:
         if step.place is None or step.place.source is not self._span.source:
             return False
         span = step.place.span
         return span.start <= self._span.start and self._span.end <= span.end
 
-    def _evaluated(self, step: Step) -> Any:
+    def _evaluated(self, step: EvaluatedText) -> Any:
         if step.kind == "forwarded":
             return self.value_of(next(iter(step.inputs.values())))
         text = self._text_of(step) if self._is_in(step) else step.text
@@ -94,7 +94,7 @@ class Replay:
             value = text
         return value if step.is_text else self._recorder.module.Table._eval_literal(value)
 
-    def _text_of(self, step: Step) -> str:
+    def _text_of(self, step: EvaluatedText) -> str:
         assert step.place is not None  # noqa: S101 (for mypy; see _is_in)
         span = step.place.span
         data = span.source.data
@@ -121,7 +121,7 @@ class _Failed(Exception):
     """A step that another one needs has no value."""
 
 
-def _seen(recorder: Recorder, step: Step, value: Any) -> object:
+def _seen(recorder: Recorder, step: EvaluatedText, value: Any) -> object:
     """The value as far as it counts: that of a condition is true or false."""
     if step.kind == "condition":
         return bool(recorder.module.get_boolean_value(value, step.text))
@@ -131,28 +131,30 @@ def _seen(recorder: Recorder, step: Step, value: Any) -> object:
 # -- numbers in texts ------------------------------------------------------------------------------------------------
 
 
-def numbers_behind(recorder: Recorder, step: Step) -> Iterator[Number]:
+def numbers_behind(recorder: Recorder, step: EvaluatedText) -> Iterator[WrittenNumber]:
     """Yield the numbers that the value of a step depends on: each changes it if it changes a little."""
     for number in candidates([*steps_behind(step)]):
         if depends(recorder, step, number.span):
             yield number
 
 
-def candidates(steps: list[Step]) -> list[Number]:
+def candidates(steps: list[EvaluatedText]) -> list[WrittenNumber]:
     """Return the numbers in the texts of some steps, and in the YAML values that they have read."""
     found = [*_written_in(steps)]
     for span in read_scalars(steps):
         places = (match.span() for match in _NUMBER.finditer(span.text))
-        found += [Number(SourceSpan(span.source, span.start + start, span.start + end), None) for start, end in places]
+        found += [
+            WrittenNumber(SourceSpan(span.source, span.start + start, span.start + end), None) for start, end in places
+        ]
     return found
 
 
-def depends(recorder: Recorder, step: Step, span: SourceSpan) -> bool:
+def depends(recorder: Recorder, step: EvaluatedText, span: SourceSpan) -> bool:
     """Return whether the value of a step changes if a number changes a little, up or down."""
     return any(Replay(recorder, span, other).changes(step) for other in neighbours(span.text))
 
 
-def steps_behind(step: Step) -> Iterator[Step]:
+def steps_behind(step: EvaluatedText) -> Iterator[EvaluatedText]:
     """Yield a step and all that it looked up, directly or through others, the nearest first."""
     seen: set[int] = set()
     pending = [step]
@@ -163,7 +165,7 @@ def steps_behind(step: Step) -> Iterator[Step]:
             pending += inputs_of(one)
 
 
-def inputs_of(step: Step) -> list[Step]:
+def inputs_of(step: EvaluatedText) -> list[EvaluatedText]:
     """Return what a step looked up, in the order of its text."""
     return sorted(step.inputs.values(), key=lambda each: step.text.find(each.name))
 
@@ -177,7 +179,7 @@ def neighbours(text: str) -> tuple[str, ...]:
     return (repr(value * (1 + _STEP)), repr(value * (1 - _STEP))) if value and math.isfinite(value) else ("0.1",)
 
 
-def _written_in(steps: list[Step]) -> Iterator[Number]:
+def _written_in(steps: list[EvaluatedText]) -> Iterator[WrittenNumber]:
     for step in steps:
         if step.place is None or step.kind == "forwarded":
             continue
@@ -186,10 +188,10 @@ def _written_in(steps: list[Step]) -> Iterator[Number]:
             continue
         for found in _NUMBER.finditer(span.text):
             start = span.start + len(span.text[: found.start()].encode())
-            yield Number(SourceSpan(span.source, start, start + len(found.group())), step)
+            yield WrittenNumber(SourceSpan(span.source, start, start + len(found.group())), step)
 
 
-def read_scalars(steps: list[Step]) -> list[SourceSpan]:
+def read_scalars(steps: list[EvaluatedText]) -> list[SourceSpan]:
     """Return the places of the scalars in YAML files that some steps have read, together: of a map of which one value
     was read, only that one."""
     read = dict.fromkeys(where for step in steps for where in step.loads)
@@ -243,7 +245,7 @@ def _unescaped(text: str) -> str:
     return _REFERENCE.sub(character, blanks)
 
 
-def deciding_behind(recorder: Recorder, step: Step) -> Iterator[tuple[Step, list[Number]]]:
+def deciding_behind(recorder: Recorder, step: EvaluatedText) -> Iterator[tuple[EvaluatedText, list[WrittenNumber]]]:
     """Yield the conditions and the names of macros and files that decide whether a step, or what it looked up, is
     there, each with the numbers on which the decision depends."""
     seen: set[int] = set()
