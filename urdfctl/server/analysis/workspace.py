@@ -125,7 +125,7 @@ class Workspace:
     def _shown(self, texts: Mapping[str, bytes]) -> Iterator[None]:
         """Within it, this thread works in the folder with these texts, and reads nothing outside of its workspace, nor
         of those of the open texts."""
-        readable = dict.fromkeys([*self._readable, *map(workspace_of, self.texts)])
+        readable = dict.fromkeys([*self._readable, *map(workspace_of, list(self.texts))])
         with as_shown(self.folder, texts, self._aside), reading_within(readable):
             yield
 
@@ -317,7 +317,7 @@ class Workspace:
 
     def _keep_saved(self, run: LintRun) -> None:
         """Keep what is found in each target when all texts are saved: what is typed since then may not be finished."""
-        if all(text == text_on_disk(path) for path, text in self.texts.items()):
+        if all(text == text_on_disk(path) for path, text in dict(self.texts).items()):
             found = ((target, self._reported(result.outcome.diagnostics)) for target, result in run.targets)
             self._saved.update((target, codes_of(findings)) for target, findings in found)
 

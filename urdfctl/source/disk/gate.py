@@ -115,17 +115,17 @@ def real_of(path: str) -> str:
 
 def is_file(path: str) -> bool:
     """Return whether a path is a regular file that may be read."""
-    return os.path.isfile(path) and admits(path)
+    return admits(path) and os.path.isfile(path)
 
 
 def is_folder(path: str) -> bool:
     """Return whether a path is a folder that may be read."""
-    return os.path.isdir(path) and admits(path)
+    return admits(path) and os.path.isdir(path)
 
 
 def exists(path: str) -> bool:
     """Return whether a path exists and may be read."""
-    return os.path.exists(path) and admits(path)
+    return admits(path) and os.path.exists(path)
 
 
 def names_in(folder: str) -> list[str]:
