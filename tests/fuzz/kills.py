@@ -22,7 +22,7 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-sys.path.insert(0, str(Path(__file__).parents[1]))
+sys.path.extend(str(Path(__file__).parents[1] / name) for name in ("helpers", "helpers/smoke", "commands", "migrate"))
 
 from killing import end_at, tree, without_temporary
 from test_cli_fix import ARM

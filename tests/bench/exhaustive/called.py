@@ -55,7 +55,7 @@ def called() -> list[Test]:
     """
     kept = json.loads(KEPT.read_text(encoding="utf-8")) if KEPT.exists() else {}
     tests = []
-    for path in sorted((ROOT / "tests").glob("test_*smoke*.py")):
+    for path in [*sorted(ROOT.glob("tests/smoke/*/*.py")), *sorted(ROOT.glob("tests/commands/test_cli_smoke*.py"))]:
         text = path.read_bytes()
         name, key = path.relative_to(ROOT).as_posix(), hashlib.sha256(text).hexdigest()
         if kept.get(name, [""])[0] != key:

@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
+
 import sampling
 from hypothesis import settings
 
 sampling.WHOLE.append(True)
 settings.load_profile("whole")
+
+TESTS = Path(__file__).parents[2]
+sys.path += sorted({str(path.parent) for path in TESTS.glob("*/**/test_*.py") if path.parent != Path(__file__).parent})
+"""What these tests import lies where pytest has not collected anything."""

@@ -4,7 +4,7 @@
 
 `tables` deletes each row of each table at the top of a module; `conditions` negates each condition, takes it as false,
 and drops each part of it, but for what only narrows a type. A mutant meets only the examples of the rules whose modules
-import it: what is found in each bad one must stay as tests/rule_reports/ shows it, and nothing be found in a good one.
+import it: what is found in each bad one must stay as tests/rules/reports/ shows it, and nothing be found in a good one.
 Prints the mutants that survive. Exits with 1 if a row survives that REASONS does not name, or more than one in ten
 conditions.
 """
@@ -28,7 +28,7 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).parents[3]
 RULES = ROOT / "urdfctl" / "rules"
-sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+sys.path.insert(0, str(ROOT))
 
 from urdfctl.diagnostic import Diagnostic  # noqa: E402 (of this checkout)
 from urdfctl.fault import Fault  # noqa: E402

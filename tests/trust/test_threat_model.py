@@ -18,7 +18,7 @@ SURFACES = [
     *("The GitHub action", "Hooks and other commands in a checkout", "The editor", "Worker processes"),
     "Cache and journal",
 ]
-LINK = re.compile(r"^- (.+): \[(\w+\.py)\]\(\.\./(tests/\2)\)$", re.MULTILINE)
+LINK = re.compile(r"^- (.+): \[(\w+\.py)\]\(\.\./(tests/\w+/(?:\w+/)?\2)\)$", re.MULTILINE)
 
 
 @cache
@@ -40,7 +40,7 @@ def test_each_surface_links_to_tests_that_exist(surface: str) -> None:
     listed = re.findall(r"^- .*$", SECTIONS[surface], re.MULTILINE)
     links = LINK.findall(SECTIONS[surface])
     assert links
-    assert len(links) == len(listed), "each item of the list is 'sentence: [file](../tests/file)'"
+    assert len(links) == len(listed), "each item of the list is 'sentence: [file](../tests/folder/file)'"
     for sentence, _, path in links:
         assert f"test_{sentence.lower().replace(' ', '_')}" in names_in(path), sentence
 

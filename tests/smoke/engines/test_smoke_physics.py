@@ -8,9 +8,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from collada_meshes import SHOWN, dae
 from smoke_robots import link
 from smoking_engines import EACH_ENGINE, needs_pybullet
-from test_smoke_collada import SHOWN, dae
 
 from urdfctl.smoke.engines.engine import STEP, Engine, EngineSetup, RobotRejected, open_engine
 

@@ -1,4 +1,4 @@
-"""What lint says about each bad example of a rule, as text: python tests/rule_reports.py writes tests/rule_reports/.
+"""What lint says about each bad example of a rule, as text: python tests/helpers/rule_reports.py writes them anew.
 
 Messages are for people. This shows them as they read, and a change of a rule shows what it changes for its users.
 """
@@ -17,7 +17,7 @@ from urdfctl.fault import Example, Fault
 from urdfctl.lint.examples import written
 from urdfctl.rules import FAMILIES, Family
 
-REPORTS = Path(__file__).with_name("rule_reports")
+REPORTS = Path(__file__).parents[1] / "rules" / "reports"
 
 
 def linted() -> list[Family]:

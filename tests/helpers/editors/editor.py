@@ -16,7 +16,7 @@ pytest.importorskip("pygls", reason="pygls is not installed")
 from lsprotocol import types
 from pygls.lsp.client import LanguageClient
 
-CHECKOUT = Path(__file__).parent.parent
+CHECKOUT = Path(__file__).parents[3]
 SECONDS = 120.0
 """After this, a test fails that waits for a server which no longer answers."""
 Result = TypeVar("Result")

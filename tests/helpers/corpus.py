@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
 import yaml
+from folder import CHECKOUT
 
-SHARED = Path(__file__).parents[2] / "shared"
+SHARED = CHECKOUT.parent / "shared"
 CORPUS = SHARED / "corpus"
 
 needs_corpus = pytest.mark.skipif(not CORPUS.is_dir(), reason="the corpus of public robots is not beside the checkout")

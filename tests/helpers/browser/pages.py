@@ -6,12 +6,12 @@ import json
 import shutil
 import subprocess
 from html.parser import HTMLParser
-from pathlib import Path
 from typing import Any
 
 import pytest
+from folder import CHECKOUT
 
-PAGES = Path(__file__).parents[1] / "templates" / "pages"
+PAGES = CHECKOUT / "templates" / "pages"
 NODE = shutil.which("node")
 needs_node = pytest.mark.skipif(NODE is None, reason="node is not installed to run the script of the page with")
 
