@@ -11,9 +11,10 @@ from itertools import islice, zip_longest
 from pathlib import Path
 from typing import NamedTuple
 
+from urdfctl.server.analysis.items import OfferedItem
 from urdfctl.server.analysis.question import Question
 from urdfctl.server.analysis.workspace import Checked, EditorSettings, Workspace
-from urdfctl.server.features.completion import Item, items_at
+from urdfctl.server.features.completion import items_at
 from urdfctl.source.span import SourceText
 
 _IN_XML = {
@@ -131,7 +132,7 @@ def mixed(words: Mapping[str, Sequence[Word]], number: int, rng: random.Random) 
     return list(islice(in_turn, number))
 
 
-def offered(workspace: Workspace, path: Path, typed: str, offset: int) -> tuple[list[Item], Codes]:
+def offered(workspace: Workspace, path: Path, typed: str, offset: int) -> tuple[list[OfferedItem], Codes]:
     """Return what is offered at a place of an unfinished text, and what is found in it.
 
     Only what begins with the word that is typed there already, as an editor shows it.
@@ -157,13 +158,13 @@ def halfway(word: str) -> int:
     return len(re.split("[:=]", word)[0]) // 2
 
 
-def filled(item: Item, word: str) -> Item:
+def filled(item: OfferedItem, word: str) -> OfferedItem:
     """Return an item in which the user has written the value that it leaves open: the one that was there."""
     value = re.search(r"=\"(.*)\"$", word, re.DOTALL)
     return item._replace(text=f'{item.text[:-1]}{value[1]}"') if value and item.text.endswith('=""') else item
 
 
-def inserted(typed: str, offset: int, item: Item) -> str:
+def inserted(typed: str, offset: int, item: OfferedItem) -> str:
     """Return a text with an item."""
     return typed[: offset - item.replaces] + item.text + typed[offset:]
 
