@@ -124,11 +124,17 @@ def test_ctrl_c_reports_what_was_tested(tmp_path: Path) -> None:
     ours, terminal = pty.openpty()
     words = ["smoke", target.path, "--controllers", target.controllers[0], "--distro", "jazzy", "--format", "json"]
     command = [sys.executable, "-m", "urdfctl", *words, "--engine", "pybullet", "--duration", "60"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=terminal, cwd=CHECKOUT)
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background job ignores it
+    try:
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=terminal, cwd=CHECKOUT)
+    finally:
+        signal.signal(signal.SIGINT, before)
     os.close(terminal)
-    line = os.read(ours, 1000).decode()
+    line = ""
+    while "\n" not in line:
+        line += os.read(ours, 1000).decode()
     process.send_signal(signal.SIGINT)
-    output, _ = process.communicate(timeout=60)
+    output, _ = process.communicate()
     os.close(ours)
     assert line.startswith("[1/2] first: started, moved, followed, held (pybullet, ")
     report = json.loads(output)
