@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import os
 import shutil
+import signal
 import sys
 import tempfile
 from pathlib import Path
@@ -28,6 +29,8 @@ def pytest_configure() -> None:
     os.environ["XDG_CACHE_HOME"] = cache
     atexit.register(shutil.rmtree, cache, ignore_errors=True)
     sys.addaudithook(refuse_to_crawl_everything)
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in a shell's background job; processes inherit it
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def refuse_to_crawl_everything(event: str, arguments: tuple[object, ...]) -> None:
