@@ -309,3 +309,13 @@ def test_xacro_has_to_be_expanded_first() -> None:
 def test_a_schema_says_where_an_integer_is_rejected(distro: str, *, is_said: bool) -> None:
     """JSON Schema takes 1 for a number, and ROS 2 does not from galactic on: the description says so to the user."""
     assert ("write 1.0 instead of 1" in json.dumps(controllers_schema(distro))) == is_said
+
+
+def test_a_wrong_value_is_told_without_what_libxml2_says_about_itself(tmp_path: Path) -> None:
+    inertia = '<inertia ixx="0.01*a" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+    robot = f'<robot name="r"><link name="l"><inertial><mass value="1"/>{inertia}</inertial></link></robot>'
+    (tmp_path / "r.urdf").write_text(robot)
+    found = command("schema", "urdf", "--distro", "noetic", "--check", str(tmp_path / "r.urdf"))
+    assert found.returncode == 1
+    assert "The value '0.01*a' is not accepted" in found.stdout
+    assert "Warning" not in found.stdout

@@ -21,6 +21,8 @@ from urdfctl.source.yaml.tree import Node, Scalar, Sequence, YamlFile, read_yaml
 from urdfctl.source.yaml.types import typed_by_pyyaml, typed_by_rcl
 from urdfctl.startup.records import NamedTuple
 
+_OF_LIBXML2 = "Warning: No precomputed value available"
+"""libxml2 says this beside the error of a value that is not valid, where a key needs that value."""
 _UNKNOWN = object()
 """The value of a text with a substitution, such as `$(var prefix)`."""
 
@@ -94,7 +96,8 @@ def faults_in_robot(source: SourceText, schema: str) -> list[SchemaFault]:
         return [SchemaFault(root.at, str(error))]
     validator.validate(tree)
     log: Any = validator.error_log
-    found = [SchemaFault(_element_of(root, mistake, skipped).at, mistake.message) for mistake in log]
+    told = (mistake for mistake in log if _OF_LIBXML2 not in mistake.message)
+    found = [SchemaFault(_element_of(root, mistake, skipped).at, mistake.message) for mistake in told]
     return sorted(dict.fromkeys(found), key=lambda fault: (fault.at.start, fault.message))
 
 
