@@ -12,6 +12,7 @@ from urdfctl.commands.declaring import CHECKED_FOR, CONTROLLERS, OTHER, OUTPUT, 
 from urdfctl.commands.options import ReadingOptions
 from urdfctl.commands.progress import with_progress
 from urdfctl.commands.words import configured, settings_from
+from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.linting import Lint
@@ -96,7 +97,7 @@ class MigrateOptions(ReadingOptions):
 
 def run_migrate(options: MigrateOptions) -> int:
     """Migrate packages, or show how, and return the exit status."""
-    migration = _migration_of(options)
+    migration = migration_of(options)
     if options.list_changes:
         from urdfctl.migrate.table import table
 
@@ -108,20 +109,22 @@ def run_migrate(options: MigrateOptions) -> int:
         raise UserError("--diff, --in-place and -o exclude each other")
     print_messages(restore_unfinished())
     with closing(Scratch(paths)) as scratch:
-        real = [scratch.real(folder) for folder in scratch.folders]
-        _check_destination(options, real)
-        settings = settings_from(configured(real, options), options)
-        settings = settings._replace(
-            distro=None,
-            simulator=None,
-            workspace=scratch.root,
-            package_paths=(*settings.package_paths, *scratch.others),
-        )
-        result = migrate(scratch, migration, settings, Lint(scratch, with_progress), STEPS)
+        _check_destination(options, [scratch.real(folder) for folder in scratch.folders])
+        result = migrate(scratch, migration, settings_in(scratch, options), Lint(scratch, with_progress), STEPS)
         return _finish(result, scratch, options, migration)
 
 
-def _migration_of(options: MigrateOptions) -> MigrationOptions:
+def settings_in(scratch: Scratch, options: MigrateOptions) -> Settings:
+    """Return the settings with which the copy of the packages is linted."""
+    real = [scratch.real(folder) for folder in scratch.folders]
+    settings = settings_from(configured(real, options), options)
+    return settings._replace(
+        distro=None, simulator=None, workspace=scratch.root, package_paths=(*settings.package_paths, *scratch.others)
+    )
+
+
+def migration_of(options: MigrateOptions) -> MigrationOptions:
+    """Return the migration that the options ask for. Raises UserError if they do not fit together."""
     if options.to is None:
         raise UserError("--to requires the distro to migrate to, e.g. --to jazzy")
     for name, distro, known in (("--to", options.to, ROS2), ("--from", options.source, ALL)):

@@ -100,6 +100,11 @@ class Report(NamedTuple):
     quiet: bool = False
     uncontrolled: str = ""
 
+    @property
+    def failing(self) -> tuple[Diagnostic, ...]:
+        """The findings that make the run fail."""
+        return tuple(finding for finding in self.findings if finding.severity.weight >= self.fail_on.weight)
+
     def count(self, severity: Severity) -> int:
         """Return the number of findings with a severity."""
         return sum(finding.severity is severity for finding in self.findings)

@@ -18,6 +18,7 @@ from urdfctl.commands.words import (
     shard_of,
     split_arguments,
 )
+from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
 from urdfctl.lint.merging import worst
 from urdfctl.lint.results import Report
@@ -65,9 +66,9 @@ class LintOptions(CheckOptions, ReportOptions):
 def run_lint(options: LintOptions) -> int:
     """Lint the files that the options name, fix and report the findings, and return the exit status."""
     began = _began(options)
-    request = _request(options)
+    request = request_of(options)
     outputs = outputs_of(options.formats, options.output_file, FORMATS)
-    fail_on = severity_named(options.fail_on or request.config.fail_on or "error")
+    fail_on = fail_on_of(options, request)
     baseline = baseline_of(options.baseline, options.write_baseline, request.selection)
     if options.report is not None:
         from urdfctl.output.links import check_output
@@ -133,8 +134,8 @@ def _began(options: LintOptions) -> float:
     return time.monotonic()
 
 
-def _request(options: LintOptions) -> LintRequest:
-    """What is to be linted, with what the configuration and the environment add to the options."""
+def request_of(options: LintOptions) -> LintRequest:
+    """Return what is to be linted, with what the configuration and the environment add to the options."""
     check_jobs(options.jobs)
     paths, arguments = split_arguments(options.paths)
     config = configured(options.paths, options)
@@ -155,6 +156,11 @@ def _request(options: LintOptions) -> LintRequest:
         shard=shard_of(options.shard),
         parallel=options.jobs or None,
     )
+
+
+def fail_on_of(options: LintOptions, request: LintRequest) -> Severity:
+    """Return the least severity that fails a run."""
+    return severity_named(options.fail_on or request.config.fail_on or "error")
 
 
 def _lint(request: LintRequest, outputs: Outputs, *, is_cached: bool = False) -> LintRun:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from urdfctl.commands.declaring import CHECKED_FOR, CONTROLLERS, EXIT, LIMITS, OUTPUT, RULES, Command, Reads, option
 from urdfctl.commands.options import FORMAT, CheckOptions, ReportOptions
@@ -33,7 +33,7 @@ from urdfctl.output.printing import is_coloured, print_text
 from urdfctl.output.writing import write_file
 from urdfctl.smoke.engines import CHOICES, engines_named, installed
 from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, render_smoke, text_pieces
-from urdfctl.smoke.run import ConfiguredPaths, SmokeRequest, report, smoke
+from urdfctl.smoke.run import ConfiguredPaths, RobotTest, SmokeRequest, report, smoke
 from urdfctl.smoke.tasks import read_tasks
 
 NOTHING_TESTED = 5
@@ -86,19 +86,8 @@ def run_smoke(options: SmokeOptions) -> int:
     """Test the robots that the options name, report the results, and return the exit status."""
     began = time.monotonic()
     _validate(options)
-    given = configurations(options.paths, options)
-    groups = [ConfiguredPaths(tuple(paths), config, _settings(config, options)) for config, paths in given]
-    selection = validate_selection(Selection(select=codes(options.select), ignore=codes(options.ignore)))
-    fail_on = _fail_on(options, [group.config for group in groups])
-    baseline = baseline_of(options.baseline, options.write_baseline, selection)
     outputs = outputs_of(options.formats, options.output_file, SMOKE_FORMATS)
-    request = _request(options)
-    tests = smoke(groups, request, lambda tests, total: with_progress(tests, total, "testing"))
-    made = report(tests, groups, selection, unknown=baseline and baseline.unknown, fail_on=fail_on)
-    made = made._replace(
-        found=made.found._replace(quiet=options.quiet, statistics=options.statistics),
-        allow_empty=options.allow_empty or options.shard is not None,
-    )
+    tests, made = tested(options, lambda tests, total: with_progress(tests, total, "testing"))
     for name, file in outputs:
         _write(made, name, file)
     if options.report:
@@ -109,6 +98,24 @@ def run_smoke(options: SmokeOptions) -> int:
             options.report, made, list(zip(robots, made.robots, strict=True)), began=began, watch=with_progress
         )
     return _status(made, exit_zero=options.exit_zero)
+
+
+def tested(
+    options: SmokeOptions, watch: Callable[[Iterator[RobotTest], int], Iterable[RobotTest]]
+) -> tuple[list[RobotTest], SmokeReport]:
+    """Return the tests of the robots that the options name, and the report of them. watch: as in `smoke`."""
+    _validate(options)
+    given = configurations(options.paths, options)
+    groups = [ConfiguredPaths(tuple(paths), config, _settings(config, options)) for config, paths in given]
+    selection = validate_selection(Selection(select=codes(options.select), ignore=codes(options.ignore)))
+    fail_on = _fail_on(options, [group.config for group in groups])
+    baseline = baseline_of(options.baseline, options.write_baseline, selection)
+    tests = smoke(groups, _request(options), watch)
+    made = report(tests, groups, selection, unknown=baseline and baseline.unknown, fail_on=fail_on)
+    return tests, made._replace(
+        found=made.found._replace(quiet=options.quiet, statistics=options.statistics),
+        allow_empty=options.allow_empty or options.shard is not None,
+    )
 
 
 def _request(options: SmokeOptions) -> SmokeRequest:

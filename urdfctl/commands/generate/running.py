@@ -74,32 +74,36 @@ class UnreadableRobot(Exception):
 
 def run_generate(options: GenerateOptions) -> int:
     """Generate files; write, show or check them; and return the exit status."""
-    command = options.command
     check_output(options.output, options.into)
     if options.list_templates:
         print_text("".join(f"{name}\n" for name in template_names(options.templates)))
         return 0
     if options.output and not (options.check or options.diff):
         print_messages(restore_unfinished())
+    try:
+        made = generated(options)
+    except UnreadableRobot as error:
+        sys.stderr.write(str(error))
+        return 1
+    return _delivered(options, made)
+
+
+def generated(options: GenerateOptions) -> Made:
+    """Return the files that a command generates. Raises UserError for bad options, UnreadableRobot."""
+    command = options.command
     admit(workspace_of(os.path.abspath("robot"), options.workspace))  # the configuration of the current folder counts
     config = configured([], options)
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
     if command == "convert":
         settings = settings._replace(simulator="mujoco")
-    try:
-        robot, listed = _sources(options, settings, config)
-    except UnreadableRobot as error:
-        sys.stderr.write(str(error))
-        return 1
+    robot, listed = _sources(options, settings, config)
     words = list(options.words)
     if robot and robot.file and not split_arguments(words)[0]:  # the generated files may hide it next time
         words = [os.path.relpath(robot.file), *words]
     joints = chosen(robot, listed, options.joints, options.exclude)
     immovable = stuck(robot, joints) if robot and not (listed or options.joints) else ()
-    if immovable:
-        print_message(
-            f"left out because their limits allow no motion: {', '.join(immovable)}. Include them with --joint"
-        )
+    left_out = f"left out because their limits allow no motion: {', '.join(immovable)}. Include them with --joint"
+    notices = (left_out,) if immovable else ()
     catalog, templates = catalog_with(settings.additions), Templates(options.templates)
 
     def make(distro: str) -> Made:
@@ -109,16 +113,19 @@ def run_generate(options: GenerateOptions) -> int:
         if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
             raise UserError(_no_joints(robot))
         order = Order(joints, requested, catalog, robot or NO_ROBOT, templates)
-        return Made(requested, files(command, order), order.made_if_typed(), proposal)
+        return Made(requested, files(command, order), order.made_if_typed(), proposal, robot, notices)
 
     distro = known_distro(settings, robot) or (_ANY_DISTRO if command == "convert" else None)
-    made = make(distro) if distro else made_for_newest(robot, make)
-    return _delivered(options, robot, made)
+    if distro:
+        return make(distro)
+    made, chosen_distro = made_for_newest(robot, make)
+    return made._replace(notices=(*made.notices, chosen_distro))
 
 
-def _delivered(options: GenerateOptions, robot: RobotFacts | None, made: Made) -> int:
+def _delivered(options: GenerateOptions, made: Made) -> int:
     """Write, show or check what was made, and return the exit status."""
-    command, output = options.command, options.output
+    command, output, robot = options.command, options.output, made.robot
+    print_messages(made.notices)
     if made.proposal and not options.check:
         print_message(made.proposal)
     if command == "gen-all" and robot and not robot.package and not made.options.robot_text:
@@ -136,12 +143,17 @@ def _delivered(options: GenerateOptions, robot: RobotFacts | None, made: Made) -
 
 
 class Made(NamedTuple):
-    """Generated files with the options and controllers that they are made from, and the proposal of controllers."""
+    """Generated files with the options, controllers and robot that they are made from, and the proposal of controllers.
+
+    notices: what the user should know about the choices that were made.
+    """
 
     options: GeneratorOptions
     files: list[File]
     controllers: tuple[GeneratedController, ...]
     proposal: str
+    robot: RobotFacts | None
+    notices: tuple[str, ...]
 
 
 def _no_joints(robot: RobotFacts | None) -> str:

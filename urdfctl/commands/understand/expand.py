@@ -10,7 +10,7 @@ from urdfctl.commands.options import ReadingOptions
 from urdfctl.commands.words import configured, settings_from, split_arguments
 from urdfctl.discover.paths import check_path
 from urdfctl.errors import UserError
-from urdfctl.expand.job import expand_file
+from urdfctl.expand.job import ExpandedText, expand_file
 from urdfctl.lint.results import Report
 from urdfctl.names import nearest_path
 from urdfctl.output.links import check_output
@@ -37,7 +37,21 @@ def run_expand(options: ExpandOptions) -> int:
 
     On an error, print the first problem to standard error; the status is 1.
     """
-    file, output, force = options.file, options.output, options.force
+    output, force = options.output, options.force
+    expanded = expansion(options)
+    sys.stderr.write(render(Report((), expanded.problems, quiet=True)))
+    if expanded.text is None:
+        return 3 if expanded.crashed else 1
+    if output is not None:
+        write_file(output, expanded.text, force=force)
+    else:
+        print_text(expanded.text)
+    return 0
+
+
+def expansion(options: ExpandOptions) -> ExpandedText:
+    """Return what a file expands to. Raises UserError for bad options, also if the output may not be written."""
+    file, output = options.file, options.output
     settings = settings_from(configured([file], options), options)
     paths, arguments = split_arguments(options.arguments)
     if paths:
@@ -46,18 +60,9 @@ def run_expand(options: ExpandOptions) -> int:
         check_path(file)
         raise UserError(f"file '{file}' does not exist{nearest_path(file)}")
     check_output(output)
-    if output is not None and would_overwrite(output) and not force:
+    if output is not None and would_overwrite(output) and not options.force:
         raise UserError(f"'{output}' exists; --force overwrites it")
-    expanded = expand_file(file, arguments, settings)
-    if expanded.text is None:
-        sys.stderr.write(render(Report((), expanded.problems, quiet=True)))
-        return 3 if expanded.crashed else 1
-    sys.stderr.write(render(Report((), expanded.problems, quiet=True)))
-    if output is not None:
-        write_file(output, expanded.text, force=force)
-    else:
-        print_text(expanded.text)
-    return 0
+    return expand_file(file, arguments, settings)
 
 
 command = Command(ExpandOptions, run_expand)

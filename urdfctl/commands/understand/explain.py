@@ -70,15 +70,16 @@ def run_explain(options: ExplainOptions) -> int:
     Raises UserError if there is nothing to explain, or for a single word that is neither a rule nor a file.
     """
     check_output(options.output_file)
-    explanation = _explained(options)
+    text = explanation(options)
     if options.output_file is None:
-        print_text(explanation)
+        print_text(text)
     else:
-        write_file(options.output_file, explanation, force=True)
+        write_file(options.output_file, text, force=True)
     return 0
 
 
-def _explained(options: ExplainOptions) -> str:
+def explanation(options: ExplainOptions) -> str:
+    """Return the explanation of what the words name. Raises UserError if they name nothing."""
     if options.output_format not in TEXT_OR_JSON:
         raise UserError(f"unknown format '{options.output_format}'; known are {', '.join(TEXT_OR_JSON)}")
     text = " ".join(options.what).strip()

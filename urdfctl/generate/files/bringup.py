@@ -111,8 +111,9 @@ def _namespaces(options: GeneratorOptions, robot: RobotFacts, *, movable: bool) 
     """
     space, name = options.namespace, robot.name or "robot"
     fixed = python_text(space or name)
-    by_space = f"""PythonExpression(["'", namespace, "' or {name!r}"])"""
-    expression = f"$(eval \"'$(var namespace)' or {name!r}\")" if movable else space or name
+    otherwise = f"' or '{_within_quotes(name)}'"
+    by_space = f"""PythonExpression(["'", namespace, {python_text(otherwise)}])"""
+    expression = f'$(eval "\'$(var namespace){otherwise}")' if movable else space or name
     text = "$(var namespace)" if movable else space
     return {
         "namespace": "namespace" if movable else python_text(space) if space else "",
@@ -122,6 +123,12 @@ def _namespaces(options: GeneratorOptions, robot: RobotFacts, *, movable: bool) 
         "model_text": "$(arg model)" if options.ros == 1 else expression,
         "description_topic": "robot_description" if movable else f"{'/' * bool(space)}{space}/robot_description",
     }
+
+
+def _within_quotes(name: str) -> str:
+    """A name as Python writes it between quotes of any kind."""
+    written = name.encode("unicode_escape").decode() if not name.isprintable() else name.replace("\\", "\\\\")
+    return written.replace("'", "\\x27").replace('"', "\\x22")
 
 
 def launch_name(options: GeneratorOptions) -> str:

@@ -10,7 +10,6 @@ from urdfctl.catalog.distros import DISTROS
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.generate.robot.facts import RobotFacts
-from urdfctl.output.printing import print_message
 
 Made = TypeVar("Made")
 
@@ -20,8 +19,8 @@ def known_distro(settings: Settings, robot: RobotFacts | None) -> str | None:
     return settings.distro or (robot.distro if robot else None) or settings.environ.get("ROS_DISTRO")
 
 
-def made_for_newest(robot: RobotFacts | None, make: Callable[[str], Made]) -> Made:
-    """Return what is made for the newest distro that has all that was asked for, and say which one that is.
+def made_for_newest(robot: RobotFacts | None, make: Callable[[str], Made]) -> tuple[Made, str]:
+    """Return what is made for the newest distro that has all that was asked for, and a line about which one that is.
 
     make: makes it for a distro; raises UserError if the distro lacks something. UserError if no distro has it.
     """
@@ -33,8 +32,7 @@ def made_for_newest(robot: RobotFacts | None, make: Callable[[str], Made]) -> Ma
             first = first or error
             continue
         why = "the newest one that has all of this" if first else "the newest one"
-        print_message(f"ROS distro is unknown; using {distro}, {why}. Set it with --distro")
-        return made
+        return made, f"ROS distro is unknown; using {distro}, {why}. Set it with --distro"
     raise UserError(f"{first}. No ROS distro is known, and none has all of this: set it with --distro") from None
 
 
