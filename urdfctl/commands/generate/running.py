@@ -113,7 +113,14 @@ def generated(options: GenerateOptions) -> Made:
         if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
             raise UserError(_no_joints(robot))
         order = Order(joints, requested, catalog, robot or NO_ROBOT, templates)
-        return Made(requested, files(command, order), order.made_if_typed(), proposal, robot, notices)
+        return Made(
+            options=requested,
+            files=files(command, order),
+            controllers=order.made_if_typed(),
+            proposal=proposal,
+            robot=robot,
+            notices=notices,
+        )
 
     distro = known_distro(settings, robot) or (_ANY_DISTRO if command == "convert" else None)
     if distro:
