@@ -5,8 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfctl.source.disk.files import start_of
-from urdfctl.source.disk.gate import size_of, walk
+from urdfctl.source.disk.gate import opened, walk
 from urdfctl.source.disk.gitignore import GitIgnore
 from urdfctl.source.disk.shown import open_text
 
@@ -48,8 +47,9 @@ def text_of(path: str) -> bytes:
     if text is not None:
         return text if len(text) <= _MAX_BYTES else b"<robot "
     try:
-        if size_of(path) > _MAX_BYTES:
-            return b"<robot "  # the loader reports why it cannot be read
-        return start_of(path, _MAX_BYTES)
+        with opened(path) as file:
+            if os.fstat(file.fileno()).st_size > _MAX_BYTES:
+                return b"<robot "  # the loader reports why it cannot be read
+            return file.read(_MAX_BYTES)
     except OSError:
         return b"<robot "

@@ -40,13 +40,18 @@ class _Reach:
     """Folders and files that may be read: those within these and within the ones of `outer`."""
 
     def __init__(self, roots: Iterable[str], outer: _Reach | None) -> None:
-        self.roots = [real_path(root) for root in roots]
+        self._roots: tuple[str, ...] = ()
         self._outer = outer
+        for root in roots:
+            self.add(root)
+
+    def add(self, root: str) -> None:
+        """Let a folder or file be read too."""
+        self._roots += (real_path(root).rstrip(os.sep) + os.sep,)
 
     def holds(self, real: str) -> bool:
         """Return whether a path without links may be read."""
-        inside = any(real == root or real.startswith(root.rstrip(os.sep) + os.sep) for root in self.roots)
-        return inside and (self._outer is None or self._outer.holds(real))
+        return (real + os.sep).startswith(self._roots) and (self._outer is None or self._outer.holds(real))
 
 
 _REACHES: dict[int | None, _Reach] = {}
@@ -80,7 +85,7 @@ def admit(root: str) -> None:
     """Let the run read a folder or file besides: a temporary folder of its own, or what the user's own files name."""
     reach = _reach()
     if reach is not None:
-        reach.roots.append(real_path(root))
+        reach.add(root)
 
 
 def is_limited() -> bool:
