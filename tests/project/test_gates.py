@@ -56,6 +56,7 @@ METHODS = frozenset(
 """Methods that count whatever they are called on."""
 
 OWN = "urdfctl's own files"
+INSTALLED = "of packages that the user installed beside urdfctl"
 CACHE = "in the user's cache folder"
 SCRATCH = "in a temporary folder that the run made and deletes"
 WORKER = "urdfctl itself, in a process with limits or of its own"
@@ -69,6 +70,8 @@ EXCEPTIONS = {
     "urdfctl/catalog/compiled.py main .write_text": OWN,
     "urdfctl/catalog/schema.py _definitions open": OWN,
     "urdfctl/catalog/store.py _read open": OWN,
+    "urdfctl/startup/installed_packages.py _mentions open": INSTALLED,
+    "urdfctl/testing.py _findings tempfile.TemporaryDirectory": SCRATCH,
     "urdfctl/lint/cache.py RunCache.load open": CACHE,
     "urdfctl/lint/cache.py RunCache.store os.makedirs": CACHE,
     "urdfctl/lint/cache.py _delete_old os.unlink": CACHE,

@@ -178,4 +178,5 @@ graphlib.TopologicalSorter(edges).prepare()
 
 
 def test_few_modules_are_loose() -> None:
-    assert len(list((CHECKOUT / "urdfctl").glob("*.py"))) <= 8
+    faces = {"__init__.py", "__main__.py", "api.py", "testing.py"}
+    assert len({path.name for path in (CHECKOUT / "urdfctl").glob("*.py")} - faces) <= 5

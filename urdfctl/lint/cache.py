@@ -22,6 +22,7 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.lint.serialising import result_from_json, result_to_json
 from urdfctl.load.target import Target
 from urdfctl.output.cache_folder import cache_folder
+from urdfctl.rules.installed import installed_rules
 from urdfctl.source.disk.gate import admits
 from urdfctl.source.workspaces.packages import ELSEWHERE
 from urdfctl.source.workspaces.workspace import workspace_of
@@ -74,7 +75,7 @@ class RunCache:
         own = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
         lines = chain(
             *(_line(path) for path in sorted({*self._extra, *parents})),
-            *(_entries(root) for root in _outermost([*roots, own])),
+            *(_entries(root) for root in _outermost([*roots, own, *_folders_of_installed_rules()])),
         )
         for count, (facts, changed) in enumerate(lines):
             if count >= _MAX_ENTRIES or (before is not None and changed >= before):
@@ -118,6 +119,13 @@ class RunCache:
             _delete_old(folder)
         except (OSError, ValueError):
             return
+
+
+def _folders_of_installed_rules() -> Iterator[str]:
+    """Yield the folders or files of the packages that bring rules."""
+    for installed in installed_rules():
+        path = sys.modules[installed.module.partition(".")[0]].__file__ or ""
+        yield os.path.dirname(path) if os.path.basename(path) == "__init__.py" else path
 
 
 def _clocks() -> tuple[float, float]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
 from urdfctl.rules import all_faults
+from urdfctl.rules.installed import installed_rules
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -73,7 +74,8 @@ def selection_with(config: Config, given: Selection) -> Selection:
 
 
 def validate_selection(selection: Selection) -> Selection:
-    """Return the selection. UserError if one of its prefixes matches no rule."""
+    """Return the selection. UserError if one of its prefixes matches no rule, or if installed rules cannot be used."""
+    installed_rules()
     for prefix in (
         *selection.select,
         *selection.ignore,

@@ -13,6 +13,7 @@ from urdfctl.fault import Fault
 from urdfctl.model.project import Project
 from urdfctl.model.stage import Stage, StageDependsOn
 from urdfctl.rule import Rule
+from urdfctl.rules.installed import installed_rules
 from urdfctl.startup.records import NamedTuple
 
 Faults = tuple[Fault, ...]
@@ -148,16 +149,21 @@ def rules_for(project: Project) -> Iterator[Rule]:
     """Yield the rules of the families that concern a project, in the order of their codes."""
     for linted in _LINTED:
         yield from linted.load_for(project)
+    for installed in installed_rules():
+        yield from installed.rules
 
 
 def all_faults() -> Faults:
-    """Return every fault, in the order of the codes."""
-    return tuple(fault for family in FAMILIES for fault in family.load())
+    """Return every fault, in the order of the codes; those of other packages last."""
+    own = (fault for family in FAMILIES for fault in family.load())
+    return (*own, *(rule for installed in installed_rules() for rule in installed.rules))
 
 
 def faults_found_by(command: str) -> Faults:
-    """Return the faults that a command finds, in the order of the codes."""
-    return tuple(fault for family in FAMILIES if family.found_by == command for fault in family.load())
+    """Return the faults that a command finds, in the order of the codes; those of other packages last."""
+    own = (fault for family in FAMILIES if family.found_by == command for fault in family.load())
+    others = installed_rules() if command == "lint" else ()
+    return (*own, *(rule for installed in others for rule in installed.rules))
 
 
 def fault_of(code: str) -> Fault:
@@ -168,19 +174,25 @@ def fault_of(code: str) -> Fault:
 def stage_of(code: str) -> Stage | StageDependsOn | None:
     """Return the stage that an error stops, by its code. None: it stops neither the robot nor a controller."""
     family, fault = _placed(code)
-    return fault.stage or family.stage
+    return fault.stage or (family.stage if family else None)
 
 
 def command_of(code: str) -> str:
     """Return the name of the command that finds a fault."""
-    return _placed(code)[0].found_by
+    family, _ = _placed(code)
+    return family.found_by if family else "lint"
 
 
-def _placed(code: str) -> tuple[Family, Fault]:
-    return next(
-        (family, fault)
-        for family in FAMILIES
-        if code.startswith(family.prefix)
-        for fault in family.load()
-        if fault.code == code
-    )
+def origin_of(code: str) -> str:
+    """Return what brings a fault: "urdfctl", or the package that is installed beside it, with its version."""
+    return next((one.origin for one in installed_rules() if code in {rule.code for rule in one.rules}), "urdfctl")
+
+
+def _placed(code: str) -> tuple[Family | None, Fault]:
+    """The fault with a code, and its family; None for a rule of another package."""
+    for family in FAMILIES:
+        if code.startswith(family.prefix):
+            for fault in family.load():
+                if fault.code == code:
+                    return family, fault
+    return None, next(rule for one in installed_rules() for rule in one.rules if rule.code == code)

@@ -11,11 +11,11 @@ from urdfctl.errors import UserError
 from urdfctl.fault import Fault
 from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.output.printing import print_text
-from urdfctl.rules import all_faults
+from urdfctl.rules import all_faults, origin_of
 
 
 class RulesOptions(Options):
-    """List the rules.
+    """List the rules, also those of packages that are installed beside urdfctl.
 
     \b
     Example: urdfctl rules --select UC2
@@ -34,12 +34,17 @@ def run_rules(options: RulesOptions) -> int:
     if options.output_format == "json":
         print_text(json.dumps([plain_fault(fault) for fault in wanted], indent=1) + "\n")
     elif options.output_format == "text":
-        print_text(
-            "".join(f"{fault.code}  {fault.severity.value:<8} {fault.name:<44} {fault.summary}\n" for fault in wanted)
-        )
+        print_text("".join(f"{row(fault)}\n" for fault in wanted))
     else:
         raise UserError(f"unknown format '{options.output_format}'; known are text, json")
     return 0
+
+
+def row(fault: Fault) -> str:
+    """Return the line of a fault in the table. Where a package brings it, its name and version come last."""
+    origin = origin_of(fault.code)
+    brought = "" if origin == "urdfctl" else f" (from {origin})"
+    return f"{fault.code}  {fault.severity.value:<8} {fault.name:<44} {fault.summary}{brought}"
 
 
 def plain_fault(fault: Fault) -> dict[str, object]:
@@ -54,6 +59,7 @@ def plain_fault(fault: Fault) -> dict[str, object]:
         "because": fault.because,
         "authority": fault.authority,
         "distros": list(fault.distros),
+        "origin": origin_of(fault.code),
     }
 
 

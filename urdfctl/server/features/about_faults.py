@@ -12,7 +12,7 @@ from urdfctl.rules import all_faults
 from urdfctl.rules.prose import as_markdown
 from urdfctl.server.analysis.question import Question
 
-_CODE = r"\bUC\d{3}\b"
+_CODE = r"\b[A-Z]{2,}\d{3,}\b"
 
 
 def faults_at(question: Question, findings: Sequence[Diagnostic]) -> Iterator[str]:
