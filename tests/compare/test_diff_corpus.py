@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from corpus import CORPUS, needs_corpus, roots
+from corpus import CORPUS, own_roots, roots
 from sampling import WHOLE
 
 from urdfctl.compare.changes import RobotChange, changes
@@ -34,7 +34,8 @@ def expanded_robots() -> list[tuple[str, str]]:
     chance = random.Random(19)  # noqa: S311 (a sample)
     of_corpus = [root for root in roots() if root["expands"] and root["counts"]["joints"] > 2]
     found = []
-    for root in chance.sample(of_corpus, len(of_corpus)):
+    own = [root for root in own_roots() if root["expands"] and root["counts"]["joints"] > 2]
+    for root in (*chance.sample(own, 3), *chance.sample(of_corpus, len(of_corpus))):
         path = str(CORPUS / root["path"])
         arguments = {name: str(value) for name, value in (root.get("args") or {}).items()}
         document = Loader(Settings()).expander(path).expand(path, arguments).document
@@ -228,7 +229,6 @@ def wrong(found: list[RobotChange], expected: Expected) -> Iterator[str]:
     yield from (f"reported {change}" for change in rest)
 
 
-@needs_corpus
 def test_each_known_change_of_a_robot_is_reported_and_nothing_else(tmp_path: Path) -> None:
     chance = random.Random(20)  # noqa: S311 (a sample)
     tried, failures = 0, []
@@ -289,7 +289,6 @@ def in_macros(robot: ET.Element, chance: random.Random) -> ET.Element:
 REWRITINGS: list[Callable[[ET.Element, random.Random], ET.Element]] = [in_other_order, with_other_blanks, in_macros]
 
 
-@needs_corpus
 @pytest.mark.parametrize("rewrite", REWRITINGS)
 def test_a_robot_that_is_only_written_in_another_way_has_no_changes(tmp_path: Path, rewrite: Any) -> None:
     chance = random.Random(21)  # noqa: S311 (a sample)

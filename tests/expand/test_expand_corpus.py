@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from functools import lru_cache
 from itertools import groupby
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Any
 
 import plain_xacro
 import pytest
-from corpus import CORPUS, needs_corpus, roots
+from corpus import CORPUS, needs_corpus, own_roots, roots, workspace_of
 from sampling import sample
 
 from urdfctl.expand.xml_writer import write
@@ -58,9 +59,9 @@ PLACES = {
 """Looked up by hand: where some of the roots that do not expand fail, and why."""
 
 
-@lru_cache(1)
-def index() -> PackageIndex:
-    return PackageIndex(str(CORPUS), environ={})
+@lru_cache(3)
+def index(workspace: Path) -> PackageIndex:
+    return PackageIndex(str(workspace), environ={})
 
 
 def path_and_arguments(root: dict[str, Any]) -> tuple[str, dict[str, str]]:
@@ -69,15 +70,16 @@ def path_and_arguments(root: dict[str, Any]) -> tuple[str, dict[str, str]]:
 
 def expansion(root: dict[str, Any], *, strict: bool) -> Expansion:
     path, arguments = path_and_arguments(root)
-    packages = Packages(path, index())
-    return Expander(Files([str(CORPUS)], packages.source_of), packages, {}, strict=strict).expand(path, arguments)
+    workspace = workspace_of(root)
+    packages = Packages(path, index(workspace))
+    return Expander(Files([str(workspace)], packages.source_of), packages, {}, strict=strict).expand(path, arguments)
 
 
 def is_as_xacro_writes_it(root: dict[str, Any]) -> bool:
     path, arguments = path_and_arguments(root)
     document = expansion(root, strict=True).document
     return document is not None and write(document, path) == plain_xacro.expand(
-        path, Packages(path, index()), arguments
+        path, Packages(path, index(workspace_of(root))), arguments
     )
 
 
@@ -86,6 +88,21 @@ def is_in_a_real_line(problem: Problem) -> bool:
     position = problem.at.source.position(problem.at.span.start)
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines() if path.is_file() else []
     return position.line <= len(lines) and position.column <= len(lines[position.line - 1]) + 1
+
+
+@pytest.mark.parametrize("root", own_roots(), ids=lambda root: root["id"])
+def test_our_own_robots_expand_as_the_index_says(root: dict[str, Any]) -> None:
+    found = expansion(root, strict=True)
+    assert found.complete == root["expands"]
+    if root["expands"]:
+        assert found.document is not None
+        assert found.document.documentElement is not None
+        tags = Counter(element.tagName for element in found.document.documentElement.elements())
+        assert {"links": tags["link"], "joints": tags["joint"]} == root["counts"]
+        assert is_as_xacro_writes_it(root)
+    else:
+        assert found.problems
+        assert [problem for problem in found.problems if not is_in_a_real_line(problem)] == []
 
 
 @needs_corpus

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import pytest
 from corpus import CORPUS, needs_corpus
-from folder import Folder
+from folder import CHECKOUT, Folder
 from sampling import WHOLE, sample
 
 SAMPLE = {
@@ -34,10 +34,15 @@ def repositories() -> list[str]:
     return sorted([*(path.name for path in CORPUS.iterdir() if path.is_dir() and path.name != "known_bad"), *bad])
 
 
-@needs_corpus
-@pytest.mark.parametrize("name", repositories())
-def test_only_what_the_fixes_say_changes_and_what_they_are_for_is_gone(name: str, folder: Folder) -> None:
-    shutil.copytree(CORPUS / name, folder.path, dirs_exist_ok=True, copy_function=shutil.copyfile)
+@pytest.mark.parametrize(
+    "source",
+    [
+        pytest.param(CHECKOUT / "samples/broken/mybot", id="mybot"),
+        *(pytest.param(CORPUS / name, id=name, marks=needs_corpus) for name in repositories()),
+    ],
+)
+def test_only_what_the_fixes_say_changes_and_what_they_are_for_is_gone(source: Path, folder: Folder) -> None:
+    shutil.copytree(source, folder.path, dirs_exist_ok=True, copy_function=shutil.copyfile)
     before, fixed = contents(folder.path), folder.run("lint", *WORDS, "--unsafe-fixes", "--format", "json=after.json")
     assert fixed.returncode == 0, fixed.stderr
     changed = {path: data for path, data in contents(folder.path).items() if before.get(path) != data}
@@ -49,7 +54,7 @@ def test_only_what_the_fixes_say_changes_and_what_they_are_for_is_gone(name: str
     told = re.search(r"fixed (\d+) of (\d+) findings? in (\d+) files?\n\Z", fixed.stderr)
     assert told is not None
     assert [int(number) for number in told.groups()] == [gone.total(), len(findings), len(changed)]
-    assert gone.total() >= SAMPLE.get(name, 0)
+    assert gone.total() >= SAMPLE.get(source.name, 0)
     assert all(f" {finding['code']} is not fixed: " in fixed.stderr for finding in left if edits_of(finding))
 
 

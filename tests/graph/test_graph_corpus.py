@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from corpus import CORPUS, needs_corpus, roots
+from corpus import CORPUS, own_roots, roots
 from jsonschema import Draft202012Validator
 from sampling import sample
 from test_graph import SCHEMA
@@ -27,6 +27,7 @@ from urdfctl.load.target import Target
 from urdfctl.model.project import Project
 
 CONTROLLED = [root for root in roots() if root["controllers"]]
+OWN = [root for root in own_roots() if root["controllers"]]
 
 
 def drawn(root: dict[str, Any]) -> tuple[Graph, list[Diagnostic], Project]:
@@ -49,8 +50,7 @@ def claims_in(graph: Graph) -> set[tuple[str, str, str]]:
     }
 
 
-@needs_corpus
-@pytest.mark.parametrize("root", sample(CONTROLLED, 12), ids=lambda root: root["id"])
+@pytest.mark.parametrize("root", [*OWN, *sample(CONTROLLED, 12)], ids=lambda root: root["id"])
 def test_the_edges_of_the_graph_are_the_claims_of_the_controllers(root: dict[str, Any]) -> None:
     graph, _, project = drawn(root)
     session = session_of(project, graph.distro)
@@ -77,8 +77,7 @@ def test_the_edges_of_the_graph_are_the_claims_of_the_controllers(root: dict[str
         assert all(function(one) for function in (mermaid, dot, svg))
 
 
-@needs_corpus
-@pytest.mark.parametrize("root", sample(CONTROLLED, 12), ids=lambda root: root["id"])
+@pytest.mark.parametrize("root", [*OWN, *sample(CONTROLLED, 12)], ids=lambda root: root["id"])
 def test_the_rules_on_edges_are_the_errors_of_lint_at_their_claims(root: dict[str, Any]) -> None:
     graph, errors, project = drawn(root)
     assert {rule for edge in graph.edges for rule in edge.rules} <= {error.code for error in errors}

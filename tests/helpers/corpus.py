@@ -1,7 +1,11 @@
-"""The corpus of public robots beside a checkout. Tests that read it are skipped if it is missing."""
+"""Whole robots: our own, and the corpus of public ones where it lies beside the checkout.
+
+Tests of public robots by name are skipped without the corpus; those of properties run on our own robots everywhere.
+"""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -10,14 +14,38 @@ from folder import CHECKOUT
 
 SHARED = CHECKOUT.parent / "shared"
 CORPUS = SHARED / "corpus"
+OWN = CHECKOUT / "tests" / "corpus"
 
 needs_corpus = pytest.mark.skipif(not CORPUS.is_dir(), reason="the corpus of public robots is not beside the checkout")
 
 
 def roots() -> list[dict[str, Any]]:
-    """Return the roots in the index of the corpus; none if there is no corpus."""
+    """Return the roots in the index of the corpus; none if there is no corpus. Paths begin at the corpus."""
     if not CORPUS.is_dir():
         return []
-    index = (CORPUS / "index.yaml").read_text(encoding="utf-8")
+    return _indexed(CORPUS)
+
+
+def own_roots() -> list[dict[str, Any]]:
+    """Return our own robots and the samples, in the form of the corpus; paths are absolute."""
+    return [
+        {
+            "expands": True,
+            "args": {},
+            **root,
+            "id": f"{Path(root['path']).parts[-3]}{number}",
+            "path": str(CHECKOUT / root["path"]),
+            "controllers": [str(CHECKOUT / path) for path in root["controllers"]],
+        }
+        for number, root in enumerate(_indexed(OWN))
+    ]
+
+
+def workspace_of(root: dict[str, Any]) -> Path:
+    """Return the folder in which the packages of a root are."""
+    return next((folder for folder in (OWN, CHECKOUT / "samples") if folder in Path(root["path"]).parents), CORPUS)
+
+
+def _indexed(folder: Path) -> list[dict[str, Any]]:
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    return list(yaml.load(index, loader)["roots"])  # noqa: S506 (a safe loader)
+    return list(yaml.load((folder / "index.yaml").read_text(encoding="utf-8"), loader)["roots"])  # noqa: S506 (a safe loader)

@@ -9,8 +9,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from corpus import CORPUS, needs_corpus
-from folder import environment
+from corpus import CORPUS, OWN, needs_corpus
+from folder import CHECKOUT, environment
 from generating import command
 from sampling import WHOLE, sample
 
@@ -25,6 +25,16 @@ def repositories() -> list[Path]:
         return [CORPUS / name for name in sample(SAMPLE, 3)]
     whole = sorted(path for path in CORPUS.iterdir() if path.is_dir() and path.name != "known_bad")
     return [*whole, *sorted(PAIRS.glob("*/before"))]
+
+
+SOURCES = pytest.mark.parametrize(
+    "source",
+    [
+        *(pytest.param(CHECKOUT / "samples" / name, id=name) for name in ("mybot", "gripper")),
+        *(pytest.param(OWN / name, id=name) for name in ("crane", "rover")),
+        *(pytest.param(path, id=f"{path.parent.name}/{path.name}", marks=needs_corpus) for path in repositories()),
+    ],
+)
 
 
 def diff(folder: Path, *words: str) -> bytes:
@@ -54,8 +64,7 @@ def migrated(source: Path, distro: str, target: Path) -> dict[str, bytes]:
     return contents(target)
 
 
-@needs_corpus
-@pytest.mark.parametrize("source", repositories(), ids=lambda path: path.parent.name if WHOLE else path.name)
+@SOURCES
 def test_a_migration_does_not_depend_on_its_path_and_is_not_repeated(source: Path, tmp_path: Path) -> None:
     at_once = migrated(source, "lyrical", tmp_path / "lyrical")
     migrated(source, "jazzy", tmp_path / "jazzy")
@@ -64,8 +73,7 @@ def test_a_migration_does_not_depend_on_its_path_and_is_not_repeated(source: Pat
     assert (again.returncode, again.stdout) == (0, "")
 
 
-@needs_corpus
-@pytest.mark.parametrize("source", repositories(), ids=lambda path: path.parent.name if WHOLE else path.name)
+@SOURCES
 def test_git_applies_the_diff_whatever_the_order_of_the_packages(source: Path, tmp_path: Path) -> None:
     work = tmp_path / "work"
     shutil.copytree(source, work, symlinks=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from corpus import CORPUS, needs_corpus, roots
+from corpus import CORPUS, own_roots, roots
 from folder import CHECKOUT
 from renaming import differences
 from sampling import sample
@@ -29,8 +29,7 @@ def test_names_of_what_is_started_together_are_renamed_everywhere(name: str) -> 
     assert [found for target in targets for found in differences(target, number=6, seed=2)] == []
 
 
-@needs_corpus
-def test_names_of_public_robots_are_renamed_everywhere() -> None:
-    paths = [root["path"] for root in sample(roots(), 25)]
+def test_names_of_whole_robots_are_renamed_everywhere() -> None:
+    paths = [root["path"] for root in (*own_roots(), *sample(roots(), 25))]
     found = {path: list(differences(Target(str(CORPUS / path)), number=4, seed=1)) for path in paths}
     assert {path: names for path, names in found.items() if names} == {}

@@ -7,9 +7,10 @@ import random
 import re
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
-from corpus import CORPUS, needs_corpus, roots
+from corpus import CORPUS, own_roots, roots, workspace_of
 from sampling import WHOLE
 
 from urdfctl.source.disk.files import Files
@@ -30,14 +31,14 @@ NEAR = 400
 """Half of the numbers that are not listed are looked for within so many bytes of one that is."""
 
 
-@lru_cache(1)
-def index() -> PackageIndex:
-    return PackageIndex(str(CORPUS), environ={})
+@lru_cache(3)
+def index(workspace: Path) -> PackageIndex:
+    return PackageIndex(str(workspace), environ={})
 
 
-def expander(path: str, kind: type[Expander], held: Mapping[str, bytes]) -> Expander:
-    packages = Packages(path, index())
-    return kind(Files([str(CORPUS)], packages.source_of, held), packages, {})
+def expander(workspace: Path, path: str, kind: type[Expander], held: Mapping[str, bytes]) -> Expander:
+    packages = Packages(path, index(workspace))
+    return kind(Files([str(workspace)], packages.source_of, held), packages, {})
 
 
 def key_of(element: Element) -> tuple[object, ...]:
@@ -80,9 +81,9 @@ class Robot:
     """A description of the corpus, as it is and with one number changed."""
 
     def __init__(self, root: Mapping[str, Any]) -> None:
-        self.path = str(CORPUS / root["path"])
+        self.path, self.workspace = str(CORPUS / root["path"]), workspace_of(root)
         self.arguments = {name: str(value) for name, value in (root.get("args") or {}).items()}
-        self.expander = expander(self.path, TracingExpander, {})
+        self.expander = expander(self.workspace, self.path, TracingExpander, {})
         document = self.expander.expand(self.path, self.arguments).document
         assert document is not None
         assert document.documentElement is not None
@@ -94,7 +95,7 @@ class Robot:
         found = []
         for data in other_digits(span.source.data, span.start, span.end):
             document = (
-                expander(self.path, Expander, {os.path.realpath(span.file): data})
+                expander(self.workspace, self.path, Expander, {os.path.realpath(span.file): data})
                 .expand(self.path, self.arguments)
                 .document
             )
@@ -133,10 +134,9 @@ def wrong(robot: Robot, chance: random.Random) -> Iterator[str | None]:
             yield f"{said}: {place} is {kind}listed" if any(outcomes) == bool(kind) else None
 
 
-@needs_corpus
 def test_numbers_that_why_lists_change_the_value_and_others_do_not() -> None:
     chance = random.Random(19)  # noqa: S311 (a sample)
-    of_corpus = [root for root in roots() if root["expands"] and not root["path"].endswith(".urdf")]
+    of_corpus = [root for root in (*own_roots(), *roots()) if root["expands"] and not root["path"].endswith(".urdf")]
     robots = [Robot(root) for root in chance.sample(of_corpus, min(len(of_corpus), ATTRIBUTES // 4))]
     robots = [robot for robot in robots if robot.numeric]
     outcomes = [outcome for number in range(ATTRIBUTES) for outcome in wrong(robots[number % len(robots)], chance)]
