@@ -59,8 +59,8 @@ def note_aside(path: str) -> None:
 
 _REMEMBERED: list[Callable[[], None]] = []
 _MOST_REMEMBERED = 1 << 15
-_DEEP = 100
-"""Folders above a path, from which on they are not looked up one by one."""
+_STEP = 100
+"""As many folders are looked up by recursion: less than Python's stack has room for."""
 
 
 def remembered(function: Callable[[str], Result]) -> Callable[[str], Result]:
@@ -74,9 +74,12 @@ def remembered(function: Callable[[str], Result]) -> Callable[[str], Result]:
 def real_path(path: str) -> str:
     """Return a path with all links followed. Where the folders above lead is looked up once for all that is in them."""
     above, name = os.path.split(path)
-    is_plain = os.path.isabs(path) and path.count(os.sep) < _DEEP and name not in ("", os.curdir, os.pardir)
+    is_plain = os.path.isabs(path) and name not in ("", os.curdir, os.pardir)
     if sys.platform == "win32" or not is_plain or os.path.islink(path):
         return os.path.realpath(path)
+    parts = path.split(os.sep) if path.count(os.sep) > _STEP else ()
+    for number in range(_STEP, len(parts) - 1, _STEP):
+        real_path(os.sep.join(parts[:number]))
     return os.path.join(real_path(above), name)
 
 
