@@ -14,6 +14,9 @@ import pytest
 from folder import UNWANTED, Folder, checkout_first
 from hypothesis import HealthCheck, settings
 from robots import Robot
+from slow_modules import slow_modules
+
+TESTS = Path(__file__).parent
 
 # no clock, for the machine may be busy; by default the same examples each time
 settings.register_profile("sample", deadline=None, suppress_health_check=[HealthCheck.too_slow], derandomize=True)
@@ -31,6 +34,14 @@ def pytest_configure() -> None:
     sys.addaudithook(refuse_to_crawl_everything)
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in a shell's background job; processes inherit it
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark the tests of all modules that do not take long as fast."""
+    slow = slow_modules()
+    for item in items:
+        if item.path.is_relative_to(TESTS) and item.path.relative_to(TESTS).as_posix() not in slow:
+            item.add_marker("fast")
 
 
 def refuse_to_crawl_everything(event: str, arguments: tuple[object, ...]) -> None:
