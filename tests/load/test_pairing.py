@@ -224,6 +224,7 @@ def test_a_name_that_is_started_elsewhere_has_no_type(folder: Folder) -> None:
 def test_a_launch_file_without_a_robot_is_a_target_too(folder: Folder) -> None:
     text = "\n".join(line for line in LAUNCH.splitlines() if "robot_description" not in line)
     folder.write({**PACKAGE, "p/launch/l.launch": text})
+    folder.write({"p/r.urdf": "<robot name='r'><link name='base'/></robot>"})
     (target,) = targets(folder, "p/launch/l.launch")
     assert (target["robot"], target["controllers"], target["launch"]) == (None, ["p/c.yaml"], "p/launch/l.launch")
 

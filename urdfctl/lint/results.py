@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.load.bringup import Bringup
+from urdfctl.load.join_facts import JoinFacts
 from urdfctl.startup.records import NamedTuple
 
 
@@ -55,6 +56,7 @@ class TargetResult(NamedTuple):
     distros: the distros that it may be for.
     nodes: the nodes that were checked by a definition that the user names.
     sections: the names of other nodes that its files have parameters for, if the user names a definition.
+    joining: what decides what is started beside it.
     idle: how many joints of the robot move, if nothing of it is controlled: 0 otherwise.
     twin: a digest of the expanded description if a file of the same name, plain or xacro, is beside it.
     missing_packages: the packages that it uses and package.xml declares, and that are not in the workspace.
@@ -81,6 +83,7 @@ class TargetResult(NamedTuple):
     missing_packages: tuple[str, ...] = ()
     twin: str | None = None
     idle: int = 0
+    joining: JoinFacts = JoinFacts()
 
 
 class Report(NamedTuple):

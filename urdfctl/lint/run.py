@@ -19,6 +19,7 @@ from urdfctl.lint import merging, planning
 from urdfctl.lint.elimination import as_started, pairs_by_elimination
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.job import launch_variants, lint_all
+from urdfctl.lint.joining import Joined, is_lonely, joined, targets_near
 from urdfctl.lint.planning import Arguments, PlannedTarget, TargetOrigin, is_launched_already, of_shard, with_bringups
 from urdfctl.lint.results import Report, TargetResult
 from urdfctl.lint.selection import Selection
@@ -240,7 +241,7 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
     files = plan.files
     started = _launched([entry for entry in plan.targets if entry.is_launched], linted, linter)
     launched = [(entry, pair) for entry, pair in started if entry.is_reported(pair[1])]
-    silent = (result for entry, (_, result) in started if _is_silent(entry, result))
+    silent = [result for entry, (_, result) in started if _is_silent(entry, result)]
     entries = _not_launched(plan.targets, launched)
     again = {entry.target.launch and os.path.abspath(entry.target.launch) for entry in entries}
     results = zip(linted([entry.target for entry in entries]), entries, strict=True)
@@ -249,6 +250,17 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
         (target, as_started(entry, result, starts)) for (target, result), entry in results if entry.is_reported(result)
     ]
     reported += [pair for _, pair in launched if pair[1].launch not in again]
+    together = _together(started, reported, linted)
+    covered = {(result.path, result.arguments) for _, result in together.results}
+    reported = [
+        *together.results,
+        *(
+            pair
+            for pair in reported
+            if id(pair[1]) not in together.replaced and not (_is_alone(pair) and _key(pair[1]) in covered)
+        ),
+    ]
+    silent = [result for result in silent if id(result) not in together.replaced]
     reported += linted(_unread(files.controllers, reported))
     reported = _paired(reported, _unread(files.controllers_candidates, reported), linted)
     unused = [Target(path, fragment=True) for path in files.unread(_files_read(reported))]
@@ -257,6 +269,26 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
     robots = [result for _, result in reported if result.path not in launch_paths]
     run = LintRun(robots, [*reported, *linted(unused)], tuple(silent), tuple(files.despite))
     return _without_generated(run, files)
+
+
+def _together(started: LaunchedTargets, reported: LintedTargets, linted: LintTargets) -> Joined:
+    """What is started beside each other: launch files without a robot, with those that start one."""
+    wanted = {id(result) for entry, (_, result) in started if entry.origin is not TargetOrigin.AROUND}
+    wanted |= {id(result) for _, result in reported}
+    launched = [pair for _, pair in started]
+    known = {id(result) for _, result in launched}
+    named = [target.path for target, result in reported if is_lonely(result) and id(result) not in known]
+    near = list(dict.fromkeys(target for path in named for target in targets_near(path)))
+    return joined([*launched, *reported, *(linted(near) if near else ())], wanted, linted)
+
+
+def _is_alone(pair: tuple[Target, TargetResult]) -> bool:
+    """Whether a target is a description that nobody says anything else about."""
+    return not is_launch(pair[0].path) and not pair[0].controllers and not pair[0].launch
+
+
+def _key(result: TargetResult) -> tuple[str, Arguments]:
+    return result.path, result.arguments
 
 
 def _is_silent(entry: PlannedTarget, result: TargetResult) -> bool:

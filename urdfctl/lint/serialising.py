@@ -7,6 +7,7 @@ from typing import Any
 from urdfctl.diagnostic import CallStep, Diagnostic, Location, Remark, Repair, Severity, ShownEdit
 from urdfctl.lint.results import Outcome, SuppressionUse, TargetResult
 from urdfctl.load.bringup import Bringup
+from urdfctl.load.join_facts import JoinFacts
 
 _TUPLES = ("files", "controllers", "distros", "nodes", "sections", "missing_packages")
 
@@ -14,7 +15,8 @@ _TUPLES = ("files", "controllers", "distros", "nodes", "sections", "missing_pack
 def result_to_json(result: TargetResult) -> dict[str, Any]:
     """Return a target's result as plain data."""
     bringup = result.bringup._asdict() if result.bringup else None
-    return {**result._asdict(), "outcome": outcome_to_json(result.outcome), "bringup": bringup}
+    joining = result.joining._asdict()
+    return {**result._asdict(), "outcome": outcome_to_json(result.outcome), "bringup": bringup, "joining": joining}
 
 
 def result_from_json(data: dict[str, Any]) -> TargetResult:
@@ -22,7 +24,8 @@ def result_from_json(data: dict[str, Any]) -> TargetResult:
     tuples = {name: tuple(data[name]) for name in _TUPLES}
     arguments = tuple((name, value) for name, value in data["arguments"])
     bringup = Bringup.from_json(data["bringup"]) if data["bringup"] else None
-    read = {"arguments": arguments, "outcome": outcome_from_json(data["outcome"]), "bringup": bringup}
+    read: dict[str, Any] = {"arguments": arguments, "outcome": outcome_from_json(data["outcome"]), "bringup": bringup}
+    read["joining"] = JoinFacts.from_json(data["joining"])
     return TargetResult(**{**data, **tuples, **read})
 
 

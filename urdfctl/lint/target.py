@@ -10,6 +10,7 @@ from urdfctl.lint.generated import twin_digest
 from urdfctl.lint.results import Outcome, TargetResult, among
 from urdfctl.lint.selection import Selection
 from urdfctl.load.bringup import bringup_of
+from urdfctl.load.join_facts import join_facts
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
@@ -74,13 +75,14 @@ def lint_target(
         controllers=_controller_files(project),
         launch=project.launch.path if project.launch else None,
         arguments=loaded.arguments,
-        bringup=bringup_of(project.launch, launch_arguments) if project.launch else None,
+        bringup=bringup_of(project.launch, launch_arguments, target.beside) if project.launch else None,
         distros=project.distros,
         nodes=tuple(node.name for node in controllers.nodes) if controllers else (),
         sections=tuple(s.name for s in controllers.others) if controllers and loader.settings.nodes else (),
         missing_packages=tuple(sorted(_missing_packages(project))),
         twin=twin_digest(project.path, root) if project.complete else None,
         idle=_idle_joints(project),
+        joining=join_facts(project),
     )
     return LintedTarget(result, project, root, loaded.sources)
 

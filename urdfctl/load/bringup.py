@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from urdfctl.load.target import LaunchStart
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
@@ -25,6 +28,7 @@ class Bringup(NamedTuple):
     complete: False if some of what it starts is unknown.
     others: the descriptions of its other robots.
     unfollowed: included launch files that are worth checking on their own.
+    beside: the launch files that are started beside it, in other terminals.
     """
 
     arguments: tuple[tuple[str, str], ...] = ()
@@ -36,17 +40,19 @@ class Bringup(NamedTuple):
     complete: bool = True
     others: tuple[str, ...] = ()
     unfollowed: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Bringup:
         """Return the bringup that `_asdict` and JSON made `data` from."""
         arguments = tuple((name, value) for name, value in data["arguments"])
-        lists = {name: tuple(data[name]) for name in ("spawned", "includes", "simulators", "others", "unfollowed")}
+        names = ("spawned", "includes", "simulators", "others", "unfollowed", "beside")
+        lists = {name: tuple(data[name]) for name in names}
         return cls(**{**data, **lists, "arguments": arguments})
 
 
-def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...]) -> Bringup:
-    """Return what a launch file that is started with some arguments starts together."""
+def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...], beside: Sequence[LaunchStart] = ()) -> Bringup:
+    """Return what a launch file that is started with some arguments, and others beside it, start together."""
     description = launch.description
     spawned = (
         name if not spawn.namespace else f"{spawn.namespace}/{name}"
@@ -65,4 +71,5 @@ def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...]) -> Bringu
         complete=launch.complete,
         others=tuple(robot.file.path for robot in launch.robots[1:] if robot.file.path),
         unfollowed=launch.unfollowed,
+        beside=tuple(os.path.abspath(start.path) for start in beside),
     )

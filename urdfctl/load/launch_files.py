@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from urdfctl.model.controllers import FileReference
@@ -48,6 +48,13 @@ class LaunchFile(NamedTuple):
     launch: Launch | None
     files: Files
     problems: tuple[Problem, ...]
+
+    def with_beside(self, others: Sequence[LaunchFile]) -> LaunchFile:
+        """Return the launch file with what others start beside it."""
+        launch, launches = self.launch, [other.launch for other in others if other.launch is not None]
+        problems = dict.fromkeys(problem for each in (self, *others) for problem in each.problems)
+        together = launch.with_beside(launches) if launch else launch
+        return self._replace(launch=together, problems=tuple(problems))
 
 
 def read_launch(

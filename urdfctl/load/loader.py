@@ -193,7 +193,13 @@ class Loader:
         from urdfctl.load.launch_files import read_launch
 
         arguments = dict(target.arguments) if is_launch(path) else {}
-        return read_launch(launch, arguments, *self.reading(launch), self.settings.environ)
+        files, packages = self.reading(launch)
+        first = read_launch(launch, arguments, files, packages, self.settings.environ)
+        beside = [
+            read_launch(start.path, dict(start.arguments), files, self.reading(start.path)[1], self.settings.environ)
+            for start in target.beside
+        ]
+        return first.with_beside(beside)
 
     def _without_robot(self, path: str, target: Target, launch_file: LaunchFile | None) -> LoadedTarget:
         """Load a controller file, or a launch file without a description."""

@@ -7,6 +7,13 @@ from typing import Any
 from urdfctl.startup.records import NamedTuple
 
 
+class LaunchStart(NamedTuple):
+    """A launch file that is started, with its arguments."""
+
+    path: str
+    arguments: tuple[tuple[str, str], ...] = ()
+
+
 class Target(NamedTuple):
     """One robot in one variant, or a controller file or launch file without a robot.
 
@@ -17,6 +24,7 @@ class Target(NamedTuple):
     launch: the launch file that belongs to the robot.
     by_elimination: True if nothing says that the controller files belong to the robot, but nothing else is there.
     guessed: whether the arguments of a launch file are guessed from the files that exist.
+    beside: the launch files that are started beside the one of the target, in another terminal.
     """
 
     path: str
@@ -26,10 +34,15 @@ class Target(NamedTuple):
     launch: str | None = None
     by_elimination: bool = False
     guessed: bool = False
+    beside: tuple[LaunchStart, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Target:
         """Return the target that `_asdict` and JSON made `data` from."""
-        arguments = tuple((str(name), str(value)) for name, value in data["arguments"])
-        controllers = tuple(data["controllers"])
-        return cls(**{**data, "arguments": arguments, "controllers": controllers})
+        beside = tuple(LaunchStart(path, _pairs(arguments)) for path, arguments in data["beside"])
+        lists = {"arguments": _pairs(data["arguments"]), "controllers": tuple(data["controllers"]), "beside": beside}
+        return cls(**{**data, **lists})
+
+
+def _pairs(data: list[list[Any]]) -> tuple[tuple[str, str], ...]:
+    return tuple((str(name), str(value)) for name, value in data)

@@ -38,6 +38,7 @@ def target_document(target: TargetResult) -> dict[str, Any]:
         "controllers": [shown(path) for path in target.controllers],
         "launch": shown(target.launch) if target.launch else None,
         "launch_arguments": dict(bringup.arguments),
+        "beside": [shown(path) for path in bringup.beside],
         "includes": [shown(path) for path in bringup.includes],
         "namespace": bringup.namespace,
         "spawned": list(bringup.spawned),

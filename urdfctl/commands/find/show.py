@@ -80,6 +80,7 @@ def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:
     yield "arguments", " ".join(f"{name}:={value}" for name, value in bringup.arguments)
     if target.launch and is_robot(target):
         yield "description", _described(target)
+    yield "beside", ", ".join(map(shown, bringup.beside))
     yield "namespace", bringup.namespace or ""
     yield "controllers", ", ".join(map(shown, target.controllers))
     yield "spawned", ", ".join(bringup.spawned)

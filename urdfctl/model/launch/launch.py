@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from itertools import chain
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.model.launch.package import Package
 from urdfctl.source.lengths import MOST_CHARACTERS
@@ -21,6 +23,12 @@ if TYPE_CHECKING:
 
 
 _WITHOUT_CONTROLLERS = frozenset({"moveit_ros_move_group", "moveit_servo", "teleop_twist_joy", "diagnostic_aggregator"})
+
+_STARTED_TOGETHER = (
+    *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
+    *("inline", "misspelt", "moveit"),
+)
+"""What launch files add to each other if they are started beside each other."""
 
 
 class Word(NamedTuple):
@@ -311,6 +319,14 @@ class Launch(NamedTuple):
             loads=tuple(load for load in self.loads if belongs(load.of if self.ros > 1 else load.namespace)),
             spawns=tuple(spawn for spawn in self.spawns if belongs(spawn.namespace)),
         )
+
+    def with_beside(self, others: Sequence[Launch]) -> Launch:
+        """Return the launch file with what others start beside it. Its arguments and its package stay its own."""
+        every = (self, *others)
+        lists: dict[str, Any] = {}
+        for name in _STARTED_TOGETHER:
+            lists[name] = tuple(chain.from_iterable(getattr(each, name) for each in every))
+        return self._replace(**lists, complete=all(each.complete for each in every))
 
     def _home(self, description: Description) -> str | None:
         """The namespace of the robot that a description is of."""

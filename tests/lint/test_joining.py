@@ -1,0 +1,140 @@
+"""Launch files that people start beside each other: one starts a robot, another one its controllers."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+from folder import Folder
+
+MANIFEST = '<package format="2"><name>{}</name><buildtool_depend>catkin</buildtool_depend></package>'
+JOINT = (
+    '<joint name="{0}" type="revolute"><parent link="base"/><child link="{0}_link"/>'
+    '<limit lower="-1" upper="1" effort="9" velocity="1"/></joint><link name="{0}_link">'
+    '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>'
+    '<transmission name="{0}_t"><type>transmission_interface/SimpleTransmission</type>'
+    '<joint name="{0}"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>'
+    '<actuator name="{0}_m"/></transmission>'
+)
+BASE = (
+    '<link name="world"/><joint name="foot" type="fixed"><parent link="world"/><child link="base"/></joint>'
+    '<link name="base"><inertial><mass value="1"/>'
+    '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>'
+)
+PLUGIN = '<gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>'
+WORLD = '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'
+DESCRIBED = '<param name="robot_description" textfile="$(find {})/{}"/>'
+SPAWNED = '<node name="s" pkg="controller_manager" type="spawner" args="{}"/>'
+LOADED = '<rosparam command="load" file="$(find {})/{}"/>'
+
+
+def robot(name: str, *joints: str) -> str:
+    return f'<robot name="{name}">{BASE}{"".join(map(JOINT.format, joints))}{PLUGIN}</robot>'
+
+
+def controllers(**joints: str) -> str:
+    kind = "effort_controllers/JointPositionController"
+    lines = (f"{name}: {{type: {kind}, joint: {joints[name]}, pid: {{p: 1.0}}}}\n" for name in joints)
+    return "".join(lines)
+
+
+def launch(*parts: str) -> str:
+    return f"<launch>{''.join(parts)}</launch>"
+
+
+def package(name: str, *joints: str) -> dict[str, str]:
+    """A package with a robot, and a launch file that starts it in Gazebo."""
+    return {
+        f"{name}/package.xml": MANIFEST.format(name),
+        f"{name}/{name}.urdf": robot(name, *joints),
+        f"{name}/launch/world.launch": launch(WORLD, DESCRIBED.format(name, f"{name}.urdf")),
+    }
+
+
+def control(package: str, **joints: str) -> dict[str, str]:
+    """A launch file in a package that loads and spawns controllers, and starts no robot."""
+    spawned = SPAWNED.format(" ".join(joints))
+    return {
+        f"{package}/c.yaml": controllers(**joints),
+        f"{package}/launch/control.launch": launch(LOADED.format(package, "c.yaml"), spawned),
+    }
+
+
+def report(folder: Folder, *words: str) -> dict[str, Any]:
+    ran = folder.run("lint", *(words or (".",)), "--format", "json", "--distro", "noetic", "--exit-zero")
+    assert ran.returncode == 0, ran.stderr
+    given: dict[str, Any] = json.loads(ran.stdout)
+    return given
+
+
+def joins(given: dict[str, Any]) -> list[tuple[str, str, list[str], list[str]]]:
+    return [(each["robot"], each["launch"], each["beside"], each["spawned"]) for each in given["targets"]]
+
+
+def errors(given: dict[str, Any]) -> list[tuple[str, str]]:
+    return [(one["code"], one["file"]) for one in given["findings"] if one["severity"] == "error"]
+
+
+WINCH = [("crane/crane.urdf", "crane/launch/world.launch", ["crane/launch/control.launch"], ["winch"])]
+
+
+def test_a_robot_and_controllers_of_two_launch_files_are_checked_together(folder: Folder) -> None:
+    folder.write({**package("crane", "slew", "hoist"), **control("crane", winch="hoist")})
+    given = report(folder)
+    assert joins(given) == WINCH
+    assert given["unused"] == []
+    assert errors(given) == []
+
+
+@pytest.mark.parametrize("words", [[], ["crane/launch/control.launch"], ["crane/c.yaml"], ["crane/crane.urdf"]])
+def test_a_joint_that_the_only_robot_lacks_is_an_error_whatever_is_named(folder: Folder, words: list[str]) -> None:
+    folder.write({**package("crane", "slew", "hoist"), **control("crane", winch="hoisst")})
+    given = report(folder, *words)
+    assert joins(given) == WINCH
+    assert ("UC440", "crane/c.yaml") in errors(given)
+
+
+def test_controllers_are_joined_with_the_robot_of_another_package_that_has_their_joints(folder: Folder) -> None:
+    folder.write({**package("crane", "slew", "hoist"), **package("truck", "steer"), **control("site", winch="hoist")})
+    folder.write({"site/package.xml": MANIFEST.format("site")})
+    given = report(folder)
+    assert ("crane/crane.urdf", "crane/launch/world.launch", ["site/launch/control.launch"], ["winch"]) in joins(given)
+    assert errors(given) == []
+
+
+def test_controllers_of_a_robot_that_is_not_here_are_joined_with_no_other_one(folder: Folder) -> None:
+    folder.write({**package("crane", "slew"), **control("site", winch="hoist")})
+    folder.write({"site/package.xml": MANIFEST.format("site")})
+    given = report(folder)
+    assert [robot for robot, _, beside, _ in joins(given) if beside] == []
+    assert errors(given) == []
+
+
+def test_what_only_one_of_several_starts_lacks_is_no_finding(folder: Folder) -> None:
+    """Both start a robot with the joint; only one of them has a transmission for it."""
+    folder.write({**package("crane", "slew", "hoist"), **control("crane", winch="hoist")})
+    real = robot("crane", "slew", "hoist").replace("hoist_t", "other_t")
+    folder.write({"crane/real.urdf": real, "crane/launch/real.launch": launch(DESCRIBED.format("crane", "real.urdf"))})
+    assert errors(report(folder)) == []
+
+
+def test_a_spawner_in_a_third_launch_file_is_joined_with_what_loads_its_controllers(folder: Folder) -> None:
+    folder.write({**package("crane", "slew", "hoist"), "crane/c.yaml": controllers(winch="hoist", jib="slew")})
+    folder.write({"crane/launch/load.launch": launch(LOADED.format("crane", "c.yaml"))})
+    folder.write({"crane/launch/spawn.launch": launch(SPAWNED.format("winch jibb"))})
+    given = report(folder)
+    beside = ["crane/launch/load.launch", "crane/launch/spawn.launch"]
+    assert joins(given) == [("crane/crane.urdf", "crane/launch/world.launch", beside, ["winch", "jibb"])]
+    assert errors(given) == [("UC601", "crane/launch/spawn.launch")]
+
+
+def test_launch_files_of_the_other_generation_are_not_joined(folder: Folder) -> None:
+    mobile = '<robot name="m"><link name="base"/><link name="tip"/><joint name="hoist" type="continuous"><parent '
+    mobile += 'link="base"/><child link="tip"/></joint><ros2_control name="m" type="system"><hardware><plugin>'
+    mobile += 'mock_components/GenericSystem</plugin></hardware><joint name="hoist"><command_interface '
+    mobile += 'name="effort"/><state_interface name="position"/></joint></ros2_control></robot>'
+    folder.write({"mobile/m.urdf": mobile, "mobile/package.xml": MANIFEST.format("mobile").replace("catkin", "ament")})
+    folder.write({**control("old", winch="hoist"), "old/package.xml": MANIFEST.format("old")})
+    ran = folder.run("lint", ".", "--format", "json", "--exit-zero")
+    assert [each["beside"] for each in json.loads(ran.stdout)["targets"]] == [[]]

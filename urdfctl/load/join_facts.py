@@ -1,0 +1,55 @@
+"""What a target says that decides what is started beside it: joints, controllers, and what manages these."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from urdfctl.model.project import Project
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.startup.records import NamedTuple
+
+
+class JoinFacts(NamedTuple):
+    """Facts of a target by which it is joined with what is started beside it.
+
+    joints: the names of the robot's joints.
+    claimed: without a robot: the joints that its controllers command.
+    declared: the controllers that its parameter files declare, without namespaces.
+    manages: whether it starts a simulator, or a controller manager.
+    """
+
+    joints: tuple[str, ...] = ()
+    claimed: tuple[str, ...] = ()
+    declared: tuple[str, ...] = ()
+    manages: bool = False
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> JoinFacts:
+        """Return the facts that `_asdict` and JSON made `data` from."""
+        lists = {name: tuple(data[name]) for name in ("joints", "claimed", "declared")}
+        return cls(**{**data, **lists})
+
+
+def join_facts(project: Project) -> JoinFacts:
+    """Return the facts of a project."""
+    controllers = project.controllers.controllers if project.controllers else ()
+    launch = project.launch
+    return JoinFacts(
+        joints=tuple(name for name in project.robot.joint_names if name) if project.robot else (),
+        claimed=_claimed(project) if project.robot is None and launch is not None and controllers else (),
+        declared=tuple(each.name for each in controllers if each.declared_at is not None),
+        manages=launch is not None
+        and (bool(launch.simulations) or any(node.executable.text == "ros2_control_node" for node in launch.nodes)),
+    )
+
+
+def _claimed(project: Project) -> tuple[str, ...]:
+    """The joints that the controllers of a project command, as far as their types are known."""
+    if not project.distros:
+        return ()
+    from urdfctl.control.session import session_of
+
+    controllers = session_of(project, project.distros[-1]).controllers
+    names = {each.name for each in controllers}
+    claimed = dict.fromkeys(claim.component for each in controllers for claim in each.claims.command)
+    return tuple(name for name in claimed if UNKNOWN not in name and name not in names)
