@@ -16,9 +16,9 @@ def main() -> None:
     import_quickly()
     from urdfctl.errors import UserError
 
-    _open_closed_streams()
+    open_closed_streams()
     try:
-        status = _run(sys.argv[1:])
+        status = run(sys.argv[1:])
     except UserError as error:
         status = _refused(str(error))
     except BrokenPipeError:  # `urdfctl lint | head`
@@ -33,7 +33,7 @@ def main() -> None:
 
         sys.stderr.write(report_crash())
         status = 3
-    _leave(status)
+    leave(status)
 
 
 def _refused(why: str) -> int:
@@ -44,14 +44,14 @@ def _refused(why: str) -> int:
     return 2
 
 
-def _open_closed_streams() -> None:
+def open_closed_streams() -> None:
     """Replace closed standard streams by the null device: `urdfctl lint >&-` has no standard output."""
     if sys.stdout is None or sys.stderr is None:
         nowhere = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (open until the end)
         sys.stdout, sys.stderr = sys.stdout or nowhere, sys.stderr or nowhere
 
 
-def _leave(status: int) -> None:
+def leave(status: int) -> None:
     """Exit without tearing down the interpreter, which takes a tenth of a run."""
     try:
         sys.stdout.flush()
@@ -60,7 +60,8 @@ def _leave(status: int) -> None:
         os._exit(status)
 
 
-def _run(words: list[str]) -> int:
+def run(words: list[str]) -> int:
+    """Run a command line, given without the program's name, and return the exit status."""
     if words in (["--version"], ["-V"]):  # a common call in scripts, without the import of typer
         from urdfctl import __version__
 

@@ -300,8 +300,8 @@ def test_each_format_says_the_same_on_standard_output_and_in_a_file(folder: Fold
 
 LISTS_MODULES = """
 import sys
-from urdfctl.__main__ import _run
-_run(["lint", "arm.urdf", "--format", "github"])
+from urdfctl.commands.running import run_words
+run_words(["lint", "arm.urdf", "--format", "github"])
 print(*sys.modules, file=sys.stderr)
 """
 

@@ -197,7 +197,7 @@ def test_an_option_of_a_type_that_cannot_be_read_is_a_mistake_of_its_declaration
 
 
 def test_only_the_command_that_is_typed_is_imported() -> None:
-    code = "import sys; from urdfctl.__main__ import _run; _run(['rules', '--select', 'UC401'])"
+    code = "import sys; from urdfctl.commands.running import run_words; run_words(['rules', '--select', 'UC401'])"
     told = "print(*(name for name in sys.modules if name.startswith('urdfctl.commands.') and name.count('.') == 3))"
     ran = subprocess.run([sys.executable, "-c", f"{code}; {told}"], capture_output=True, text=True, check=True)
     assert ran.stdout.splitlines()[-1] == "urdfctl.commands.understand.rules"

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from folder import Folder
 
-from urdfctl.__main__ import _run
+from urdfctl.commands.running import run_words
 from urdfctl.config.settings import Settings
 from urdfctl.fix.edits import Splice, edited
 from urdfctl.fix.rounds import FixOptions, fixed
@@ -152,17 +152,17 @@ def test_a_file_that_has_changed_since_it_was_linted_is_left(folder: Folder, now
 
 def test_the_command_mends_and_tells_how_much(folder: Folder, capsys: pytest.CaptureFixture[str]) -> None:
     folder.write({"arm.xacro": MACRO, "urdfctl.toml": "distro = 'jazzy'\n[[robot]]\npath = 'arm.xacro'\n"})
-    assert _run(["lint", "--diff", "--unsafe-fixes"]) == 1
+    assert run_words(["lint", "--diff", "--unsafe-fixes"]) == 1
     assert (
         '+      <parent link="world"/><child link="${name}_link"/><limit lower="-1" upper="1"'
         in capsys.readouterr().out
     )
-    assert _run(["lint", ".", "--unsafe-fixes", "--jobs", "1"]) == 0
+    assert run_words(["lint", ".", "--unsafe-fixes", "--jobs", "1"]) == 0
     assert capsys.readouterr().err == "urdfctl: fixed 1 of 1 finding in 1 file\n"
     assert LIMITS[1] in (folder.path / "arm.xacro").read_text()
-    assert _run(["lint", "arm.xacro", "--show-settings", "--distro", "iron"]) == 0
+    assert run_words(["lint", "arm.xacro", "--show-settings", "--distro", "iron"]) == 0
     assert 'distro = "iron"                           # --distro' in capsys.readouterr().out
-    assert _run(["lint", ".", "--shard", "1/2", "--exit-zero"]) == 0
+    assert run_words(["lint", ".", "--shard", "1/2", "--exit-zero"]) == 0
 
 
 @pytest.mark.parametrize(

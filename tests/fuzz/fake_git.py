@@ -50,11 +50,11 @@ def laid_out(data: bytes, random: Random) -> None:
     def started(_: str, words: Sequence[str], __: Sequence[str] = ()) -> Iterator[_Answers]:
         yield _Answers(listing if words[0] == "ls-tree" else _KEY, random)
 
-    folder, before = Path("laid_out").resolve(), git._started
+    folder, before = Path("laid_out").resolve(), git.started_git
     folder.mkdir()
-    git._started = started
+    git.started_git = started
     try:
         revisions.lay_out(".", "main", str(folder))
     finally:
-        git._started = before
+        git.started_git = before
         shutil.rmtree(folder)

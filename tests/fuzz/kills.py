@@ -24,9 +24,9 @@ from typing import NamedTuple
 
 sys.path.extend(str(Path(__file__).parents[1] / name) for name in ("helpers", "helpers/smoke", "commands", "migrate"))
 
+from fixable_robots import ARM
 from killing import end_at, tree, without_temporary
-from test_cli_fix import ARM
-from test_migrate_paths import FILES as OF_ROS1
+from moved_packages import FILES as OF_ROS1
 
 import urdfctl.__main__ as urdfctl
 from urdfctl.output.journal import restore_unfinished

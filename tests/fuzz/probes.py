@@ -30,7 +30,7 @@ def install(packages: Iterable[str] = ("urdfctl",)) -> None:
     sys.meta_path.insert(0, _Finder(tuple(packages)))
     from urdfctl.source.xacro.private import private_module
 
-    private_module._code = _code_of_xacro  # type: ignore[assignment]
+    private_module.code_of_part = _code_of_xacro  # type: ignore[assignment]
     private_module.release = _release
 
 
@@ -74,10 +74,10 @@ _XACRO: dict[str, CodeType] = {}
 
 
 def _code_of_xacro(part: str) -> CodeType:
-    from urdfctl.source.xacro.private.private_module import _location
+    from urdfctl.source.xacro.private.private_module import location_of_xacro
 
     if part not in _XACRO:
-        path = Path(_location(), f"{part}.py")
+        path = Path(location_of_xacro(), f"{part}.py")
         _XACRO[part] = with_probes(path.read_bytes(), str(path))
     return _XACRO[part]
 

@@ -12,7 +12,7 @@ from corpus import CORPUS, needs_corpus
 from folder import Folder
 from generating import command
 from sampling import sample
-from test_generate_corpus import ROBOTS
+from uncontrolled_robots import ROBOTS
 
 from urdfctl.config.settings import Settings
 from urdfctl.load.description import expansion_of

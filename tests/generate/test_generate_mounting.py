@@ -6,8 +6,8 @@ import re
 
 import pytest
 from folder import Folder
+from generated_robots import ROBOTS
 from generating import command
-from test_generate_matrix import ROBOTS
 
 HEIGHTS = {
     "arm": None,

@@ -7,13 +7,13 @@ import os
 import shutil
 import subprocess
 import xml.etree.ElementTree as ET
-from importlib.resources import files
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pytest
 from folder import Folder
+from graph_schema import SCHEMA
 from jsonschema import Draft202012Validator
 
 from urdfctl.config.settings import Settings
@@ -24,7 +24,6 @@ from urdfctl.lint.target import LintedTarget, lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 
-SCHEMA = json.loads(files("urdfctl.graph").joinpath("graph.schema.json").read_text(encoding="utf-8"))
 ROBOT = """\
 <robot name="r">
   <link name="base"/><link name="fore"/><link name="hand"/>

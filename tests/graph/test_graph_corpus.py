@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 from corpus import CORPUS, own_roots, roots
+from graph_schema import SCHEMA
 from jsonschema import Draft202012Validator
 from sampling import sample
-from test_graph import SCHEMA
 
 from urdfctl.config.settings import Settings
 from urdfctl.control.chains import chained_claims

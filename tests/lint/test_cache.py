@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from folder import Folder
 
-from urdfctl.__main__ import _run
+from urdfctl.commands.running import run_words
 from urdfctl.lint import cache, run
 from urdfctl.lint.run import LintRun
 
@@ -38,7 +38,7 @@ def linted(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> list[LintRun]:
 
 
 def lint(*words: str) -> int:
-    return _run(["lint", ".", "--jobs", "1", *words])
+    return run_words(["lint", ".", "--jobs", "1", *words])
 
 
 def test_a_run_without_changes_is_not_made_again(linted: list[LintRun], capsys: pytest.CaptureFixture[str]) -> None:
@@ -128,7 +128,7 @@ def test_packages_of_an_installed_ros_are_in_doubt(linted: list[LintRun], monkey
 
 
 def test_old_results_are_deleted(linted: list[LintRun], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cache, "_MAX_STORED", 2)
+    monkeypatch.setattr(cache, "MAX_STORED", 2)
     for code in ("UC1", "UC2", "UC3", "UC4"):
         lint("--select", code)
     assert len(list(Path("../home/cache/urdfctl").iterdir())) == 2
@@ -140,7 +140,7 @@ def test_a_run_is_stored_if_it_took_long_by_the_clock_or_on_all_processors_toget
     monkeypatch.setattr(cache, "STORE_FROM", 0.5)
     for after, is_stored in (((0.4, 0.4), False), ((0.6, 0.1), True), ((0.3, 0.9), True)):
         clocks = iter([(0.0, 0.0), after])
-        monkeypatch.setattr(cache, "_clocks", lambda clocks=clocks: next(clocks))
+        monkeypatch.setattr(cache, "clocks", lambda clocks=clocks: next(clocks))
         lint()
         stored = list((folder.path / "home").rglob("*.json"))
         assert bool(stored) == is_stored, after

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from folder import Folder
-from test_migrate_ros1 import migrated
+from ros1_packages import migrated
 
 WITHOUT_CATKIN = """\
 cmake_minimum_required(VERSION 2.8.3)

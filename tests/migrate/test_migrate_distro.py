@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from folder import Folder
+from humble_packages import HUMBLE, MANIFEST, controllers, migrated
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL, ROS2
@@ -19,15 +20,6 @@ from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.steps import STEPS
 from urdfctl.migrate.table import rows, table
 
-MANIFEST = '<package format="3"><name>arm</name><exec_depend>ros_ign_gazebo</exec_depend></package>\n'
-MANAGED = """\
-controller_manager:
-  ros__parameters:
-    update_rate: 100  # Hz
-    ctl: {type: TYPE}
-ctl:
-  ros__parameters:
-"""
 LAUNCH = """\
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -55,19 +47,6 @@ def generate_launch_description():
 """
 
 
-def controllers(kind: str, parameters: str) -> str:
-    """A controller file with one controller."""
-    return MANAGED.replace("TYPE", kind) + textwrap.indent(textwrap.dedent(parameters), "    ")
-
-
-def migrated(folder: Folder, files: dict[str, str], *words: str) -> dict[str, str]:
-    """The files of a package after its migration."""
-    folder.write({"arm/package.xml": MANIFEST, **{f"arm/{name}": text for name, text in files.items()}})
-    ran = folder.run("migrate", "arm", *words, "-o", "new", "--force")
-    assert ran.returncode == 0, ran.stderr
-    return {name: (folder.path / "new" / name).read_text() for name in files}
-
-
 def parameters_after(folder: Folder, kind: str, parameters: str, *words: str) -> str:
     """The parameters of a controller after a migration of its file."""
     name = "config/controllers.yaml"
@@ -77,7 +56,6 @@ def parameters_after(folder: Folder, kind: str, parameters: str, *words: str) ->
 
 DIFF = "diff_drive_controller/DiffDriveController"
 JTC = "joint_trajectory_controller/JointTrajectoryController"
-HUMBLE = ("--from", "humble")
 AS_BEFORE = "allow_nonzero_velocity_at_trajectory_end: true\n"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from folder import Folder
-from test_migrate_distro import HUMBLE, controllers, migrated
+from humble_packages import HUMBLE, controllers, migrated
 
 DIFF = "diff_drive_controller/DiffDriveController"
 FINGERS = """\

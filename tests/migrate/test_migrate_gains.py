@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from folder import Folder
-from test_migrate_ros1 import MANIFEST, PLUGIN, arm, transmission
+from ros1_packages import MANIFEST, PLUGIN, arm, transmission
 
 CONTROLLERS = """\
 arm:

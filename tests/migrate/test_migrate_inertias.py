@@ -6,7 +6,7 @@ from itertools import product
 
 import pytest
 from folder import Folder
-from test_migrate_ros1 import PLUGIN, arm, migrated, transmission
+from ros1_packages import PLUGIN, arm, migrated, transmission
 
 from urdfctl.migrate.classic.inertias import possible
 from urdfctl.rules.urdf.inertia import principal_moments

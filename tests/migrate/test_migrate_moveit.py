@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from folder import Folder
-from test_migrate_ros1 import EFFORT, MANIFEST, PLUGIN, arm, transmission
+from ros1_packages import EFFORT, MANIFEST, PLUGIN, arm, transmission
 
 SRDF = '<robot name="arm">\n  <group name="all"><joint name="shoulder"/></group>\n</robot>\n'
 KINEMATICS = "all:\n  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n"

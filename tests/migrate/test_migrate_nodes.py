@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from folder import Folder
-from test_migrate_ros1 import arm, migrated, transmission
+from ros1_packages import arm, migrated, transmission
 
 ONE_NODE = """\
 <launch>

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from folder import Folder
-from test_migrate_ros1 import EFFORT, PLUGIN, arm, migrated, transmission
+from ros1_packages import EFFORT, PLUGIN, arm, migrated, transmission
 
 from urdfctl.migrate.ros1.pausing import DECIDED
 

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 from folder import Folder, environment
-from test_migrate import FILES, MANIFEST, MIGRATED, ROBOT, content
-from test_migrate_paths import FILES as OF_ROS1
+from migrated_packages import FILES, MANIFEST, MIGRATED, ROBOT, content
+from moved_packages import FILES as OF_ROS1
 
 needs_posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such rights, links and signals")
 STRANGE = {

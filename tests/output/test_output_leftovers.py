@@ -75,7 +75,7 @@ def test_a_process_with_the_number_of_one_that_ended_is_another_one(folder: Fold
 
 
 def test_what_another_machine_left_is_removed_after_a_week(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(temporary, "_machine", lambda: "0123abcd")
+    monkeypatch.setattr(temporary, "machine_name", lambda: "0123abcd")
     name = Path(temporary_beside(os.path.abspath("r.urdf"), b"new")).name
     monkeypatch.undo()
     os.chdir(folder.path)

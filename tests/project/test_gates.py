@@ -63,7 +63,7 @@ WORKER = "urdfctl itself, in a process with limits or of its own"
 TEMPLATES = "urdfctl's own templates, and the folder that --templates names"
 NOWHERE = "the null device"
 EXCEPTIONS = {
-    "urdfctl/__main__.py _open_closed_streams open": NOWHERE,
+    "urdfctl/__main__.py open_closed_streams open": NOWHERE,
     "urdfctl/__main__.py main os.open": NOWHERE,
     "urdfctl/catalog/compiled.py _yaml .read_bytes": OWN,
     "urdfctl/catalog/compiled.py main .read_text": OWN,
@@ -115,7 +115,7 @@ EXCEPTIONS = {
     "urdfctl/server/commands/processes.py run_command asyncio.create_subprocess_exec": WORKER,
     "urdfctl/smoke/engines/obj_meshes.py _copied open": SCRATCH,
     "urdfctl/smoke/engines/pybullet_engine.py open_engine open": SCRATCH,
-    "urdfctl/smoke/motion/engine_workers.py _engine_output open": SCRATCH,
+    "urdfctl/smoke/motion/engine_workers.py engine_output open": SCRATCH,
     "urdfctl/smoke/motion/engine_workers.py run_trial_job open": SCRATCH,
     "urdfctl/smoke/motion/progress.py kept open": SCRATCH,
     "urdfctl/startup/quick_imports.py _content os.open": OWN,

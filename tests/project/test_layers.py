@@ -91,7 +91,7 @@ def loaded_by(folder: Folder, code: str) -> set[str]:
     return set(ran.stdout.rpartition("LOADED")[2].split())
 
 
-LINT = "from urdfctl.__main__ import _run\nassert _run(['lint', 'r.xacro', '--jobs', '1']) == 1"
+LINT = "from urdfctl.commands.running import run_words\nassert run_words(['lint', 'r.xacro', '--jobs', '1']) == 1"
 LINT_HERE = (
     "from urdfctl.config.settings import Settings\n"
     "from urdfctl.lint.job import job_for, lint_work, perform_alone\n"

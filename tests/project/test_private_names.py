@@ -8,24 +8,6 @@ from pathlib import Path
 
 from folder import CHECKOUT
 
-STILL_USED: dict[str, set[str]] = {
-    "fix/test_fix_trial.py": {"_run"},
-    "fuzz/fake_git.py": {"_started"},
-    "fuzz/probes.py": {"_code", "_location"},
-    "lint/test_cache.py": {"_MAX_STORED", "_clocks", "_run"},
-    "output/test_output_leftovers.py": {"_machine"},
-    "server/test_server_hostile.py": {"_PATIENCE"},
-    "smoke/engines/test_smoke_planning.py": {"_left_out"},
-    "smoke/lifecycle/test_smoke_candidates.py": {"_errors_by_distro"},
-    "smoke/motion/test_smoke_trial.py": {"_skidding", "_stiff", "_tested", "_untested", "_wheels"},
-    "smoke/motion/test_smoke_trial_order.py": {"_untested"},
-    "smoke/runs/test_smoke_runs.py": {"_engine_output", "_limits", "_run"},
-    "smoke/tasks/test_smoke_reading.py": {"_drive", "_gains", "_limit", "_loop"},
-    "source/test_deep_folders.py": {"_leave", "_open_closed_streams", "_run"},
-    "source/test_gate.py": {"_check_regular"},
-    "startup/test_quick_imports.py": {"_PACKAGES"},
-}
-"""The private names that tests use until there is another way, by file. None may be added."""
 OF_NAMED_TUPLES = {"_asdict", "_fields", "_make", "_replace"}
 
 
@@ -65,10 +47,24 @@ def used_in(path: Path) -> set[str]:
     return set(private_names(ast.parse(path.read_text(encoding="utf-8"))))
 
 
-def test_no_test_uses_another_private_name_of_the_package() -> None:
+def test_no_test_uses_a_private_name_of_the_package() -> None:
     tests = CHECKOUT / "tests"
     used = {path.relative_to(tests).as_posix(): used_in(path) for path in sorted(tests.rglob("*.py"))}
-    assert {file: names for file, names in used.items() if names} == STILL_USED
+    assert {file: names for file, names in used.items() if names} == {}
+
+
+def test_no_test_module_imports_another_one() -> None:
+    """What they share is in tests/helpers. tests/bench/exhaustive runs tests again, on all cases."""
+    tests = CHECKOUT / "tests"
+    paths = [path for path in sorted(tests.rglob("*.py")) if "exhaustive" not in path.parts]
+    modules = {path: imported(ast.parse(path.read_text(encoding="utf-8"))) for path in paths}
+    assert {path.name: names for path, names in modules.items() if names} == {}
+
+
+def imported(tree: ast.Module) -> set[str]:
+    """Return the test modules that a module imports from."""
+    names = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+    return {name for name in names if name.rpartition(".")[2].startswith("test_")}
 
 
 def test_private_names_are_seen_when_they_are_imported_read_or_replaced() -> None:

@@ -12,7 +12,7 @@ from completing import Insertion, insertions
 from editor import types
 from folder import CHECKOUT, Folder
 from live_replay import copied
-from test_server_names import CONTROLLERS, LAUNCH, MACROS, ROBOT, STARTS, URDF, XACRO, YAML, question
+from server_names import CONTROLLERS, LAUNCH, MACROS, ROBOT, STARTS, URDF, XACRO, YAML, question
 
 from urdfctl.model.project import Project
 from urdfctl.server.features.completion import items_at

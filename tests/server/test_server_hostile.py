@@ -170,7 +170,7 @@ def test_a_file_that_is_not_on_disk_is_typed_and_asked_about(folder: Folder, nam
 
 
 def test_no_question_waits_for_a_robot_that_takes_long_to_read(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workspace, "_PATIENCE", 0.5)
+    monkeypatch.setattr(workspace, "PATIENCE", 0.5)
     folder.write({"slow.urdf": f"<robot name='r'>{'<a/>' * 500_000}</robot>", "quick.urdf": ARM})
     here = workspace.Workspace(str(folder.path), workspace.EditorSettings())
     [slow] = here.robots_with(str(folder.path / "slow.urdf"))

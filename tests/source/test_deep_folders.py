@@ -111,9 +111,9 @@ def test_nesting_that_nothing_expects_is_one_line(
         return nested(words) + 1
 
     left: list[int] = []
-    monkeypatch.setattr(command, "_run", nested)
-    monkeypatch.setattr(command, "_leave", left.append)
-    monkeypatch.setattr(command, "_open_closed_streams", lambda: None)
+    monkeypatch.setattr(command, "run", nested)
+    monkeypatch.setattr(command, "leave", left.append)
+    monkeypatch.setattr(command, "open_closed_streams", lambda: None)
     command.main()
     assert left == [2]
     assert capsys.readouterr().err == "urdfctl: something in these files is nested too deeply to be read\n"

@@ -110,14 +110,14 @@ def test_a_thread_has_the_limit_of_the_process_and_its_own(inside: Path) -> None
 def test_what_takes_the_place_of_a_file_after_the_check_is_not_opened(
     inside: Path, kind: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    path, check = inside / "a", gate._check_regular
+    path, check = inside / "a", gate.check_regular
 
     def checked_and_swapped(info: os.stat_result, name: str) -> None:
         check(info, name)
         path.unlink()
         os.mkfifo(path) if kind == "pipe" else path.symlink_to(inside.parent / "out" / "secret")
 
-    monkeypatch.setattr(gate, "_check_regular", checked_and_swapped)
+    monkeypatch.setattr(gate, "check_regular", checked_and_swapped)
     with pytest.raises(OSError, match=r"not a regular file|symbolic link"):
         gate.opened(str(path))
 

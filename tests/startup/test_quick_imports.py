@@ -26,9 +26,8 @@ def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     (folder / "a.py").write_text(SOURCE)
     monkeypatch.setattr(sys, "path", [str(tmp_path), *sys.path])
     monkeypatch.setattr(sys, "meta_path", [*sys.meta_path])
-    monkeypatch.setattr(quick_imports, "_PACKAGES", ("quick.",))
     monkeypatch.setattr(sys, "pycache_prefix", None)
-    quick_imports.import_quickly()
+    quick_imports.import_quickly(("quick.",))
     yield folder
     for name in [name for name in sys.modules if name.partition(".")[0] == "quick"]:
         del sys.modules[name]

@@ -31,7 +31,7 @@ STORE_FROM = 0.5
 """Seconds, of the clock or of all processors together, that a run has to take to be worth storing."""
 _MAX_ENTRIES = 50_000
 """Files and folders that are looked at for a fingerprint."""
-_MAX_STORED = 50
+MAX_STORED = 50
 """Runs that are kept; older ones are deleted."""
 _PRUNED = frozenset({"__pycache__", "node_modules", ".venv"})
 
@@ -47,7 +47,7 @@ class RunCache:
         paths: those of the command line. request: what else was asked for; its repr is part of the key.
         extra: files that the run reads besides, such as the configuration.
         """
-        self._began = _clocks(), time.time_ns()
+        self._began = clocks(), time.time_ns()
         self._paths, self._settings, self._extra = paths, settings, tuple(extra)
         self._asked = repr((__version__, sys.version_info[:3], os.getcwd(), tuple(paths), settings.to_json(), request))
 
@@ -102,7 +102,7 @@ class RunCache:
         """Store the results of a run that took long enough and did not crash; silently nothing if that fails."""
         file_name = self._file
         crashed = any(result.outcome.crashed for _, result in results)
-        if file_name is None or crashed or max(map(sub, _clocks(), self._began[0])) < STORE_FROM:
+        if file_name is None or crashed or max(map(sub, clocks(), self._began[0])) < STORE_FROM:
             return
         fingerprint = self._fingerprint(before=self._began[1])
         if fingerprint is None:
@@ -128,8 +128,8 @@ def _folders_of_installed_rules() -> Iterator[str]:
         yield os.path.dirname(path) if os.path.basename(path) == "__init__.py" else path
 
 
-def _clocks() -> tuple[float, float]:
-    """The seconds that the clock shows, and those that processors have spent on this process and its workers."""
+def clocks() -> tuple[float, float]:
+    """Return the seconds that the clock shows, and those that processors have spent on this process and its workers."""
     return time.monotonic(), sum(os.times()[:4])
 
 
@@ -180,5 +180,5 @@ def _line(path: str) -> Iterator[Line]:
 
 def _delete_old(folder: str) -> None:
     files = [entry.path for entry in os.scandir(folder) if entry.name.endswith(".json")]
-    for path in sorted(files, key=os.path.getmtime)[:-_MAX_STORED]:
+    for path in sorted(files, key=os.path.getmtime)[:-MAX_STORED]:
         os.unlink(path)

@@ -103,7 +103,7 @@ def _remove_if_left(entry: os.DirEntry[str]) -> None:
         info = entry.stat(follow_symlinks=False)
         if sys.platform != "win32" and info.st_uid != os.geteuid():
             return
-        if named["machine"] != _machine():
+        if named["machine"] != machine_name():
             is_over = time.time() - info.st_mtime > WEEK
         else:
             is_over = not is_running(int(named["process"]), int(named["start"]))
@@ -116,11 +116,11 @@ def _remove_if_left(entry: os.DirEntry[str]) -> None:
 def prefix() -> str:
     """Return how the names of this process's temporary files and folders begin."""
     process = os.getpid()
-    return f".urdfctl-{_machine()}-{process}-{start_of(process) or 0}-"
+    return f".urdfctl-{machine_name()}-{process}-{start_of(process) or 0}-"
 
 
-def _machine() -> str:
-    """A name for this machine, or this container: only here are the numbers of its processes known."""
+def machine_name() -> str:
+    """Return a name for this machine, or this container: only here are the numbers of its processes known."""
     if sys.platform == "win32":
         named = os.environ.get("COMPUTERNAME", "")
     else:

@@ -108,7 +108,7 @@ def names_of_revisions(repository: str) -> list[str]:
 
 def entries_of(repository: str, commit: str) -> list[TreeEntry]:
     """Return the files of a commit. UserError if they cannot be read, or are more than MOST_ENTRIES."""
-    with _started(repository, ["ls-tree", "-r", "-z", "--full-tree", commit]) as process:
+    with started_git(repository, ["ls-tree", "-r", "-z", "--full-tree", commit]) as process:
         entries: list[TreeEntry] = []
         for line in _parts(process.answers, b"\0"):
             facts, _, name = line.partition(b"\t")
@@ -124,8 +124,8 @@ def entries_of(repository: str, commit: str) -> list[TreeEntry]:
 def blobs_of(repository: str) -> Iterator[Blobs]:
     """Give a reader of objects. UserError if git fails."""
     with (
-        _started(repository, ["cat-file", "--batch-check"]) as sizes,
-        _started(repository, ["cat-file", "--batch"]) as contents,
+        started_git(repository, ["cat-file", "--batch-check"]) as sizes,
+        started_git(repository, ["cat-file", "--batch"]) as contents,
     ):
         yield Blobs(sizes, contents)
         sizes.check()
@@ -205,7 +205,7 @@ class _Process:
 
 def _ask(folder: str, words: Sequence[str], settings: Sequence[str] = ()) -> tuple[int, str, str]:
     """The exit status of git, what it prints, and the last line of its errors."""
-    with _started(folder, words, settings) as process:
+    with started_git(folder, words, settings) as process:
         data = process.answers.read(_MOST_OUTPUT + 1)
         if len(data) > _MOST_OUTPUT:
             raise UserError(f"git prints more than {_MOST_OUTPUT >> 20} MiB about '{folder}'")
@@ -213,7 +213,7 @@ def _ask(folder: str, words: Sequence[str], settings: Sequence[str] = ()) -> tup
 
 
 @contextmanager
-def _started(folder: str, words: Sequence[str], settings: Sequence[str] = ()) -> Iterator[_Process]:
+def started_git(folder: str, words: Sequence[str], settings: Sequence[str] = ()) -> Iterator[_Process]:
     """Start git in a folder; end it afterwards, and when its time is over."""
     own = [word for setting in _SETTINGS for word in ("-c", setting)]
     environment = {name: value for name, value in os.environ.items() if name not in _OF_REPOSITORY} | _ENVIRONMENT

@@ -65,7 +65,7 @@ def plan_of(
         if static_check.given
         else (),
     )
-    return plan, _left_out(ready) if drives else _left_out(ready._replace(left_out=ready.broken))
+    return plan, troubles_of_left_out(ready) if drives else troubles_of_left_out(ready._replace(left_out=ready.broken))
 
 
 def _wheels(mechanism: Mechanism, drives: Iterable[Drive]) -> dict[str, float]:
@@ -76,7 +76,8 @@ def _wheels(mechanism: Mechanism, drives: Iterable[Drive]) -> dict[str, float]:
     return wheels
 
 
-def _left_out(ready: EngineUrdf) -> list[Trouble]:
+def troubles_of_left_out(ready: EngineUrdf) -> list[Trouble]:
+    """Return what is to be told of the parts that an engine does not get."""
     if not ready.left_out:
         return []
     (link, why), *others = ready.left_out.items()

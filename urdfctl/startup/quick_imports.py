@@ -16,7 +16,7 @@ from importlib._bootstrap_external import MAGIC_NUMBER
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from types import CodeType, ModuleType
 
-_PACKAGES = ("urdfctl.", "yaml.")
+PACKAGES = ("urdfctl.", "yaml.")
 _HEADER = 16
 _PIECE = 1 << 16
 """Bytes of a compiled file before the code: magic number, flags, and the source's time and size."""
@@ -38,12 +38,13 @@ class _Loader(SourceFileLoader):
 class _Finder:
     """Finds a module beside others of its package, if it is compiled."""
 
-    def __init__(self) -> None:
+    def __init__(self, packages: tuple[str, ...]) -> None:
+        self._packages = packages
         self._compiled = f".{sys.implementation.cache_tag}.pyc"
         self._start = MAGIC_NUMBER + bytes(4)
 
     def find_spec(self, name: str, path: Sequence[str] | None, _target: object = None) -> ModuleSpec | None:
-        if not (path and name.startswith(_PACKAGES)):
+        if not (path and name.startswith(self._packages)):
             return None
         folder, module = path[0], name.rpartition(".")[2]
         source, compiled = (
@@ -79,7 +80,10 @@ def _content(path: str) -> bytes:
         os.close(file)
 
 
-def import_quickly() -> None:
-    """From now on, import modules of the packages quickly, unless compiled files are in a special place or form."""
+def import_quickly(packages: tuple[str, ...] = PACKAGES) -> None:
+    """From now on, import modules of some packages quickly, unless compiled files are in a special place or form.
+
+    packages: the names of packages, each with a dot behind it.
+    """
     if sys.implementation.cache_tag and not (sys.pycache_prefix or sys.flags.optimize):
-        sys.meta_path.insert(0, _Finder())
+        sys.meta_path.insert(0, _Finder(packages))

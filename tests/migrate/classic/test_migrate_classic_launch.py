@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from classic_packages import CONTROL, CONTROLLERS, DRIVE, base, migrated
 from folder import Folder
-from test_migrate_classic import CONTROL, CONTROLLERS, DRIVE, base, migrated
 
 BRIDGE = '<param name="config_file" value="$(find-pkg-share base)/config/bridge.yaml"/>'
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from classic_packages import CONTROL, CONTROLLERS, MANIFEST, base, migrated
 from folder import Folder
-from test_migrate_classic import CONTROL, CONTROLLERS, MANIFEST, base, migrated
 
 MESH = '  <link name="shell"><visual><geometry><mesh filename="package://base/meshes/shell.stl"/></geometry></visual></link>\n'
 PARENT = '    <gazebo_ros gazebo_model_path="${prefix}/.."/>\n'

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from classic_packages import base, migrated
 from folder import Folder
-from test_migrate_classic import base, migrated
 
 TO_CLASSIC = ("--from", "noetic", "--to", "humble", "--simulator", "gazebo-classic")
 TO_GZ = ("--from", "noetic", "--to", "jazzy")

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from classic_packages import DRIVE, base, migrated
 from folder import Folder
-from test_migrate_classic import DRIVE, base, migrated
 
 
 def world(inside: str) -> str:

@@ -11,7 +11,7 @@ from smoking import checked, target_of
 from urdfctl.config.settings import Settings
 from urdfctl.load.loader import Loader
 from urdfctl.smoke.engines.urdf import EngineUrdf
-from urdfctl.smoke.robot_motion import _left_out
+from urdfctl.smoke.robot_motion import troubles_of_left_out
 from urdfctl.smoke.run import SmokeRequest
 
 
@@ -30,9 +30,9 @@ def test_joints_that_efforts_push_keep_their_damping(interface: str, damped: boo
 )
 def test_links_without_their_meshes_are_one_finding(links: int, more: str) -> None:
     left_out = {f"l{n}": "'a.stl' has no triangles" for n in range(links)}
-    [trouble] = _left_out(EngineUrdf("", left_out, {}))
+    [trouble] = troubles_of_left_out(EngineUrdf("", left_out, {}))
     assert "'l0'" in trouble.message
     assert more in trouble.message
     assert ("other link" in trouble.message) == (links > 1)
     assert ("other links" in trouble.message) == (links > 2)
-    assert _left_out(EngineUrdf("", {}, {})) == []
+    assert troubles_of_left_out(EngineUrdf("", {}, {})) == []

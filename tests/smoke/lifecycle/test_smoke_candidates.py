@@ -40,7 +40,7 @@ def lifecycle(
 def agreed(monkeypatch: pytest.MonkeyPatch, *lifecycles: RobotLifecycle) -> RobotLifecycle:
     """Return what several distros come to."""
     by_distro = {each.distro: each for each in lifecycles}
-    monkeypatch.setattr(possible_distros, "_errors_by_distro", lambda _: [(distro, []) for distro in by_distro])
+    monkeypatch.setattr(possible_distros, "errors_by_distro", lambda _: [(distro, []) for distro in by_distro])
     monkeypatch.setattr(possible_distros, "lifecycle_in", lambda _project, distro, _errors: by_distro[distro])
     seen: Any = SimpleNamespace(project=None)
     return lifecycle_of(seen)

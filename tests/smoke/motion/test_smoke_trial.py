@@ -10,7 +10,14 @@ from smoke_obedient import Obedient, hinge, trial
 
 from urdfctl.smoke.engines.engine import STEP, BasePose
 from urdfctl.smoke.motion.plan import MotionPlan
-from urdfctl.smoke.motion.trial import MotionTrial, _skidding, _stiff, _tested, _untested, _wheels
+from urdfctl.smoke.motion.trial import (
+    MotionTrial,
+    seen_quantities,
+    skidding_joints,
+    stiff_joints,
+    untested_joints,
+    wheel_joints,
+)
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
 from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily
 
@@ -191,23 +198,23 @@ def test_damping_that_halves_the_velocity_in_a_step_is_left_to_another_engine(
     """An inertia of 0.01 kg m² loses half of its velocity in 1 ms with 5 N m s/rad."""
     joints = (JOINTS[0]._replace(damping=damping),)
     pushed = MOVER._replace(interface="effort")
-    assert _stiff(plan(pushed, joints)) == stiff
-    assert _stiff(plan(pushed, joints, engine="mujoco")) == ()
-    assert _stiff(plan(MOVER, joints)) == ()
-    assert _stiff(plan(pushed._replace(joints=("other",)), joints)) == ()
+    assert stiff_joints(plan(pushed, joints)) == stiff
+    assert stiff_joints(plan(pushed, joints, engine="mujoco")) == ()
+    assert stiff_joints(plan(MOVER, joints)) == ()
+    assert stiff_joints(plan(pushed._replace(joints=("other",)), joints)) == ()
 
 
 def test_driven_wheels_and_what_a_pivot_turns_grip_the_ground() -> None:
     fork = hinge("s", "fork")
     wheel = hinge("w", "front", type="continuous")._replace(parent="fork")
     steered = ControllerTask("base", MotionFamily.STEERED, drive=Drive(driven=("l",), steered=("s",), radius=0.1))
-    assert sorted(_wheels(plan(steered, (*WHEELS, fork, wheel)))) == ["fork", "front", "lw"]
+    assert sorted(wheel_joints(plan(steered, (*WHEELS, fork, wheel)))) == ["fork", "front", "lw"]
 
 
 def test_only_bases_of_more_than_two_wheels_skid() -> None:
     four = Drive(("l", "l2"), ("r", "r2"))
-    assert _skidding(plan(ROLLER, WHEELS)) == set()
-    assert _skidding(plan(ROLLER._replace(drive=four), WHEELS)) == {"l", "l2", "r", "r2"}
+    assert skidding_joints(plan(ROLLER, WHEELS)) == set()
+    assert skidding_joints(plan(ROLLER._replace(drive=four), WHEELS)) == {"l", "l2", "r", "r2"}
 
 
 @pytest.mark.parametrize(
@@ -222,12 +229,12 @@ def test_only_bases_of_more_than_two_wheels_skid() -> None:
     ],
 )
 def test_what_was_not_modelled_is_named(task: ControllerTask, fixed: bool, missing: list[str]) -> None:
-    made = _untested(plan(task, (*JOINTS, *WHEELS), fixed=fixed), task, "the base is held in the air")
+    made = untested_joints(plan(task, (*JOINTS, *WHEELS), fixed=fixed), task, "the base is held in the air")
     assert sorted(made) == missing
     assert all("1 g was taken" in made[name] for name in missing if name == "mass")
 
 
 @pytest.mark.parametrize(("act", "stood"), [("moves", True), ("follows", True), ("reads", False), ("drives", False)])
 def test_a_robot_that_stood_did_so_with_each_controller_that_held_its_joints(act: str, stood: bool) -> None:
-    assert ("stood" in _tested(act, stood=True)) == stood
-    assert "stood" not in _tested(act, stood=False)
+    assert ("stood" in seen_quantities(act, stood=True)) == stood
+    assert "stood" not in seen_quantities(act, stood=False)

@@ -177,5 +177,5 @@ def test_what_was_not_modelled_is_said_of_controllers_that_did_something_only() 
 def test_only_the_links_that_a_controller_moves_need_a_mass() -> None:
     bodies = {"base": LinkBody("base", 1.0), "a": LinkBody("a", 1.0), "b": LinkBody("b")}
     plan = MotionPlan("mujoco", "", Mechanism("base", bodies, (LEADER, OTHER)), (MOVER,), 100.0, fixed=True)
-    assert "mass" not in trials._untested(plan, MOVER, "")
-    assert trials._untested(plan, SECOND, "")["mass"] == "link 'b' has none; 1 g was taken"
+    assert "mass" not in trials.untested_joints(plan, MOVER, "")
+    assert trials.untested_joints(plan, SECOND, "")["mass"] == "link 'b' has none; 1 g was taken"

@@ -96,11 +96,11 @@ def test_a_worker_that_is_ended_for_its_time_loses_nothing(tmp_path: Path, monke
 
 
 def test_a_worker_gets_a_multiple_of_its_processor_time_and_time_to_start() -> None:
-    limits = engine_workers.EngineWorkers(Settings(), 1)._limits(
+    limits = engine_workers.EngineWorkers(Settings(), 1).limits_for(
         [PLAN._replace(budget=10.0), PLAN._replace(budget=20.0)]
     )
     assert limits.seconds == 20.0 * 12 + 60
-    assert engine_workers.EngineWorkers(Settings(), 1)._limits([PLAN._replace(gui=True)]).seconds == 600.0
+    assert engine_workers.EngineWorkers(Settings(), 1).limits_for([PLAN._replace(gui=True)]).seconds == 600.0
 
 
 def test_nothing_more_is_simulated_after_an_interruption() -> None:
@@ -158,7 +158,7 @@ def settled(
         made.extend(f"{plan.engine}{' without meshes' if plan.shapeless else ''}" for plan in plans)
         return iter([left.pop(0) for _ in plans])
 
-    monkeypatch.setattr(engine_workers.EngineWorkers, "_run", simulate)
+    monkeypatch.setattr(engine_workers.EngineWorkers, "run_plan", simulate)
     [(engine, result)] = engine_workers.EngineWorkers(Settings(), 1, ["mujoco"]).results([plan])
     return engine, result, made
 
@@ -200,10 +200,10 @@ def test_an_engine_that_rejects_a_robot_leaves_it_to_another_one(monkeypatch: py
 def test_the_end_of_an_engines_output_is_shown_without_its_greeting(tmp_path: Path) -> None:
     path = tmp_path / "output"
     path.write_text(f"pybullet build time: today\n{'x' * 2000}\nbad  element\n", encoding="utf-8")
-    assert engine_workers._engine_output(str(path)) == f"{'x' * 288} bad element"
+    assert engine_workers.engine_output(str(path)) == f"{'x' * 288} bad element"
     path.write_text("pybullet build time: today\nbad\n", encoding="utf-8")
-    assert engine_workers._engine_output(str(path)) == "bad"
-    assert engine_workers._engine_output(str(tmp_path / "none")) == ""
+    assert engine_workers.engine_output(str(path)) == "bad"
+    assert engine_workers.engine_output(str(tmp_path / "none")) == ""
 
 
 def test_processor_time_grows_with_joints_and_controllers() -> None:
@@ -216,5 +216,5 @@ def test_processor_time_grows_with_joints_and_controllers() -> None:
 @needs_fork
 def test_only_a_watched_simulation_sees_the_screen(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DISPLAY", ":0")
-    assert "DISPLAY" not in engine_workers.EngineWorkers(Settings(), 1)._limits([PLAN]).environ
-    assert engine_workers.EngineWorkers(Settings(), 1)._limits([PLAN._replace(gui=True)]).environ["DISPLAY"] == ":0"
+    assert "DISPLAY" not in engine_workers.EngineWorkers(Settings(), 1).limits_for([PLAN]).environ
+    assert engine_workers.EngineWorkers(Settings(), 1).limits_for([PLAN._replace(gui=True)]).environ["DISPLAY"] == ":0"

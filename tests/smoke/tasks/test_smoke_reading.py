@@ -7,7 +7,7 @@ import math
 import pytest
 from control_session import POSITION, STATES, VELOCITY, component, joint, session
 
-from urdfctl.smoke.tasks.controller_tasks import _drive, _gains, _limit, _loop, tasks_of
+from urdfctl.smoke.tasks.controller_tasks import drive_of, gains_of, limit_of, loop_of, tasks_of
 from urdfctl.smoke.tasks.task import FREE, ControllerTask, MotionFamily, PidGains
 
 EFFORT = '<command_interface name="effort"/>'
@@ -122,9 +122,9 @@ def test_a_broadcaster_moves_nothing() -> None:
 def test_a_controller_of_positions_that_commands_something_else_closes_a_loop(
     type_name: str, interface: str, family: MotionFamily
 ) -> None:
-    assert _loop(MotionFamily.FORWARD, type_name.rpartition("/")[2], type_name, interface, {}) is family
+    assert loop_of(MotionFamily.FORWARD, type_name.rpartition("/")[2], type_name, interface, {}) is family
     assert (
-        _loop(MotionFamily.TRAJECTORY, type_name.rpartition("/")[2], type_name, interface, {})
+        loop_of(MotionFamily.TRAJECTORY, type_name.rpartition("/")[2], type_name, interface, {})
         is MotionFamily.TRAJECTORY
     )
 
@@ -132,14 +132,14 @@ def test_a_controller_of_positions_that_commands_something_else_closes_a_loop(
 @pytest.mark.parametrize("place", ["gains.j.", "j.pid.", "pid.", "gains.", ""])
 def test_gains_are_read_from_wherever_controllers_read_them(place: str) -> None:
     given = {f"{place}p": 1.0, f"{place}i": 2, f"{place}d": 0.5, f"{place}i_clamp": -3.0}
-    assert _gains(given, "j") == PidGains(1.0, 2.0, 0.5, 3.0)
-    assert _gains({f"{place}d": 0.5}, "j") == PidGains(0.0, 0.0, 0.5, math.inf)
+    assert gains_of(given, "j") == PidGains(1.0, 2.0, 0.5, 3.0)
+    assert gains_of({f"{place}d": 0.5}, "j") == PidGains(0.0, 0.0, 0.5, math.inf)
 
 
 def test_the_gains_of_the_joint_come_before_common_ones() -> None:
-    assert _gains({"gains.j.p": 1.0, "pid.p": 2.0, "p": 3.0}, "j").p == 1.0
-    assert _gains({"gains.other.p": 1.0, "p": 3.0}, "j").p == 3.0
-    assert _gains({"gains.j.p": "high", "gains.j.i": True}, "j") == PidGains()
+    assert gains_of({"gains.j.p": 1.0, "pid.p": 2.0, "p": 3.0}, "j").p == 1.0
+    assert gains_of({"gains.other.p": 1.0, "p": 3.0}, "j").p == 3.0
+    assert gains_of({"gains.j.p": "high", "gains.j.i": True}, "j") == PidGains()
 
 
 @pytest.mark.parametrize(
@@ -153,8 +153,8 @@ def test_the_gains_of_the_joint_come_before_common_ones() -> None:
     ],
 )
 def test_a_part_of_the_velocity_is_fed_forward(given: dict[str, float], feed: float) -> None:
-    assert _gains(given, "j").feed == feed
-    assert _gains({**given, "gains.j.p": 1.0}, "j").feed == feed
+    assert gains_of(given, "j").feed == feed
+    assert gains_of({**given, "gains.j.p": 1.0}, "j").feed == feed
 
 
 # -- wheels ----------------------------------------------------------------------------------------------------------
@@ -174,7 +174,7 @@ def test_a_part_of_the_velocity_is_fed_forward(given: dict[str, float], feed: fl
     ],
 )
 def test_the_limit_of_a_controller_on_its_own_command(given: dict[str, object], limit: float) -> None:
-    assert _limit(given, "linear.x", "velocity") == limit
+    assert limit_of(given, "linear.x", "velocity") == limit
 
 
 def test_the_measures_of_two_sides_are_read_with_their_multipliers() -> None:
@@ -187,10 +187,10 @@ def test_the_measures_of_two_sides_are_read_with_their_multipliers() -> None:
         "left_wheel_radius_multiplier": 1.1,
         "wheel_radius_multiplier": 0.9,
     }
-    made = _drive(MotionFamily.DIFFERENTIAL, given)
+    made = drive_of(MotionFamily.DIFFERENTIAL, given)
     assert (made.left, made.right) == (("l",), ("r",))
     assert (made.separation, made.radius_of("l"), made.radius_of("r")) == pytest.approx((0.6, 0.11, 0.09))
-    assert _drive(MotionFamily.DIFFERENTIAL, {"wheel_separation": 0.4}).separation == 0.4
+    assert drive_of(MotionFamily.DIFFERENTIAL, {"wheel_separation": 0.4}).separation == 0.4
 
 
 @pytest.mark.parametrize(
@@ -209,6 +209,6 @@ def test_the_older_names_of_steered_bases_depend_on_which_wheels_steer(
         "front_wheel_track": 0.4,
         "wheelbase": 1.0,
     }
-    made = _drive(MotionFamily.STEERED, given)
+    made = drive_of(MotionFamily.STEERED, given)
     assert (made.driven, made.steered, made.radius, made.wheelbase) == ((driven,), (steered,), radius, 1.0)
     assert (made.track, made.steering_track) == ((0.5, 0.4) if front else (0.4, 0.5))

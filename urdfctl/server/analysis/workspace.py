@@ -248,7 +248,7 @@ class Workspace:
         def saved(robot: int) -> Codes:
             if targets[robot] in self._saved:
                 return self._saved[targets[robot]]
-            return codes_of((on_disk is not None and lint(robot, on_disk, _PATIENCE)) or ())
+            return codes_of((on_disk is not None and lint(robot, on_disk, PATIENCE)) or ())
 
         return Attempts(lint, min(len(targets), _MOST_ROBOTS), saved, on_disk)
 
@@ -290,7 +290,7 @@ class Workspace:
 
     def _clock(self) -> Clock:
         """Ends what takes longer than the user would wait."""
-        seconds = min(self.settings.timeout, _PATIENCE)
+        seconds = min(self.settings.timeout, PATIENCE)
         return Clock(Limits(seconds, self.settings.memory, self.settings.environ, waiting=1.0))
 
     def check(self, path: str | None = None) -> Checked:
@@ -334,7 +334,7 @@ def text_on_disk(path: str) -> bytes | None:
         return None
 
 
-_PATIENCE = 5.0
+PATIENCE = 5.0
 """Seconds for reading one robot when an editor asks about it."""
 _MOST_ROBOTS = 8
 """So many robots with a file are looked at when an editor asks about a name in it."""

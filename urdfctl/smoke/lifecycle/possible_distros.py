@@ -32,7 +32,7 @@ def lifecycle_of(seen: LintedTarget) -> RobotLifecycle:
     no distro is chosen because it accepts most. The motion is that of the newest distro in which most of them start.
     """
     project = seen.project
-    lifecycles = [lifecycle_in(project, distro, errors) for distro, errors in _errors_by_distro(seen)]
+    lifecycles = [lifecycle_in(project, distro, errors) for distro, errors in errors_by_distro(seen)]
     if len(lifecycles) == 1:
         return lifecycles[0]
     chosen = max(
@@ -55,7 +55,7 @@ def lifecycle_of(seen: LintedTarget) -> RobotLifecycle:
     )
 
 
-def _errors_by_distro(seen: LintedTarget) -> Iterator[tuple[str, Sequence[Diagnostic]]]:
+def errors_by_distro(seen: LintedTarget) -> Iterator[tuple[str, Sequence[Diagnostic]]]:
     """Yield each possible distro, with what lint finds in it."""
     project, known = seen.project, seen.result.outcome.diagnostics
     if len(project.distros) == 1 or project.distro or not (project.controllers and project.controllers.controllers):

@@ -49,7 +49,7 @@ class EngineWorkers:
         from urdfctl.output.scratch import scratch_folder
 
         with scratch_folder() as folder:
-            first = self._run(plans, self._parallel, folder)
+            first = self.run_plan(plans, self._parallel, folder)
             for plan, result in zip(plans, first, strict=True):
                 yield self._settled(plan, result, folder)
 
@@ -62,7 +62,7 @@ class EngineWorkers:
         for other in tries:
             if isinstance(latest, SimulationResult) and not latest.refused:
                 break
-            engine, latest = other.engine, next(self._run([other], 1, folder))
+            engine, latest = other.engine, next(self.run_plan([other], 1, folder))
         if not isinstance(latest, SimulationResult) or latest.refused:
             return plan.engine, first
         if engine != plan.engine or is_certain(latest) or not self._instead or self.interrupted:
@@ -73,15 +73,15 @@ class EngineWorkers:
         self, plan: MotionPlan, first: SimulationResult, name: str, folder: str
     ) -> tuple[str, SimulationResult]:
         """The result of two engines, the second of which decides; that of the first one if the second one fails."""
-        second = next(self._run([plan._replace(engine=name)], 1, folder))
+        second = next(self.run_plan([plan._replace(engine=name)], 1, folder))
         if not isinstance(second, SimulationResult) or second.refused or self.interrupted:
             return plan.engine, first
         return f"{plan.engine} and {name}", decided(first, second)
 
-    def _run(
+    def run_plan(
         self, plans: Sequence[MotionPlan], parallel: int, folder: str
     ) -> Iterator[SimulationResult | WorkerFailure]:
-        """Each result; after a crash with the end of the engine's output."""
+        """Yield each result; after a crash with the end of the engine's output."""
         paths = [os.path.join(folder, f"output-{n}-{plan.engine}") for n, plan in enumerate(plans)]
         jobs = [
             {"plan": plan.to_json(), "output": path, "live": self._live}
@@ -90,7 +90,7 @@ class EngineWorkers:
         results = run_jobs(
             jobs,
             run_trial_job,
-            self._limits(plans),
+            self.limits_for(plans),
             parallel,
             function_name="urdfctl.smoke.motion.engine_workers:run_trial_job",
         )
@@ -98,12 +98,13 @@ class EngineWorkers:
             if isinstance(result, dict):
                 yield SimulationResult.from_json(result)
             elif result.our_fault:
-                output = _engine_output(path)
+                output = engine_output(path)
                 yield result._replace(reason=f"{result.reason}{f'; its output ends with: {output}' if output else ''}")
             else:
                 yield stopped_early(plan, kept(_known(path)), result.reason)
 
-    def _limits(self, plans: Sequence[MotionPlan]) -> Limits:
+    def limits_for(self, plans: Sequence[MotionPlan]) -> Limits:
+        """Return what a worker may use for some plans."""
         watched = any(plan.gui for plan in plans)
         screen = {name: os.environ[name] for name in _SCREEN if watched and name in os.environ}
         budget = max((plan.budget for plan in plans), default=0.0)
@@ -150,7 +151,8 @@ def _known(output: str) -> str:
     return f"{output}.json"
 
 
-def _engine_output(path: str) -> str:
+def engine_output(path: str) -> str:
+    """Return the end of what an engine printed into a file; empty if there is none."""
     try:
         with open(path, encoding="utf-8", errors="replace") as file:
             lines = [line for line in file.read()[-_MOST_OUTPUT * 4 :].splitlines() if "build time" not in line]

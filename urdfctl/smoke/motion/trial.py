@@ -43,7 +43,7 @@ ACTS = {
     "rolls": ("started", "turned its wheels"),
     "performs": ("started", "performed its task"),
 }
-"""What a controller was seen to do."""
+"""Return what a controller was seen to do."""
 
 
 def run_trial(plan: MotionPlan, seen: Callable[[SimulationResult], None] = lambda _: None) -> SimulationResult:
@@ -51,7 +51,7 @@ def run_trial(plan: MotionPlan, seen: Callable[[SimulationResult], None] = lambd
     began = time.process_time()
     mechanism = plan.mechanism
     weightless = [body.name for body in mechanism.bodies.values() if not body.falls]
-    wheels = list(_wheels(plan))
+    wheels = list(wheel_joints(plan))
     setup = EngineSetup(
         urdf=plan.urdf,
         root=mechanism.root,
@@ -61,8 +61,8 @@ def run_trial(plan: MotionPlan, seen: Callable[[SimulationResult], None] = lambd
         wheels=wheels,
         gui=plan.gui,
         resist={h.name: (h.friction, h.damping) for h in mechanism.hinges if h.moves and (h.friction or h.damping)},
-        stiff=_stiff(plan),
-        skidding={hinge.child: hinge.axis for hinge in mechanism.hinges if hinge.name in _skidding(plan)},
+        stiff=stiff_joints(plan),
+        skidding={hinge.child: hinge.axis for hinge in mechanism.hinges if hinge.name in skidding_joints(plan)},
         grips={body.name: body.grip for body in mechanism.bodies.values() if body.grip is not None},
     )
     try:
@@ -79,13 +79,16 @@ def run_trial(plan: MotionPlan, seen: Callable[[SimulationResult], None] = lambd
     return trial.result()
 
 
-def _tested(act: str, *, stood: bool) -> tuple[str, ...]:
+def seen_quantities(act: str, *, stood: bool) -> tuple[str, ...]:
     """What a controller was seen to do; if the whole robot stood, so did it."""
     return (*ACTS[act], "stood") if stood and act in ("moves", "follows") else ACTS[act]
 
 
-def _untested(plan: MotionPlan, task: ControllerTask, lying: str) -> dict[str, str]:
-    """What was not modelled while a controller was tested, with the reason; `lying` is why the robot does not stand."""
+def untested_joints(plan: MotionPlan, task: ControllerTask, lying: str) -> dict[str, str]:
+    """Return what was not modelled while a controller was tested, with the reason.
+
+    lying: why the robot does not stand.
+    """
     if task.family is MotionFamily.NOTHING:
         return {}
     mechanism = plan.mechanism
@@ -105,8 +108,8 @@ def _not_modelled(plan: MotionPlan, task: ControllerTask, lying: str) -> dict[st
     return {**slipping, "friction": f"{GRIPS:g} for wheels and {SLIDES:g} for other parts, if <gazebo> gives none"}
 
 
-def _wheels(plan: MotionPlan) -> Iterator[str]:
-    """The links that grip the ground: driven wheels, and whatever a steering joint turns."""
+def wheel_joints(plan: MotionPlan) -> Iterator[str]:
+    """Yield the links that grip the ground: driven wheels, and whatever a steering joint turns."""
     mechanism = plan.mechanism
     for drive in (task.drive for task in plan.tasks if task.drive):
         for hinge in mechanism.hinges:
@@ -116,14 +119,14 @@ def _wheels(plan: MotionPlan) -> Iterator[str]:
                 yield from mechanism.below(hinge.child)
 
 
-def _skidding(plan: MotionPlan) -> set[str]:
-    """The joints of the wheels of bases that turn by letting more than two wheels slip."""
+def skidding_joints(plan: MotionPlan) -> set[str]:
+    """Return the joints of the wheels of bases that turn by letting more than two wheels slip."""
     drives = [task.drive for task in plan.tasks if task.drive and task.drive.is_skidding]
     return {name for drive in drives for name in drive.wheels}
 
 
-def _stiff(plan: MotionPlan) -> tuple[str, ...]:
-    """The joints that are pushed by efforts, and whose damping an engine cannot compute explicitly."""
+def stiff_joints(plan: MotionPlan) -> tuple[str, ...]:
+    """Return the joints that are pushed by efforts, and whose damping an engine cannot compute explicitly."""
     if plan.engine != "pybullet":
         return ()
     inertias = moved_inertias(plan.mechanism)
@@ -139,9 +142,9 @@ class MotionTrial:
     """The test of a robot's controllers in an engine, one after the other, with what is found on the way."""
 
     def __init__(self, plan: MotionPlan, engine: Engine, stiff: Collection[str], began: float) -> None:
-        self._simulation, self._stiff, self._began = RobotSimulation(plan, engine, began), stiff, began
+        self._simulation, self.stiff_joints, self._began = RobotSimulation(plan, engine, began), stiff, began
         self._plan, self._engine, self._hinges = plan, engine, self._simulation.hinges
-        self._wheels = set(wheels_of_drives(plan.tasks))
+        self.wheel_joints = set(wheels_of_drives(plan.tasks))
         self.troubles: list[Trouble] = []
         self.moved: list[str] = []
         self.unjudged: dict[str, str] = {}
@@ -158,13 +161,15 @@ class MotionTrial:
             tuple(self.troubles),
             tuple(self.moved),
             {name: why for name, why in self.unjudged.items() if name not in self.moved},
-            tested={name: _tested(act, stood=not self.lying) for name, act in self.acts.items()},
+            tested={name: seen_quantities(act, stood=not self.lying) for name, act in self.acts.items()},
             untested={
-                one.controller: _untested(plan, one, self.lying) for one in plan.tasks if one.controller in self.acts
+                one.controller: untested_joints(plan, one, self.lying)
+                for one in plan.tasks
+                if one.controller in self.acts
             },
             curves=tuple(self.curves),
             seconds=time.process_time() - self._began,
-            left_to_others=tuple(task.controller for task in plan.tasks if set(task.joints) & set(self._stiff)),
+            left_to_others=tuple(task.controller for task in plan.tasks if set(task.joints) & set(self.stiff_joints)),
             times=dict(self.times),
         )
 
@@ -204,7 +209,7 @@ class MotionTrial:
     def _settled(self) -> bool:
         for hinge in self._simulation.mechanism.movable:
             free = not self._plan.fixed and hinge.type == "continuous" and hinge.name not in self._simulation.claimed
-            if hinge.name in self._wheels:
+            if hinge.name in self.wheel_joints:
                 self._engine.at_velocity(hinge.name, 0.0, FREELY)
             elif not free:
                 hold(self._engine, hinge, hinge.start)
@@ -305,7 +310,7 @@ class MotionTrial:
                 return f"'{name}' is not a movable joint"
             if hinge.span[0] == hinge.span[1]:
                 return f"joint '{name}' has no range of motion"
-            if name in self._stiff:
+            if name in self.stiff_joints:
                 return f"{self._plan.engine} cannot simulate the damping of joint '{name}'"
         return ""
 

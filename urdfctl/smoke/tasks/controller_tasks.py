@@ -147,13 +147,13 @@ def _moving(
     looped = tuple({end.joint: end.gains for end in ends.values()}.values()) if first.loop else ()
     if family in (MotionFamily.DIFFERENTIAL, MotionFamily.STEERED):
         names = {component: end.joint for component, end in ends.items()}
-        return _of_base(task._replace(gains=looped, drive=_renamed(_drive(family, values), names)))
-    family = _loop(family, class_name, type_name, first.interface, values) if not looped else family
+        return _of_base(task._replace(gains=looped, drive=_renamed(drive_of(family, values), names)))
+    family = loop_of(family, class_name, type_name, first.interface, values) if not looped else family
     if looped and family is MotionFamily.POSITION_PID:
         return _not_simulated(name, "it closes a control loop around another one")
     if looped and family is MotionFamily.FORWARD:
         family = first.loop or family
-    return task._replace(family=family, gains=looped or tuple(_gains(configured.values, joint) for joint in joints))
+    return task._replace(family=family, gains=looped or tuple(gains_of(configured.values, joint) for joint in joints))
 
 
 def _renamed(drive: Drive, names: Mapping[str, str]) -> Drive:
@@ -205,10 +205,10 @@ def _quantity(interface: str) -> str:
     return _COMMANDED.get(interface.rpartition("/")[2], interface)
 
 
-def _loop(
+def loop_of(
     family: MotionFamily, class_name: str, type_name: str, interface: str, values: Mapping[str, object]
 ) -> MotionFamily:
-    """The family of a controller: it closes a loop if it holds another quantity than the one that it commands."""
+    """Return the family of a controller. It closes a loop if it holds another quantity than it commands."""
     if class_name == "PidController":
         held = elements(values.get("reference_and_state_interfaces"))
         return MotionFamily.VELOCITY_PID if held[:1] == ("velocity",) else MotionFamily.POSITION_PID
@@ -220,8 +220,8 @@ def _loop(
     return family
 
 
-def _gains(given: Mapping[str, object], joint: str) -> PidGains:
-    """The gains of a joint, from any place where controllers read them: per joint, or for their only joint."""
+def gains_of(given: Mapping[str, object], joint: str) -> PidGains:
+    """Return the gains of a joint, from any place where controllers read them: per joint, or for their only joint."""
     feeds = (given.get(f"gains.{joint}.{name}") for name in ("ff_velocity_scale", "feedforward_gain"))
     feed = next((_float(value) for value in (*feeds, given.get(f"velocity_ff.{joint}")) if _float(value)), 0.0)
     for place in (f"gains.{joint}.", f"{joint}.pid.", "pid.", "gains.", ""):
@@ -239,7 +239,8 @@ def _of_base(task: ControllerTask) -> ControllerTask:
     return _not_simulated(task.controller, "its parameters name no wheels that it drives")
 
 
-def _drive(family: MotionFamily, values: Mapping[str, object]) -> Drive:
+def drive_of(family: MotionFamily, values: Mapping[str, object]) -> Drive:
+    """Return how a base is driven, from the parameters of its controller."""
     return _differential(values) if family is MotionFamily.DIFFERENTIAL else _steered(values)
 
 
@@ -253,9 +254,9 @@ def _differential(values: Mapping[str, object]) -> Drive:
         base=_text(values.get("base_frame_id")),
         left_scale=_scale(values, "left_wheel_radius_multiplier"),
         right_scale=_scale(values, "right_wheel_radius_multiplier"),
-        speed=_limit(values, "linear.x", "velocity"),
-        turning=_limit(values, "angular.z", "velocity"),
-        acceleration=_limit(values, "linear.x", "acceleration"),
+        speed=limit_of(values, "linear.x", "velocity"),
+        turning=limit_of(values, "angular.z", "velocity"),
+        acceleration=limit_of(values, "linear.x", "acceleration"),
     )
 
 
@@ -291,7 +292,7 @@ def _steered(values: Mapping[str, object]) -> Drive:
             values, "traction_track_width", "wheel_track", "rear_wheel_track" if front else "front_wheel_track"
         ),
         steering_track=_first(values, "steering_track_width", "front_wheel_track" if front else "rear_wheel_track"),
-        speed=_limit(values, "linear", "velocity"),
+        speed=limit_of(values, "linear", "velocity"),
     )
 
 
@@ -304,8 +305,8 @@ def _scale(values: Mapping[str, object], *names: str) -> float:
     return _first(values, *names, "wheel_radius_multiplier") or 1.0
 
 
-def _limit(values: Mapping[str, object], way: str, quantity: str) -> float:
-    """A limit of a controller on its own command; a flag says in older releases whether it is used."""
+def limit_of(values: Mapping[str, object], way: str, quantity: str) -> float:
+    """Return a limit of a controller on its own command; a flag says in older releases whether it is used."""
     if values.get(f"{way}.has_{quantity}_limits") is False:
         return FREE
     limit = abs(_float(values.get(f"{way}.max_{quantity}")))

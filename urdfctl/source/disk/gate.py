@@ -200,10 +200,10 @@ def opened(path: str) -> BinaryIO:
     real, reach = real_of(path), _reach()
     if reach is not None and not reach.holds(real):
         raise Outside(path)
-    _check_regular(os.lstat(real), path)
+    check_regular(os.lstat(real), path)
     handle = os.open(real, _FLAGS)
     try:
-        _check_regular(os.fstat(handle), path)
+        check_regular(os.fstat(handle), path)
         return os.fdopen(handle, "rb")
     except OSError:
         os.close(handle)
@@ -215,6 +215,7 @@ def _check(path: str) -> None:
         raise Outside(path)
 
 
-def _check_regular(info: os.stat_result, path: str) -> None:
+def check_regular(info: os.stat_result, path: str) -> None:
+    """Raise OSError if what is known of a path says that it is no regular file."""
     if not stat.S_ISREG(info.st_mode):
         raise OSError(errno.EINVAL, "it is not a regular file", path)

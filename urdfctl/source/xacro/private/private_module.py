@@ -31,7 +31,7 @@ _PYTHONPATH = os.environ.get("PYTHONPATH", "")
 
 
 @lru_cache(1)
-def _location() -> str:
+def location_of_xacro() -> str:
     """Return the folder of the xacro package. The package of this installation comes before one in PYTHONPATH, because
     a sourced ROS environment has its own, older xacro."""
     foreign = {os.path.abspath(p) for p in _PYTHONPATH.split(os.pathsep) if p}
@@ -45,11 +45,12 @@ def _location() -> str:
 
 
 @lru_cache(3)
-def _code(part: str) -> CodeType:
-    loader = SourceFileLoader(f"xacro.{part}", os.path.join(_location(), f"{part}.py"))
+def code_of_part(part: str) -> CodeType:
+    """Return the compiled code of a module of the xacro package."""
+    loader = SourceFileLoader(f"xacro.{part}", os.path.join(location_of_xacro(), f"{part}.py"))
     code = loader.get_code(f"xacro.{part}")
     if code is None:  # pragma: no cover (a source file always has code)
-        raise UserError(f"the package xacro at {_location()} cannot be loaded")
+        raise UserError(f"the package xacro at {location_of_xacro()} cannot be loaded")
     return code
 
 
@@ -60,14 +61,14 @@ def load() -> ModuleType:
     command_line.process_args = None  # type: ignore[attr-defined]
     sys.modules[command_line.__name__] = command_line
     module = ModuleType(name)
-    module.__package__, module.__path__ = name, [_location()]
-    module.__file__ = os.path.join(_location(), "__init__.py")
+    module.__package__, module.__path__ = name, [location_of_xacro()]
+    module.__file__ = os.path.join(location_of_xacro(), "__init__.py")
     sys.modules[name] = module
     _part(f"{name}.xmlutils")
     _run(module, "__init__")
     missing = [needed for needed in REQUIRED if not hasattr(module, needed)]
     if missing:
-        where = f"the package xacro at {_location()}"
+        where = f"the package xacro at {location_of_xacro()}"
         raise UserError(f"{where} is of an unknown version (no '{missing[0]}'); known are {KNOWN_VERSIONS}")
     return module
 
@@ -87,7 +88,7 @@ def _part(name: str) -> ModuleType:
 
 def _run(module: ModuleType, part: str) -> None:
     module.__dict__["__builtins__"] = {**vars(builtins), "__import__": import_what_xacro_uses}
-    exec(_code(part), module.__dict__)  # noqa: S102 (the installed package's own code)
+    exec(code_of_part(part), module.__dict__)  # noqa: S102 (the installed package's own code)
 
 
 def release(module: ModuleType) -> None:
