@@ -148,13 +148,19 @@ def controller_files(packages: MigratedPackages, robots: list[LoadedTarget]) -> 
     """Return the controller files of some robots as xacro names them.
 
     They are those of the launch files; otherwise the file that names most joints of the robots, and no others. Several
-    robots may have different ones. Files of other nodes, which ROS 1 loads beside them, end the controller manager of
-    ROS 2.
+    robots may have different ones; of launch files that declare the same controllers, the first one counts. Files of
+    other nodes, which ROS 1 loads beside them, end the controller manager of ROS 2.
     """
-    started = (one.project.controllers for one in robots)
-    loaded = [file for each in started if each for file in each.files if not file.is_moveit]
     alone = {source.path for source, _, items in controller_maps(packages) for item in items if item.is_file}
-    paths = [file.path for file in loaded if file.form or file.path in alone]
+    paths: list[str] = []
+    known: set[str] = set()
+    for started in (one.project.controllers for one in robots if one.project.controllers):
+        declared = [each for each in started.controllers if each.declared_at is not None]
+        again = {each.declared_at.source.path for each in declared if each.declared_at and each.full_name in known}
+        again -= {each.declared_at.source.path for each in declared if each.declared_at and each.full_name not in known}
+        files = (file for file in started.files if not file.is_moveit and file.path not in again)
+        paths += (file.path for file in files if file.form or file.path in alone)
+        known |= {each.full_name for each in declared}
     return _addresses(paths or _fitting(packages, robots)[:1])
 
 
