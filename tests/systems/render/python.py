@@ -1,0 +1,256 @@
+"""Launch files in Python."""
+
+from __future__ import annotations
+
+import re
+from textwrap import indent
+
+from systems.idioms import Idioms
+from systems.render.actions import (
+    Action,
+    After,
+    Description,
+    Execute,
+    Group,
+    Include,
+    LaunchFile,
+    Loop,
+    Node,
+    Param,
+    ParamFile,
+    Timer,
+    parts_of,
+)
+from systems.render.frontends import FileNames
+from systems.render.places import pick
+from systems.render.python_descriptions import description, helper
+from systems.render.python_values import PythonValues, call, listed
+from systems.system import System
+
+_SOURCES = {
+    "py": "PythonLaunchDescriptionSource",
+    "xml": "XMLLaunchDescriptionSource",
+    "yaml": "YAMLLaunchDescriptionSource",
+}
+
+
+def written(file: LaunchFile, system: System, idioms: Idioms, names: FileNames) -> str:
+    """Return the text of a launch file in Python."""
+    return _Writer(file, system, idioms, names).text()
+
+
+class _Writer:
+    """Writes one launch file: statements first, then the list of its actions."""
+
+    def __init__(self, file: LaunchFile, system: System, idioms: Idioms, names: FileNames) -> None:
+        self.file, self.system, self.idioms, self.names = file, system, idioms, names
+        nodes = any(isinstance(part, Node | Execute) for part in parts_of(file.actions))
+        self.values = PythonValues(idioms, nodes and idioms["values"] == "perform")
+        self.statements: list[str] = []
+        self.variables: dict[str, str] = {}
+        self.descriptions: dict[Description, str] = {}
+        self.plain = any(part.is_plain for part in parts_of(file.actions) if isinstance(part, Description))
+
+    def text(self) -> str:
+        """Return the whole file."""
+        self._hoist()
+        items = [self._item(action) for action in self.file.actions]
+        body = self._performed(items) if self.values.performs else self._declarative(items)
+        uses_helper = self.descriptions and self.idioms["description"] == "function"
+        functions = f"{helper(is_plain=self.plain)}\n\n" if uses_helper else ""
+        imports = sorted(self.values.imports, key=lambda line: (line.startswith("from"), line))
+        return "\n".join(imports) + f"\n\n\n{functions}{body}"
+
+    # -- the frame ------------------------------------------------------------------------------------------------
+
+    def _declared(self) -> list[str]:
+        found = []
+        for name, default in self.file.declared:
+            words = [f'"{name}"']
+            if default is not None:
+                self.values.performs, before = False, self.values.performs
+                words.append(f"default_value={self.values.value(default)}")
+                self.values.performs = before
+            found.append(call(self.values.use("DeclareLaunchArgument"), *words))
+        return found
+
+    def _declarative(self, items: list[str]) -> str:
+        self.values.use("LaunchDescription")
+        declared = self._declared()
+        lines = list(self.statements)
+        layout = self.idioms["layout"]
+        if layout == "add_action":
+            lines.append("ld = LaunchDescription()")
+            lines += [_added(item) for item in [*declared, *items]]
+            lines.append("return ld")
+        elif layout == "variables":
+            lines.append(f"declared_arguments = {listed(declared)}")
+            lines.append(f"nodes = {listed(items)}")
+            lines.append("return LaunchDescription(declared_arguments + nodes)")
+        else:
+            lines.append(f"return {call('LaunchDescription', listed([*declared, *items]))}")
+        return _function("generate_launch_description()", lines)
+
+    def _performed(self, items: list[str]) -> str:
+        self.values.use("LaunchDescription")
+        lines = [*self.statements, f"actions = {listed([item for item in items if not item.startswith('if ')])}"]
+        lines += [item for item in items if item.startswith("if ")]
+        lines.append("return actions")
+        setup = _function("launch_setup(context, *args, **kwargs)", lines)
+        declared = self._declared()
+        opaque = f"{self.values.use('OpaqueFunction')}(function=launch_setup)"
+        frame = [f"return {call('LaunchDescription', listed([*declared, opaque]))}"]
+        if self.idioms["layout"] == "add_action":
+            frame = ["ld = LaunchDescription()", *(_added(item) for item in [*declared, opaque]), "return ld"]
+        return f"{setup}\n\n{_function('generate_launch_description()', frame)}"
+
+    def _hoist(self) -> None:
+        """Give variables to what event handlers name, or to all nodes."""
+        targets = {part.label for part in parts_of(self.file.actions) if isinstance(part, After)}
+        everything = self.idioms["layout"] == "variables"
+        for part in parts_of(self.file.actions):
+            if isinstance(part, Node | Execute) and part.label and (everything or part.label in targets):
+                name = re.sub(r"\W", "_", part.label)
+                self.statements.append(f"{name} = {self._started(part)}")
+                self.variables[part.label] = name
+
+    # -- actions --------------------------------------------------------------------------------------------------
+
+    def _item(self, action: Action) -> str:
+        if isinstance(action, Node | Execute):
+            return self.variables.get(action.label) or self._started(action)
+        if isinstance(action, Include):
+            return self._include(action)
+        if isinstance(action, Group):
+            return self._group(action)
+        if isinstance(action, Timer):
+            inside = listed([self._item(each) for each in action.actions])
+            return call(self.values.use("TimerAction"), f"period={action.seconds}", f"actions={inside}")
+        if isinstance(action, After):
+            return self._handler(action)
+        return self._loop(action)
+
+    def _handler(self, action: After) -> str:
+        inside = listed([self._item(each) for each in action.actions])
+        name = self.values.use("OnProcessExit" if action.event == "exit" else "OnProcessStart")
+        target = f"target_action={self.variables[action.label]}"
+        event = call(name, target, f"on_{action.event}={inside}")
+        return call(self.values.use("RegisterEventHandler"), event)
+
+    def _group(self, action: Group) -> str:
+        inside = [self._item(each) for each in action.actions]
+        if action.when is not None and action.when.form == "python":
+            sign = "==" if action.when.holds else "!="
+            value = self.values.configuration(action.when.arg)
+            return f'if {value} {sign} "{action.when.value}":\n    actions += {_inner(listed(inside))}'
+        if action.namespace:
+            inside.insert(0, f"{self.values.use('PushRosNamespace')}({self.values.value(action.namespace)})")
+        words = [listed(inside)]
+        if action.when is not None:
+            words.append(f"condition={self.values.condition(action.when)}")
+        return call(self.values.use("GroupAction"), *words)
+
+    def _loop(self, loop: Loop) -> str:
+        names = listed([f'"{name}"' for name in loop.names])
+        node = self._started(loop.node)
+        if loop.style == "comprehension":
+            return f"*[{node} for name in {names}]"
+        variable = f"spawners{len(self.variables) or ''}"
+        self.variables[variable] = variable
+        self.statements.append(f"{variable} = []\nfor name in {names}:\n    {variable}.append({_inner(node)})")
+        return f"*{variable}"
+
+    def _include(self, action: Include) -> str:
+        path = action.file if action.is_external else f"launch/{self.names(action.package, action.file)}"
+        from systems.render.actions import Share
+
+        parts = tuple((part,) for part in path.split("/"))
+        value = self.values.value((Share((action.package,), parts),))
+        source = self.values.use(_SOURCES[path.rpartition(".")[2]])
+        if pick(self.system, "any source", (False, False, True)):
+            source = self.values.use("AnyLaunchDescriptionSource")
+        words = [f"{source}({value})"]
+        if action.arguments:
+            pairs = [f'"{name}": {self.values.value(given)}' for name, given in action.arguments]
+            words.append(f"launch_arguments={{{', '.join(pairs)}}}.items()")
+        return call(self.values.use("IncludeLaunchDescription"), *words)
+
+    # -- processes ------------------------------------------------------------------------------------------------
+
+    def _started(self, action: Node | Execute) -> str:
+        condition = [f"condition={self.values.condition(action.when)}"] if action.when is not None else []
+        if isinstance(action, Execute):
+            words = listed([self.values.value(word) for word in action.words])
+            return call(self.values.use("ExecuteProcess"), f"cmd={words}", 'output="screen"', *condition)
+        words = [f'package="{action.package}"', f'executable="{action.executable}"']
+        words += [f'name="{action.name}"'] if action.name else []
+        words += [f"namespace={self.values.value(action.namespace)}"] if action.namespace else []
+        words += [f"parameters={listed(self._parameters(action))}"] if action.parameters else []
+        words += (
+            [f"arguments={listed([self.values.value(word) for word in action.arguments])}"] if action.arguments else []
+        )
+        if action.remaps:
+            words.append(f"remappings={listed([str(remap).replace(chr(39), chr(34)) for remap in action.remaps])}")
+        return call(self.values.use("Node"), *words, *condition)
+
+    def _parameters(self, node: Node) -> list[str]:
+        items: list[str] = []
+        plain: list[str] = []
+        for parameter in node.parameters:
+            if isinstance(parameter, ParamFile):
+                items.append(self._file(parameter))
+            elif isinstance(parameter.value, Description):
+                plain.append(f'"{parameter.name}": {self._description(parameter.value)}')
+            else:
+                plain.append(self._plain(parameter))
+        mapping = [f"{{{', '.join(plain)}}}"] if plain else []
+        return [*items, *mapping] if items else mapping
+
+    def _plain(self, parameter: Param) -> str:
+        value = f'"{parameter.value}"' if isinstance(parameter.value, str) else str(parameter.value)
+        name, dot, last = parameter.name.partition(".")
+        if dot and pick(self.system, "nested dictionary", (False, True)):
+            return f'"{name}": {{"{last}": {value}}}'
+        return f'"{parameter.name}": {value}'
+
+    def _file(self, parameter: ParamFile) -> str:
+        path = self.values.value(parameter.path)
+        if not parameter.rewritten:
+            return path
+        namespace = self.values.value(parameter.namespace)
+        if parameter.rewritten == "replaced":
+            replacements = f'replacements={{"<robot_namespace>": ("/", {namespace})}}'
+            return call(self.values.use("ReplaceString"), f"source_file={path}", replacements)
+        words = (f"source_file={path}", f"root_key={namespace}", "param_rewrites={}", "convert_types=True")
+        whole = call(self.values.use("RewrittenYaml"), *words)
+        if pick(self.system, "parameter file", (False, True)):
+            return call(self.values.use("ParameterFile"), whole, "allow_substs=True")
+        return whole
+
+    def _description(self, found: Description) -> str:
+        """The variable that holds a description."""
+        if found not in self.descriptions:
+            name = "robot_description" if not self.descriptions else f"robot_description_{len(self.descriptions) + 1}"
+            before, text = description(self.values, found, self.file.package)
+            self.statements += [*before, f"{name} = {text}"]
+            self.descriptions[found] = name
+        return self.descriptions[found]
+
+
+def _added(item: str) -> str:
+    """The statement that adds an action to a launch description."""
+    if item.startswith("*[") and " for name in " in item:
+        node, _, names = item[2:-1].rpartition(" for name in ")
+        return f"for name in {names}:\n    ld.add_action({_inner(node)})"
+    if item.startswith("*"):
+        return f"for each in {item[1:]}:\n    ld.add_action(each)"
+    return f"ld.add_action({item})"
+
+
+def _inner(text: str) -> str:
+    """A text of several lines that stands in a block."""
+    return text.replace("\n", "\n    ")
+
+
+def _function(head: str, lines: list[str]) -> str:
+    return f"def {head}:\n{indent(chr(10).join(lines), '    ')}\n"

@@ -1,0 +1,127 @@
+"""What is started of a robot in ROS 2: its state publisher, its manager, its spawners, and a simulator."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from systems.idioms import Idioms
+from systems.render.actions import Action, Execute, Group, Include, Node, Param, ParamFile, Value, When
+from systems.render.arguments import Values
+from systems.render.parameters import types_of
+from systems.render.places import DESCRIPTION, MANAGER, SIMULATOR, SPAWNERS, pick
+from systems.render.ros2_spawners import first_label, spawners
+from systems.system import CLASSIC, System
+
+
+def actions_of(role: str, values: Values) -> list[Action]:
+    """Return what a role starts for a robot."""
+    if role == SIMULATOR:
+        return []
+    found = {DESCRIPTION: _description, MANAGER: _manager, SPAWNERS: _spawners}[role](values)
+    if values.idioms["namespacing"] == "group" and values.robot.namespace:
+        return _in_namespace(found, values.namespace)
+    return found
+
+
+def _in_namespace(actions: list[Action], namespace: Value) -> list[Action]:
+    """Actions in a group with a namespace; within the block of an `if` of Python if they stand in one."""
+    blocks = [each for each in actions if isinstance(each, Group) and each.when and each.when.form == "python"]
+    if len(blocks) == len(actions):
+        return [replace(each, actions=(Group(each.actions, namespace),)) for each in blocks]
+    return [Group(tuple(actions), namespace)]
+
+
+def _namespace(values: Values) -> Value:
+    return values.namespace if values.idioms["namespacing"] == "attribute" else ()
+
+
+def simulator(system: System, idioms: Idioms) -> list[Action]:
+    """Return what starts the simulator with an empty world."""
+    classic, humble = system.simulator == CLASSIC, system.distro == "humble"
+    if idioms["world"] == "programs":
+        if classic:
+            libraries = ("-s", "libgazebo_ros_init.so", "-s", "libgazebo_ros_factory.so")
+            return [Execute(tuple((word,) for word in ("gazebo", "--verbose", *libraries)))]
+        words = ("ign", "gazebo", "-r", "empty.sdf") if humble else ("gz", "sim", "-r", "empty.sdf")
+        return [Execute(tuple((word,) for word in words)), _clock(humble=humble)]
+    if classic:
+        return [Include("gazebo_ros", "launch/gazebo.launch.py", (), is_external=True)]
+    arguments = ("gz_args", ("-r -v 4 empty.sdf",))
+    return [Include("ros_gz_sim", "launch/gz_sim.launch.py", (arguments,), is_external=True), _clock(humble=humble)]
+
+
+def _clock(*, humble: bool) -> Node:
+    gz = "ignition" if humble else "gz"
+    topic = f"/clock@rosgraph_msgs/msg/Clock[{gz}.msgs.Clock"
+    return Node("ros_gz_bridge", "parameter_bridge", arguments=((topic,),))
+
+
+def _description(values: Values) -> list[Action]:
+    system, namespace = values.system, _namespace(values)
+    parameters = (Param("robot_description", values.description),)
+    if system.is_simulated:
+        parameters = (*parameters, Param("use_sim_time", True))
+    publisher = "robot_state_publisher"
+    name = pick(system, "publisher name", ("", publisher))
+    found: list[Action] = [Node(publisher, publisher, name, namespace, parameters)]
+    if not system.is_simulated:
+        return found
+    classic = system.simulator == CLASSIC
+    words = ("-topic", "robot_description", "-entity" if classic else "-name", values.robot.name)
+    arguments = tuple((word,) for word in words)
+    package, program = ("gazebo_ros", "spawn_entity.py") if classic else ("ros_gz_sim", "create")
+    return [*found, Node(package, program, "", namespace, (), arguments, label=first_label(system, values.robot))]
+
+
+def _manager(values: Values) -> list[Action]:
+    system, idioms = values.system, values.idioms
+    how = idioms["manager description"]
+    description = (Param("robot_description", values.description),) if how == "parameter" else ()
+    rewritten = idioms["sections"] if idioms["sections"] in ("replaced", "rewritten") else ""
+    files = tuple(ParamFile(path, rewritten, values.namespace) for path in values.files)
+    types: tuple[Param, ...] = ()
+    if idioms["parameters"] == "dictionary":
+        types = tuple(Param(f"{name}.type", each["type"]) for name, each in types_of(system, values.robot).items())
+    remaps = (("~/robot_description", "robot_description"),) if how == "remap" else ()
+    return [
+        Node(
+            "controller_manager",
+            "ros2_control_node",
+            namespace=_namespace(values),
+            parameters=(*description, *files, *types),
+            remaps=remaps,
+            label=first_label(system, values.robot),
+        )
+    ]
+
+
+def _spawners(values: Values) -> list[Action]:
+    found = spawners(values, _namespace(values))
+    form = values.idioms["condition"]
+    if form == "none":
+        return found
+    robot = values.robot
+    if form in ("expression", "equals"):
+        when = When(pick(values.system, "mode", ("mode", "start_mode")), "full", form)
+    else:
+        value = "false" if form == "unless" else "true"
+        names = ("only_states", "passive") if form == "unless" else ("spawn_all", "autostart")
+        when = When(pick(values.system, "flag", names), value, form)
+    few = {**values.idioms, "spawners": "together", "event": "none"}
+    states = replace(robot, spawned=robot.spawned[:1])
+    others = spawners(replace(values, robot=states, idioms=few), _namespace(values))
+    unlabelled = [replace(action, label="") for action in others if isinstance(action, Node)]
+    return [*_under(found, when), *_under(unlabelled, replace(when, holds=False))]
+
+
+def _under(actions: Sequence[Action], when: When) -> list[Action]:
+    """Actions under a condition: of each node if there are only nodes, otherwise of a group."""
+    single = [action for action in actions if isinstance(action, Node | Execute)]
+    if len(single) == len(actions) and when.form != "python":
+        return [replace(action, when=when) for action in single]
+    return [Group(tuple(actions), (), when)]
+
+
+DEFAULTS = {"mode": "full", "start_mode": "full", "only_states": "false", "passive": "false"}
+"""The defaults of the arguments that conditions are on, where it is not "true"."""
