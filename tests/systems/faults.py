@@ -16,9 +16,16 @@ def plant(system: System, random: Random) -> System:
     """Return a system with one random inconsistency in one of its robots."""
     kind = random.choice([kind for kind, found in FAULTS.items() if found.is_possible(system)])
     which = random.randrange(len(system.robots))
-    robot, names = FAULTS[kind].planted(system.robots[which], random)
+    sound = system.robots[which]
+    robot, names = FAULTS[kind].planted(sound, random)
     robots = (*system.robots[:which], robot, *system.robots[which + 1 :])
-    return replace(system, robots=robots, fault=Fault(kind, names))
+    return replace(system, robots=robots, fault=Fault(kind, names, _touched(sound, robot)))
+
+
+def _touched(sound: Robot, robot: Robot) -> tuple[str, ...]:
+    """The controllers that are changed, with their joints before."""
+    changed = [one for one in sound.controllers if one not in robot.controllers]
+    return tuple(name for one in changed for name in (one.name, *(f"{sound.prefix}{each}" for each in one.joints)))
 
 
 Planted = tuple[Robot, tuple[str, ...]]
@@ -119,7 +126,9 @@ FAULTS = {
     "undeclared controller": FaultKind(frozenset({"UC601"}), _undeclared),
     "missing type": FaultKind(frozenset({"UC420", "UC601"}), _untyped),
     "conflict": FaultKind(frozenset({"UC456"}), _conflict, lambda one: _is_known_hardware(one) and not one.moveit),
-    "other manager": FaultKind(frozenset({"UC525", "UC605", "UC606"}), _other_manager, lambda one: not one.moveit),
+    "other manager": FaultKind(
+        frozenset({"UC525", "UC601", "UC605", "UC606"}), _other_manager, lambda one: not one.moveit
+    ),
     "other section": FaultKind(
         frozenset({"UC416", "UC420", "UC429", "UC431", "UC523", "UC524", "UC601"}), _other_section
     ),

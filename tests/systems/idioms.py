@@ -250,6 +250,11 @@ def _manager_description(system: System, idioms: Idioms, position: str) -> bool:
     )
 
 
+def _distractor(_system: System, idioms: Idioms, position: str) -> bool:
+    """A distro that the user names is meant for everything."""
+    return position != "other generation" or idioms["evidence"] != "option"
+
+
 SWITCHES = {
     "depth": Switch(("flat", "parts", "nested"), _not_moveit),
     "top": Switch(("python", "xml", "yaml"), _ros2),
@@ -297,7 +302,11 @@ SWITCHES = {
     "build": Switch(("cmake", "python"), _ros2),
     "demo": Switch(("generated", "by hand", "own nodes"), _moveit),
     "world": Switch(("included", "programs"), lambda system, _idioms, _position: system.is_simulated),
-    "distractor": Switch(("none", "unlaunched robot", "old copy", "tests", "other generation", "vendored")),
-    "evidence": Switch(("option", "dockerfile", "workflow", "devcontainer")),
+    "evidence": Switch(
+        ("option", "nothing", "dockerfile", "workflow", "devcontainer", "repos", "readme", "several"),
+    ),
+    "distractor": Switch(
+        ("none", "unlaunched robot", "old copy", "tests", "other generation", "vendored"), _distractor
+    ),
 }
 """All switches, each after those that it depends on."""

@@ -83,18 +83,20 @@ def _line(finding: Diagnostic) -> str:
 def _tells(workspace: Workspace, finding: Diagnostic) -> bool:
     """Whether a finding tells the planted inconsistency."""
     fault = workspace.system.fault
-    return fault is not None and finding.code in FAULTS[fault.kind].codes and _follows(workspace, finding)
+    return fault is not None and finding.code in FAULTS[fault.kind].codes and _names(finding, fault.names)
 
 
 def _follows(workspace: Workspace, finding: Diagnostic) -> bool:
     """Whether a finding names what the planted inconsistency is about."""
     fault = workspace.system.fault
-    if fault is None:
-        return False
+    return fault is not None and _names(finding, (*fault.names, *fault.touched))
+
+
+def _names(finding: Diagnostic, names: Sequence[str]) -> bool:
     text = "\n".join(
         [finding.message, *(note.message for note in finding.notes), *(also.message for also in finding.also)]
     )
-    return any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) for name in fault.names)
+    return any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) for name in names)
 
 
 def _untold(workspace: Workspace, findings: Sequence[Diagnostic]) -> Iterator[str]:
@@ -145,13 +147,13 @@ def _strange(workspace: Workspace, target: _Document) -> bool:
 
 def _problem(workspace: Workspace, robot: ExpectedRobot, target: _Document) -> tuple[str, ...] | None:
     """What is wrong about a target, the most important last, so that a shorter list is better; None if nothing is."""
-    spawned = {name.strip("/") for name in target["spawned"]}
+    spawned = _spawned(workspace, target)
     parameters = set(target["controllers"])
     wrong = {
         "simulator": target["launch"] in workspace.starts
         and workspace.is_simulator_known
         and (target["simulator"] or "") not in (workspace.system.simulator, "none"[: not workspace.system.simulator]),
-        "distro": target["distro"] != workspace.system.distro,
+        "distro": not _is_distro(workspace, target),
         "namespace": (target["namespace"] or "").strip("/") != robot.namespace,
         "arguments": _own(target["arguments"]) != _own(dict(robot.arguments)),
         "spawned": spawned != robot.spawned,
@@ -165,6 +167,21 @@ def _problem(workspace: Workspace, robot: ExpectedRobot, target: _Document) -> t
         )
     found = tuple(name for name, is_wrong in wrong.items() if is_wrong)
     return found or None
+
+
+def _spawned(workspace: Workspace, target: _Document) -> set[str]:
+    """The controllers that are spawned, except where a planted fault sends a spawner: nobody is there."""
+    wrong = [f"{robot.asked}/" for robot in workspace.system.robots if robot.asked != robot.manager]
+    names = {name.strip("/") for name in target["spawned"]}
+    return {name for name in names if not name.startswith(tuple(wrong))}
+
+
+def _is_distro(workspace: Workspace, target: _Document) -> bool:
+    """Whether a target is for a distro that the workspace names; where it names none, for the generation of ROS."""
+    if len(workspace.distros) == 1:
+        return target["distro"] in workspace.distros
+    allowed = not workspace.distros or target["distro"] is None or target["distro"] in workspace.distros
+    return allowed and target["ros"] == workspace.system.generation
 
 
 def _own(arguments: dict[str, str]) -> dict[str, str]:

@@ -90,10 +90,12 @@ class Fault:
 
     kind: what is wrong, as in `faults.FAULTS`.
     names: what a finding has to name, one of them: the joint, controller, manager or section.
+    touched: what else findings may name that follow from it.
     """
 
     kind: str
     names: tuple[str, ...]
+    touched: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ def render(system: System, idioms: Idioms) -> Workspace:
     """Return the workspace of a system."""
     workspace = assembled_moveit(system, idioms) if system.moveit else assembled(system, idioms)
     places = moveit_places(system) if system.moveit else places_of(system, idioms)
+    workspace.distros = frozenset({system.distro})
     add_distractor(workspace, places)
     add_evidence(workspace)
     return workspace

@@ -86,12 +86,14 @@ def expected(system: System, idioms: Idioms, places: Places, robot: Robot) -> Ex
     """Return what the resolver has to know of a robot."""
     folder = f"{places.control}/{config_folder(system)}"
     arguments = xacro_arguments(system, idioms, robot)
+    is_elsewhere = system.generation == 1 and robot.asked != robot.manager  # asked is a namespace
+    spawned = () if is_elsewhere else robot.spawned
     return ExpectedRobot(
         description=f"{places.description}/urdf/{description_name(system, idioms, robot)}",
         arguments=tuple((name, value) for name, value in arguments.items() if name not in FILE_ARGUMENTS),
         namespace=robot.namespace,
         parameters=frozenset(f"{folder}/{name}" for name in parameter_names(system, idioms, robot)),
-        spawned=frozenset(f"{robot.namespace}/{spawn.name}".strip("/") for spawn in robot.spawned),
+        spawned=frozenset(f"{robot.namespace}/{spawn.name}".strip("/") for spawn in spawned),
     )
 
 

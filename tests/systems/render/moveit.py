@@ -8,7 +8,7 @@ from systems.idioms import Idioms
 from systems.render.description import XACRO, descriptions
 from systems.render.packages import package_files, runtime_packages
 from systems.render.parameters import dumped, parameter_files
-from systems.render.places import Places
+from systems.render.places import Places, description_name, pick
 from systems.render.workspace import ExpectedRobot, Workspace
 from systems.system import BROADCASTER, Joint, Robot, System
 
@@ -25,7 +25,9 @@ def assembled_moveit(system: System, idioms: Idioms) -> Workspace:
     workspace = Workspace(system, idioms)
     workspace.files |= _described(system, idioms, robot, described)
     own = {**_config(system, idioms, robot, described), **_launch(system, idioms, robot, package)}
-    own[".setup_assistant"] = _setup_assistant(robot, package)
+    modified = (package, f"config/{robot.model}.urdf.xacro")
+    original = (described, f"urdf/{description_name(system, idioms, robot)}")
+    own[".setup_assistant"] = _setup_assistant(robot, *pick(system, "setup assistant", (modified, original)))
     depends = {*runtime_packages(system), *_PACKAGES.split(), described}
     manifests = package_files(system, package, own, depends)
     manifests["CMakeLists.txt"] = manifests["CMakeLists.txt"].replace(
@@ -68,7 +70,7 @@ def _config(system: System, idioms: Idioms, robot: Robot, described: str) -> dic
     joints = "".join(f'    <joint name="{name}"/>\n' for name in names)
     solver = {"kinematics_solver": "kdl_kinematics_plugin/KDLKinematicsPlugin", "kinematics_solver_timeout": 0.005}
     return {
-        f"config/{model}.urdf.xacro": _main(model, described),
+        f"config/{model}.urdf.xacro": _main(model, f"{described})/urdf/{description_name(system, idioms, robot)}"),
         f"config/{model}.ros2_control.xacro": _control(robot),
         f"config/{model}.srdf": f'<robot name="{model}">\n  <group name="arm">\n{joints}  </group>\n</robot>\n',
         "config/initial_positions.yaml": dumped({"initial_positions": dict.fromkeys(names, 0)}),
@@ -86,12 +88,12 @@ def _config(system: System, idioms: Idioms, robot: Robot, described: str) -> dic
     }
 
 
-def _main(model: str, described: str) -> str:
+def _main(model: str, included: str) -> str:
     return dedent(f"""\
         <?xml version="1.0" encoding="UTF-8"?>
         <robot {XACRO} name="{model}">
           <xacro:arg name="initial_positions_file" default="initial_positions.yaml"/>
-          <xacro:include filename="$(find {described})/urdf/{model}.urdf.xacro"/>
+          <xacro:include filename="$(find {included}"/>
           <xacro:include filename="{model}.ros2_control.xacro"/>
           <xacro:{model}_ros2_control name="FakeSystem" initial_positions_file="$(arg initial_positions_file)"/>
         </robot>
@@ -127,8 +129,8 @@ def _moveit_controllers(robot: Robot) -> dict[str, object]:
     }
 
 
-def _setup_assistant(robot: Robot, package: str) -> str:
-    main = {"package": package, "relative_path": f"config/{robot.model}.urdf.xacro"}
+def _setup_assistant(robot: Robot, package: str, path: str) -> str:
+    main = {"package": package, "relative_path": path}
     settings = {"author_name": "Someone", "author_email": "someone@example.org", "generated_timestamp": 1700000000}
     semantic = {"relative_path": f"config/{robot.model}.srdf"}
     return dumped({"moveit_setup_assistant_config": {"urdf": main, "srdf": semantic, "package_settings": settings}})

@@ -35,7 +35,8 @@ class Workspace:
     starts: the launch files that somebody starts.
     included: other launch files.
     foreign: the first parts of paths that belong to what is not started, and is no part of the system.
-    is_distro_given: whether the user names the distro; otherwise a file does.
+    is_distro_given: whether the user names the distro; otherwise a file may do it.
+    distros: that may be found; none if nothing names any.
     is_simulator_known: whether the launch files that start robots start the simulator, too.
     """
 
@@ -47,6 +48,7 @@ class Workspace:
     included: list[str] = field(default_factory=list)
     foreign: list[str] = field(default_factory=list)
     is_distro_given: bool = True
+    distros: frozenset[str] = frozenset()
     is_simulator_known: bool = True
 
     def write(self, folder: Path) -> None:
