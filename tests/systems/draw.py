@@ -50,6 +50,8 @@ def draw(seed: int, *, is_faulty: bool | None = None) -> System:
     simulator = _simulator(random, generation, distro)
     moveit = generation == 2 and not simulator and random.random() < 0.2
     robots = _robots(random, generation, simulator, moveit=moveit)
+    if len(robots) > 1 and simulator and distro == "humble":
+        simulator, distro = GZ, "jazzy"  # before, robots of one simulator have the parameters of the first
     system = System(seed, generation, distro, simulator, robots, moveit)
     faulty = random.random() < 0.6
     return plant(system, random) if (faulty if is_faulty is None else is_faulty) else system
@@ -71,7 +73,9 @@ def _robots(random: Random, generation: int, simulator: str, *, moveit: bool) ->
         same = random.random() < 0.6
         second = first if same else drawn_robot(random, models[1], generation, simulator)
         prefixed = same and random.random() < 0.6
-        return tuple(_named(robot, name, prefixed) for robot, name in zip((first, second), names, strict=True))
+        one, other = (_named(robot, name, prefixed) for robot, name in zip((first, second), names, strict=True))
+        is_rooted = random.random() < 0.25 and (generation == 1 or not simulator)
+        return (replace(one, namespace="", section="") if is_rooted else one), other
     namespace = random.choice(_NAMESPACES) if random.random() < 0.35 else ""
     prefix = random.choice(("", "", "left_", f"{first.model}_"))
     return (replace(first, namespace=namespace, section=namespace, prefix=prefix),)

@@ -108,7 +108,8 @@ def _source(system: System, _idioms: Idioms, position: str) -> bool:
 
 def _shared(system: System, idioms: Idioms, _position: str) -> bool:
     """Files that are included once for each robot: all that differs is in their arguments."""
-    if not (system.is_fleet and idioms["depth"] != "flat" and not system.moveit):
+    named = all(robot.namespace for robot in system.robots)
+    if not (system.is_fleet and named and idioms["depth"] != "flat" and not system.moveit):
         return False
     first, second = system.robots
     same = (first.model, first.joints, first.spawned, first.manager, first.asked)
@@ -214,7 +215,7 @@ def _manager_option(system: System, idioms: Idioms, position: str) -> bool:
 
 
 def _param_file(system: System, idioms: Idioms, _position: str) -> bool:
-    possible = idioms["spawners"] != "command line" and idioms["sections"] not in ("nested", "rewritten")
+    possible = idioms["spawners"] != "command line" and idioms["sections"] not in ("nested", "replaced", "rewritten")
     return _ros2(system, idioms, "") and possible and not _is_section_wrong(system)
 
 

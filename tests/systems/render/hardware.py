@@ -52,11 +52,11 @@ def plugin_of(system: System, robot: Robot, namespace: str, files: tuple[str, ..
     if not system.is_simulated:
         return ""
     if system.generation == 1:
-        return _classic_of_ros1(robot, namespace)
+        return _classic_of_ros1(namespace)
     inside = "".join(f"    <parameters>{file}</parameters>\n" for file in files)
     if robot.manager != "controller_manager":
         inside += f"    <controller_manager_name>{robot.manager}</controller_manager_name>\n"
-    if robot.namespace:
+    if namespace:
         inside += f"    <ros>\n      <namespace>{namespace}</namespace>\n    </ros>\n"
     if system.simulator == CLASSIC:
         head = '<plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">'
@@ -67,8 +67,8 @@ def plugin_of(system: System, robot: Robot, namespace: str, files: tuple[str, ..
     return f"<gazebo>\n  {head}\n{inside}  </plugin>\n</gazebo>\n"
 
 
-def _classic_of_ros1(robot: Robot, namespace: str) -> str:
-    where = f"    <robotNamespace>/{namespace}</robotNamespace>\n" if robot.namespace else ""
+def _classic_of_ros1(namespace: str) -> str:
+    where = f"    <robotNamespace>/{namespace}</robotNamespace>\n" if namespace else ""
     kind = "    <robotSimType>gazebo_ros_control/DefaultRobotHWSim</robotSimType>\n"
     head = '<plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">'
     return f"<gazebo>\n  {head}\n{where}{kind}  </plugin>\n</gazebo>\n"
