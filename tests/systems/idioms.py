@@ -144,6 +144,12 @@ def _description(system: System, idioms: Idioms, position: str) -> bool:
     return position not in ("process_file", "process_doc", "function", "module") or is_known
 
 
+def _opaque(system: System, idioms: Idioms, _position: str) -> bool:
+    """What is done later has neither the namespace of a group that is left, nor the arguments of another include."""
+    scoped = idioms["namespacing"] == "group around include" or idioms["fleet"] == "shared"
+    return _has_python(system, idioms, "") and idioms["values"] == "perform" and not scoped
+
+
 def _namespaced(system: System, idioms: Idioms, position: str) -> bool:
     if not any(robot.namespace for robot in system.robots) or system.moveit:
         return False
@@ -219,7 +225,13 @@ def _param_file(system: System, idioms: Idioms, _position: str) -> bool:
     return _ros2(system, idioms, "") and possible and not _is_section_wrong(system)
 
 
+def _around(system: System, idioms: Idioms, _position: str) -> bool:
+    return not system.moveit and idioms["split"] == "one start"
+
+
 def _event(system: System, idioms: Idioms, position: str) -> bool:
+    if idioms["namespacing"] != "attribute" or idioms["fleet"] == "shared":
+        return False  # as of what is called later
     if position == "timer":
         return _ros2(system, idioms, "")
     if not _has_python(system, idioms, "") or idioms["spawners"] in ("comprehension", "loop"):
@@ -287,7 +299,9 @@ SWITCHES = {
         ),
         _description,
     ),
+    "wrapped": Switch(("nothing", "where used"), _has_python),
     "namespacing": Switch(("attribute", "group", "group around include"), _namespaced),
+    "opaque": Switch(("at once", "timer", "event"), _opaque),
     "sections": Switch(("full name", "rooted", "wildcard", "nested", "replaced", "rewritten"), _sections),
     "loaded": Switch(("with spawners", "with robot"), _ros1),
     "loading": Switch(("scope", "attribute", "key"), _loading),
@@ -296,6 +310,7 @@ SWITCHES = {
     "manager option": Switch(("absolute", "none", "relative", "argument"), _manager_option),
     "param file": Switch(("none", "given"), _param_file),
     "split": Switch(("one start", "spawners apart", "manager apart", "three starts"), _not_moveit),
+    "around": Switch(("nothing", "rviz", "plain", "handed on"), _around),
     "event": Switch(("none", "on exit", "on start", "timer"), _event),
     "condition": Switch(("none", "if", "unless", "expression", "equals", "python"), _condition),
     "manager description": Switch(("remap", "parameter", "topic"), _manager_description),

@@ -98,12 +98,13 @@ class Execute:
 
 @dataclass(frozen=True)
 class Include:
-    """An included launch file: of this workspace by its stem, or of another package by its path."""
+    """An included launch file: of this workspace by its stem, of another package by its path, or by any path."""
 
     package: str
     file: str
     arguments: tuple[tuple[str, Value], ...] = ()
     is_external: bool = False
+    path: Value = ()
 
 
 @dataclass(frozen=True)
@@ -197,6 +198,6 @@ def args_in(thing: Any) -> list[str]:
 
 def packages_in(thing: Any) -> set[str]:
     """Return the packages that something names."""
-    found = {part.package for part in parts_of(thing) if isinstance(part, Node | Include)}
+    found = {part.package for part in parts_of(thing) if isinstance(part, Node | Include) and part.package}
     shares = (part.package for part in parts_of(thing) if isinstance(part, Share))
     return found | {piece for package in shares for piece in package if isinstance(piece, str)}

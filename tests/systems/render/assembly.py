@@ -5,6 +5,7 @@ from __future__ import annotations
 from systems.idioms import Idioms
 from systems.render import frontends, python, roslaunch
 from systems.render.actions import LaunchFile, ParamFile, packages_in, parts_of
+from systems.render.around import add_around
 from systems.render.description import FILE_ARGUMENTS, descriptions, xacro_arguments
 from systems.render.distractors import add_examples
 from systems.render.packages import package_files, runtime_packages
@@ -14,23 +15,21 @@ from systems.render.places import (
     config_folder,
     description_name,
     parameter_names,
-    pick,
     places_of,
     roles_of,
     starts_of,
 )
-from systems.render.plan import Plan, planned
+from systems.render.plan import Plan, file_name, planned
 from systems.render.python_descriptions import FUNCTION, MODULE, helper
 from systems.render.workspace import ExpectedRobot, Workspace
 from systems.system import Robot, System
-
-_ENDS = {"python": ".py", "xml": ".xml", "yaml": ".yaml", "launch": ""}
 
 
 def assembled(system: System, idioms: Idioms) -> Workspace:
     """Return the workspace of a system, without what lies beside it."""
     places = places_of(system, idioms)
     plan = planned(system, idioms, places)
+    add_around(plan)
     workspace = Workspace(system, idioms)
     workspace.files |= descriptions(system, idioms, places)
     for robot in system.robots:
@@ -54,21 +53,14 @@ def assembled(system: System, idioms: Idioms) -> Workspace:
 
 def path_of(plan: Plan, file: LaunchFile) -> str:
     """Return the path of a launch file in the workspace."""
-    return f"{file.package}/launch/{_name(plan, file)}"
-
-
-def _name(plan: Plan, file: LaunchFile) -> str:
-    if file.language == "launch":
-        is_part = file not in plan.starts and pick(plan.system, "part", (True, False))
-        return f"{file.stem}.launch{'.xml' if is_part else ''}"
-    return f"{file.stem}{plan.idioms['suffix']}{_ENDS[file.language]}"
+    return f"{file.package}/launch/{file_name(plan, file)}"
 
 
 def launch_texts(plan: Plan) -> dict[str, str]:
     """Return the launch files of a plan, by their paths in the workspace."""
 
     def name_of(package: str, stem: str) -> str:
-        return next(_name(plan, file) for file in plan.files if (file.package, file.stem) == (package, stem))
+        return next(file_name(plan, file) for file in plan.files if (file.package, file.stem) == (package, stem))
 
     texts = {}
     for file in plan.files:

@@ -120,13 +120,19 @@ def command_of(description: Description) -> str:
 
 
 def _include(action: Include, when: When | None, names: FileNames) -> Entity:
-    file = action.file if action.is_external else f"launch/{names(action.package, action.file)}"
+    file = action.file if action.is_external else _own(action, names)
     attributes = {"file": f"$(find-pkg-share {action.package})/{file}", **_condition(when)}
+    if action.path:
+        attributes["file"] = text_of(action.path)
     return (
         "include",
         attributes,
         [("arg", {"name": name, "value": text_of(value)}, []) for name, value in action.arguments],
     )
+
+
+def _own(action: Include, names: FileNames) -> str:
+    return "" if action.path else f"launch/{names(action.package, action.file)}"
 
 
 # -- the two syntaxes ---------------------------------------------------------------------------------------------

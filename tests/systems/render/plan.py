@@ -13,6 +13,7 @@ from systems.render.arguments import Values
 from systems.render.places import DESCRIPTION, MANAGER, SIMULATOR, Places, pick, starts_of
 from systems.system import Robot, System
 
+_ENDS = {"python": ".py", "xml": ".xml", "yaml": ".yaml", "launch": ""}
 _STEMS = {DESCRIPTION: "description", MANAGER: "hardware"}
 
 
@@ -48,6 +49,14 @@ class Plan:
         """Whether defaults name files that are only examples."""
         shares = (value for file in self.files for _, value in file.declared if value)
         return any("example" in str(value) for value in shares)
+
+
+def file_name(plan: Plan, file: LaunchFile) -> str:
+    """Return the name of a launch file with what its language adds."""
+    if file.language == "launch":
+        is_part = file not in plan.starts and pick(plan.system, "part", (True, False))
+        return f"{file.stem}.launch{'.xml' if is_part else ''}"
+    return f"{file.stem}{plan.idioms['suffix']}{_ENDS[file.language]}"
 
 
 def planned(system: System, idioms: Idioms, places: Places) -> Plan:

@@ -18,6 +18,7 @@ from systems.render.actions import (
     Node,
     Param,
     ParamFile,
+    Share,
     Timer,
     parts_of,
 )
@@ -98,11 +99,23 @@ class _Writer:
         lines.append("return actions")
         setup = _function("launch_setup(context, *args, **kwargs)", lines)
         declared = self._declared()
-        opaque = f"{self.values.use('OpaqueFunction')}(function=launch_setup)"
-        frame = [f"return {call('LaunchDescription', listed([*declared, opaque]))}"]
+        before, called = self._called(f"{self.values.use('OpaqueFunction')}(function=launch_setup)")
+        frame = [f"return {call('LaunchDescription', listed([*declared, *called]))}"]
         if self.idioms["layout"] == "add_action":
-            frame = ["ld = LaunchDescription()", *(_added(item) for item in [*declared, opaque]), "return ld"]
+            frame = ["ld = LaunchDescription()", *(_added(item) for item in [*declared, *called]), "return ld"]
+        frame[:0] = before
         return f"{setup}\n\n{_function('generate_launch_description()', frame)}"
+
+    def _called(self, opaque: str) -> tuple[list[str], list[str]]:
+        """Statements and actions that call the function: at once, later, or when a process has ended."""
+        how = self.idioms["opaque"]
+        if how == "timer":
+            return [], [call(self.values.use("TimerAction"), "period=2.0", f"actions=[{opaque}]")]
+        if how == "event":
+            before = f'daemon = {self.values.use("ExecuteProcess")}(cmd=["ros2", "daemon", "start"])'
+            event = call(self.values.use("OnProcessExit"), "target_action=daemon", f"on_exit=[{opaque}]")
+            return [before], ["daemon", call(self.values.use("RegisterEventHandler"), event)]
+        return [], [opaque]
 
     def _hoist(self) -> None:
         """Give variables to what event handlers name, or to all nodes."""
@@ -161,9 +174,10 @@ class _Writer:
         return f"*{variable}"
 
     def _include(self, action: Include) -> str:
+        if action.path:
+            source = self.values.use("AnyLaunchDescriptionSource")
+            return call(self.values.use("IncludeLaunchDescription"), f"{source}({self.values.value(action.path)})")
         path = action.file if action.is_external else f"launch/{self.names(action.package, action.file)}"
-        from systems.render.actions import Share
-
         parts = tuple((part,) for part in path.split("/"))
         value = self.values.value((Share((action.package,), parts),))
         source = self.values.use(_SOURCES[path.rpartition(".")[2]])
@@ -200,7 +214,10 @@ class _Writer:
             if isinstance(parameter, ParamFile):
                 items.append(self._file(parameter))
             elif isinstance(parameter.value, Description):
-                plain.append(f'"{parameter.name}": {self._description(parameter.value)}')
+                text = self._description(parameter.value)
+                if self.idioms["wrapped"] == "where used" and self.idioms["description"] != "parameter_value":
+                    text = f"{self.values.use('ParameterValue')}({text}, value_type=str)"
+                plain.append(f'"{parameter.name}": {text}')
             else:
                 plain.append(self._plain(parameter))
         mapping = [f"{{{', '.join(plain)}}}"] if plain else []
@@ -208,6 +225,8 @@ class _Writer:
 
     def _plain(self, parameter: Param) -> str:
         value = f'"{parameter.value}"' if isinstance(parameter.value, str) else str(parameter.value)
+        if self.idioms["wrapped"] != "nothing" and isinstance(parameter.value, bool):
+            value = f"{self.values.use('ParameterValue')}({value}, value_type=bool)"
         name, dot, last = parameter.name.partition(".")
         if dot and pick(self.system, "nested dictionary", (False, True)):
             return f'"{name}": {{"{last}": {value}}}'

@@ -110,6 +110,8 @@ def _load(load: Load) -> str:
 
 
 def _include(action: Include, names: FileNames) -> str:
+    if action.path:
+        return _tag("include", {"file": text_of(action.path)})
     file = action.file if action.is_external else f"launch/{names(action.package, action.file)}"
     inside = "".join(
         f"<arg name={quoteattr(name)} value={quoteattr(text_of(value))}/>\n" for name, value in action.arguments
