@@ -150,6 +150,34 @@ def _opaque(system: System, idioms: Idioms, _position: str) -> bool:
     return _has_python(system, idioms, "") and idioms["values"] == "perform" and not scoped
 
 
+def _address(system: System, idioms: Idioms, _position: str) -> bool:
+    """An argument of the description that has no value until the robot is started."""
+    if idioms["source"] == "urdf" or system.moveit or idioms["fleet"] == "shared":
+        return False
+    return idioms["values"] == "perform" or idioms["description"] not in _EXPANDED
+
+
+_EXPANDED = ("process_file", "process_doc", "function", "module", "open")
+"""How a description is made by Python itself."""
+
+
+def _hardware(system: System, idioms: Idioms, _position: str) -> bool:
+    """An argument chooses between a simulator and hardware."""
+    one = system.generation == 2 and not system.moveit and not system.is_fleet
+    known = idioms["values"] == "perform" or idioms["description"] not in _EXPANDED
+    return one and known and idioms["source"] != "urdf" and system.robots[0].manager == "controller_manager"
+
+
+def _planner(system: System, idioms: Idioms, _position: str) -> bool:
+    one = system.generation == 2 and not system.moveit and not system.is_fleet
+    return one and idioms["source"] != "urdf" and idioms["description"] not in ("function", "module", "open")
+
+
+def _described(system: System, idioms: Idioms, _position: str) -> bool:
+    """The parameter is set twice, and the last one wins."""
+    return system.generation == 1 and idioms["order"] == "natural"
+
+
 def _namespaced(system: System, idioms: Idioms, position: str) -> bool:
     if not any(robot.namespace for robot in system.robots) or system.moveit:
         return False
@@ -166,6 +194,8 @@ def _sections(system: System, idioms: Idioms, position: str) -> bool:
         return not any(robot.section for robot in system.robots)
     if not all(robot.namespace for robot in system.robots) or _is_section_wrong(system):
         return False
+    if idioms["hardware"] == "chosen":
+        return position == "nested"
     return position == "nested" or (not system.simulator and _has_python(system, idioms, ""))
 
 
@@ -188,7 +218,7 @@ def _parameters(system: System, idioms: Idioms, position: str) -> bool:
         return False
     if position == "dictionary":
         untyped = any(not one.typed for robot in system.robots for one in robot.controllers)
-        return _real_ros2(system) and not untyped and not _is_section_wrong(system)
+        return _real_ros2(system) and idioms["hardware"] == "fixed" and not untyped and not _is_section_wrong(system)
     if position == "inline":
         return system.generation == 1
     return system.generation == 1 or idioms["sections"] not in ("replaced", "rewritten")
@@ -300,6 +330,10 @@ SWITCHES = {
         _description,
     ),
     "wrapped": Switch(("nothing", "where used"), _has_python),
+    "address": Switch(("none", "required"), _address),
+    "hardware": Switch(("fixed", "chosen"), _hardware),
+    "planner": Switch(("none", "other arguments"), _planner),
+    "described": Switch(("once", "twice"), _described),
     "namespacing": Switch(("attribute", "group", "group around include"), _namespaced),
     "opaque": Switch(("at once", "timer", "event"), _opaque),
     "sections": Switch(("full name", "rooted", "wildcard", "nested", "replaced", "rewritten"), _sections),

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from systems.faults import FAULTS
 from systems.render import ExpectedRobot, Workspace
+from systems.render.description import ADDRESS
 from urdfctl import api
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.report.json_report import target_document
@@ -185,5 +186,5 @@ def _is_distro(workspace: Workspace, target: _Document) -> bool:
 
 
 def _own(arguments: dict[str, str]) -> dict[str, str]:
-    """Arguments without paths, and without those that are empty as they are by default."""
-    return {name: value for name, value in arguments.items() if value and "/" not in value}
+    """Arguments without paths, and without those that are empty by default or have no value yet."""
+    return {name: value for name, value in arguments.items() if value and "/" not in value and name != ADDRESS}

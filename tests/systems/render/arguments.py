@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from systems.idioms import Idioms
 from systems.render.actions import Arg, Description, Share, Value
-from systems.render.description import FILE_ARGUMENTS, xacro_arguments
+from systems.render.description import ADDRESS, CHOICE, FILE_ARGUMENTS, xacro_arguments
 from systems.render.places import Places, config_folder, description_name, parameter_names, pick
 from systems.system import Robot, System
 
@@ -87,9 +87,18 @@ class Values:
         path = (Share(package, (("urdf",), file)),)
         return Description(path, mappings, idioms["source"] == "urdf")
 
+    @property
+    def example(self) -> Description:
+        """Another description, that the right one replaces."""
+        is_plain = self.idioms["source"] == "urdf"
+        name = f"{EXAMPLE}.urdf" if is_plain else f"{EXAMPLE}.urdf.xacro"
+        return Description((Share((self.places.description,), (("urdf",), (name,))),), (), is_plain)
+
     def _mapping(self, argument: str) -> Value:
         if argument in FILE_ARGUMENTS:
             return self.files[::-1][FILE_ARGUMENTS.index(argument)]
+        if argument in (ADDRESS, CHOICE):
+            return (Arg(argument),)
         if argument == "namespace":
             return self.namespace or ("",)
         name = pick(self.system, "prefix", ("prefix", "tf_prefix", "joint_prefix"))

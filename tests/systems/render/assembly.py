@@ -20,6 +20,7 @@ from systems.render.places import (
     starts_of,
 )
 from systems.render.plan import Plan, file_name, planned
+from systems.render.planner import PARAMETERS, planner_files
 from systems.render.python_descriptions import FUNCTION, MODULE, helper
 from systems.render.workspace import ExpectedRobot, Workspace
 from systems.system import Robot, System
@@ -44,6 +45,8 @@ def assembled(system: System, idioms: Idioms) -> Workspace:
     workspace.is_simulator_known = (
         not system.is_simulated or starts_of(system, idioms)[0][1][:2] == roles_of(system)[:2]
     )
+    if idioms["planner"] != "none":
+        workspace.files |= planner_files(system, places)
     _add_module(plan, workspace)
     if plan.needs_examples:
         add_examples(workspace, places)
@@ -86,6 +89,7 @@ def expected(system: System, idioms: Idioms, places: Places, robot: Robot) -> Ex
         namespace=robot.namespace,
         parameters=frozenset(f"{folder}/{name}" for name in parameter_names(system, idioms, robot)),
         spawned=frozenset(f"{robot.namespace}/{spawn.name}".strip("/") for spawn in spawned),
+        extra=frozenset({f"{folder}/{PARAMETERS}"}),
     )
 
 

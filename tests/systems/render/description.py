@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from textwrap import indent
 from typing import NamedTuple
 
 from systems.idioms import Idioms
 from systems.render.hardware import hardware_of, plugin_of
 from systems.render.places import Places, config_folder, description_name, parameter_names
-from systems.system import Joint, Robot, System
+from systems.system import GZ, Joint, Robot, System
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 FILE_ARGUMENTS = ("controllers_file", "types_file")
+ADDRESS = "robot_ip"
+"""The argument that has no value until somebody starts the robot."""
+CHOICE = "use_sim"
+"""The argument that chooses between a simulator and hardware."""
+_DEFAULTS = {ADDRESS: "127.0.0.1", CHOICE: "false"}
 
 
 def xacro_arguments(system: System, idioms: Idioms, robot: Robot) -> dict[str, str]:
@@ -19,6 +25,10 @@ def xacro_arguments(system: System, idioms: Idioms, robot: Robot) -> dict[str, s
     if idioms["source"] == "urdf":
         return {}
     arguments = {"prefix": robot.prefix} if any(one.prefix for one in _sharing(system, robot)) else {}
+    if idioms["address"] == "required":
+        arguments[ADDRESS] = ""
+    if idioms["hardware"] == "chosen":
+        arguments[CHOICE] = str(system.is_simulated).lower()
     if not system.is_simulated:
         return arguments
     if any(one.namespace for one in _sharing(system, robot)):
@@ -80,25 +90,62 @@ def _declared(system: System, idioms: Idioms, places: Places, robot: Robot) -> s
     lines = []
     names = parameter_names(system, idioms, robot)
     for name in xacro_arguments(system, idioms, robot):
-        default = ""
+        default = _DEFAULTS.get(name, "")
         if name in FILE_ARGUMENTS:
             file = [names[-1], *names[:-1]][FILE_ARGUMENTS.index(name)]
             default = f"$(find {places.control})/{config_folder(system)}/{file}"
         lines.append(f'<xacro:arg name="{name}" default="{default}"/>\n')
+    if idioms["planner"] == "other arguments":
+        lines.append('<xacro:arg name="planning" default="false"/>\n')
+    if idioms["address"] == "required":
+        lines.append(f'<xacro:property name="address" value="$(arg {ADDRESS})"/>\n')
     return "".join(lines)
+
+
+def _planning(idioms: Idioms, robot: Robot, prefix: str) -> str:
+    """What only the planner's description has."""
+    if idioms["planner"] != "other arguments":
+        return ""
+    name, parent = f"{prefix}planning_frame", f"{prefix}{robot.joints[-1].name}_link"
+    joint = f'  <parent link="{parent}"/>\n  <child link="{name}"/>\n'
+    text = f'<link name="{name}"/>\n<joint name="{name}_fixed" type="fixed">\n{joint}</joint>\n'
+    return f'<xacro:if value="$(arg planning)">\n{indent(text, "  ")}</xacro:if>\n'
 
 
 def _whole(system: System, idioms: Idioms, places: Places, robot: Robot) -> str:
     words = _words(system, idioms, places, robot, "$(arg {})")
     if idioms["source"] == "urdf":
-        return _document(robot, _body(system, robot, words), "")
-    body = _declared(system, idioms, places, robot) + _body(system, robot, words)
+        return _document(robot, _body(system, idioms, robot, words), "")
+    body = _declared(system, idioms, places, robot) + _body(system, idioms, robot, words)
+    body += _planning(idioms, robot, words.prefix)
     return _document(robot, body, f" {XACRO}")
 
 
-def _body(system: System, robot: Robot, words: _Words) -> str:
-    control = hardware_of(system, robot, words.prefix)
-    return _links(robot, words.prefix) + control + plugin_of(system, robot, words.namespace, words.files)
+def _body(system: System, idioms: Idioms, robot: Robot, words: _Words) -> str:
+    control = _hardware(system, idioms, robot, words.prefix)
+    return _links(robot, words.prefix) + control + _plugin(system, idioms, robot, words)
+
+
+def _hardware(system: System, idioms: Idioms, robot: Robot, prefix: str) -> str:
+    if idioms["hardware"] == "fixed":
+        return hardware_of(system, robot, prefix)
+    real, simulated = both(system)
+    inside = indent(hardware_of(simulated, robot, prefix), "  ")
+    other = indent(hardware_of(real, robot, prefix), "  ")
+    value = f'value="$(arg {CHOICE})"'
+    return f"<xacro:if {value}>\n{inside}</xacro:if>\n<xacro:unless {value}>\n{other}</xacro:unless>\n"
+
+
+def _plugin(system: System, idioms: Idioms, robot: Robot, words: _Words) -> str:
+    if idioms["hardware"] == "fixed":
+        return plugin_of(system, robot, words.namespace, words.files)
+    inside = indent(plugin_of(both(system)[1], robot, words.namespace, words.files), "  ")
+    return f'<xacro:if value="$(arg {CHOICE})">\n{inside}</xacro:if>\n'
+
+
+def both(system: System) -> tuple[System, System]:
+    """Return the system on hardware and in a simulator: where an argument chooses."""
+    return replace(system, simulator=""), system if system.is_simulated else replace(system, simulator=GZ)
 
 
 def _document(robot: Robot, body: str, spaces: str) -> str:
@@ -112,8 +159,8 @@ def _with_macros(system: System, idioms: Idioms, places: Places, robot: Robot) -
     main, model = description_name(system, idioms, robot), robot.model
     parts = {
         f"{model}_macro.xacro": (model, _links(robot, "${prefix}")),
-        f"{model}.control.xacro": (f"{model}_control", hardware_of(system, robot, "${prefix}")),
-        f"{model}.gazebo.xacro": (f"{model}_gazebo", plugin_of(system, robot, inside.namespace, inside.files)),
+        f"{model}.control.xacro": (f"{model}_control", _hardware(system, idioms, robot, "${prefix}")),
+        f"{model}.gazebo.xacro": (f"{model}_gazebo", _plugin(system, idioms, robot, inside)),
     }
     parts = {name: part for name, part in parts.items() if part[1]}
     given = xacro_arguments(system, idioms, robot)
@@ -123,6 +170,7 @@ def _with_macros(system: System, idioms: Idioms, places: Places, robot: Robot) -
     body = _declared(system, idioms, places, robot)
     body += "".join(f'<xacro:include filename="$(find {places.description})/urdf/{name}"/>\n' for name in parts)
     body += "".join(f"<xacro:{name} {' '.join(values)}/>\n" for name, _ in parts.values())
+    body += _planning(idioms, robot, f"{'$(arg prefix)' if 'prefix' in given else robot.prefix}")
     macros = {
         file: f'<?xml version="1.0"?>\n<robot {XACRO}>\n  <xacro:macro name="{name}" params="{" ".join(params)}">\n'
         f"{indent(text, '    ')}  </xacro:macro>\n</robot>\n"

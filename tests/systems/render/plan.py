@@ -10,6 +10,7 @@ from systems.idioms import Idioms
 from systems.render import ros1_nodes, ros2_nodes
 from systems.render.actions import Action, Arg, Group, Include, LaunchFile, Value, args_in
 from systems.render.arguments import Values
+from systems.render.description import ADDRESS, CHOICE
 from systems.render.places import DESCRIPTION, MANAGER, SIMULATOR, Places, pick, starts_of
 from systems.system import Robot, System
 
@@ -48,7 +49,7 @@ class Plan:
     def needs_examples(self) -> bool:
         """Whether defaults name files that are only examples."""
         shares = (value for file in self.files for _, value in file.declared if value)
-        return any("example" in str(value) for value in shares)
+        return self.idioms["described"] == "twice" or any("example" in str(value) for value in shares)
 
 
 def file_name(plan: Plan, file: LaunchFile) -> str:
@@ -148,8 +149,9 @@ def _include(plan: Plan, file: LaunchFile, robot: Robot, *, is_top: bool) -> Inc
     names = [name for name, _ in file.declared if name in right]
     if passing == "default":
         names = []
+    names += [ADDRESS] if (ADDRESS, None) in file.declared else []
     literal = passing == "overridden" or (plan.idioms["fleet"] == "shared" and passing == "required")
-    given = tuple((name, right[name] if literal and is_top else (Arg(name),)) for name in names)
+    given = tuple((name, right[name] if literal and is_top and name in right else (Arg(name),)) for name in names)
     return Include(file.package, file.stem, given)
 
 
@@ -167,11 +169,17 @@ def _declared(plan: Plan, file: LaunchFile, *, is_top: bool) -> tuple[tuple[str,
     """The arguments of a file: those that it uses, with the default that the switch "passing" says."""
     found: list[tuple[str, Value | None]] = []
     for name in args_in(file.actions):
-        if name in plan.right:
+        if name == ADDRESS:
+            found.append((name, None))
+        elif name in plan.right:
             found.append((name, _default(plan, name, is_top=is_top)))
         else:
-            found.append((name, (plan.nodes.DEFAULTS.get(name, "true"),)))
+            found.append((name, (plan.nodes.DEFAULTS.get(name, _usual(plan, name)),)))
     return tuple(found)
+
+
+def _usual(plan: Plan, name: str) -> str:
+    return str(plan.system.is_simulated).lower() if name == CHOICE else "true"
 
 
 def _default(plan: Plan, name: str, *, is_top: bool) -> Value | None:

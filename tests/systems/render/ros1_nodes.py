@@ -55,7 +55,9 @@ def _description(values: Values) -> list[Action]:
     namespace = _namespace(values)
     parameter: Value = (*namespace, "/robot_description") if namespace else ("robot_description",)
     publisher = "robot_state_publisher"
+    first = [Describe(parameter, values.example)] if values.idioms["described"] == "twice" else []
     found: list[Action] = [
+        *first,
         Describe(parameter, values.description),
         Node(publisher, publisher, _name(values, publisher), namespace),
     ]

@@ -8,8 +8,10 @@ from dataclasses import replace
 from systems.idioms import Idioms
 from systems.render.actions import Action, Execute, Group, Include, Node, Param, ParamFile, Value, When
 from systems.render.arguments import Values
+from systems.render.description import CHOICE, both
 from systems.render.parameters import types_of
 from systems.render.places import DESCRIPTION, MANAGER, SIMULATOR, SPAWNERS, pick
+from systems.render.planner import move_group
 from systems.render.ros2_spawners import first_label, spawners
 from systems.system import CLASSIC, System
 
@@ -19,9 +21,31 @@ def actions_of(role: str, values: Values) -> list[Action]:
     if role == SIMULATOR:
         return []
     found = {DESCRIPTION: _description, MANAGER: _manager, SPAWNERS: _spawners}[role](values)
+    if values.idioms["hardware"] == "chosen":
+        found = _chosen(values, role, found)
     if values.idioms["namespacing"] == "group" and values.robot.namespace:
         return _in_namespace(found, values.namespace)
     return found
+
+
+def _chosen(values: Values, role: str, found: list[Action]) -> list[Action]:
+    """Actions of which an argument chooses whether they are for a simulator or for hardware."""
+    system, real = values.system, When(CHOICE, "true", "if", holds=False)
+    if role == MANAGER:
+        return [replace(each, when=real) for each in found if isinstance(each, Node)]
+    if role == SPAWNERS:
+        return found
+    simulated = both(system)[1]
+    beside = replace(values, system=simulated)
+    if system.is_simulated:
+        hardware = [each for each in _manager(beside) if isinstance(each, Node)]
+        model = [replace(each, when=_SIMULATED) if each is found[-1] else each for each in found]
+        return [*model, *(replace(each, when=real, label="") for each in hardware)]
+    model = [replace(_spawned_model(beside, _namespace(values)), when=_SIMULATED, label="")]
+    return [*found, *simulator(simulated, values.idioms), *model]
+
+
+_SIMULATED = When(CHOICE, "true", "if")
 
 
 def _in_namespace(actions: list[Action], namespace: Value) -> list[Action]:
@@ -37,7 +61,12 @@ def _namespace(values: Values) -> Value:
 
 
 def simulator(system: System, idioms: Idioms) -> list[Action]:
-    """Return what starts the simulator with an empty world."""
+    """Return what starts the simulator with an empty world, if it is chosen."""
+    found = _simulator(system, idioms)
+    return _under(found, _SIMULATED) if idioms["hardware"] == "chosen" else found
+
+
+def _simulator(system: System, idioms: Idioms) -> list[Action]:
     classic, humble = system.simulator == CLASSIC, system.distro == "humble"
     if idioms["world"] == "programs":
         if classic:
@@ -65,13 +94,19 @@ def _description(values: Values) -> list[Action]:
     publisher = "robot_state_publisher"
     name = pick(system, "publisher name", ("", publisher))
     found: list[Action] = [Node(publisher, publisher, name, namespace, parameters)]
-    if not system.is_simulated:
-        return found
+    if values.idioms["planner"] != "none":
+        found.append(move_group(values, namespace))
+    return [*found, _spawned_model(values, namespace)] if system.is_simulated else found
+
+
+def _spawned_model(values: Values, namespace: Value) -> Node:
+    """What puts the robot into the simulator."""
+    system = values.system
     classic = system.simulator == CLASSIC
     words = ("-topic", "robot_description", "-entity" if classic else "-name", values.robot.name)
     arguments = tuple((word,) for word in words)
     package, program = ("gazebo_ros", "spawn_entity.py") if classic else ("ros_gz_sim", "create")
-    return [*found, Node(package, program, "", namespace, (), arguments, label=first_label(system, values.robot))]
+    return Node(package, program, "", namespace, (), arguments, label=first_label(system, values.robot))
 
 
 def _manager(values: Values) -> list[Action]:
