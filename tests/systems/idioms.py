@@ -219,6 +219,8 @@ def _parameters(system: System, idioms: Idioms, position: str) -> bool:
     if position == "dictionary":
         untyped = any(not one.typed for robot in system.robots for one in robot.controllers)
         return _real_ros2(system) and idioms["hardware"] == "fixed" and not untyped and not _is_section_wrong(system)
+    if position == "common":  # one file for several robots
+        return system.is_fleet and system.generation == 2 and idioms["sections"] == "full name"
     if position == "inline":
         return system.generation == 1
     return system.generation == 1 or idioms["sections"] not in ("replaced", "rewritten")
@@ -228,10 +230,16 @@ def _real_ros2(system: System) -> bool:
     return system.generation == 2 and not system.simulator and not system.moveit
 
 
+LOOPS = ("comprehension", "loop", "listed in a file")
+"""How the names of controllers are looped over."""
+
+
 def _spawners(system: System, idioms: Idioms, position: str) -> bool:
     if system.moveit:
         return False
-    if position in ("comprehension", "loop"):
+    if position == "listed in a file" and system.is_fleet:
+        return False
+    if position in LOOPS:
         return _has_python(system, idioms, "")
     if position == "command line":
         return system.generation == 2
@@ -264,7 +272,7 @@ def _event(system: System, idioms: Idioms, position: str) -> bool:
         return False  # as of what is called later
     if position == "timer":
         return _ros2(system, idioms, "")
-    if not _has_python(system, idioms, "") or idioms["spawners"] in ("comprehension", "loop"):
+    if not _has_python(system, idioms, "") or idioms["spawners"] in LOOPS:
         return False
     in_a_row = position == "on exit" and idioms["spawners"] in ("each", "command line")
     return in_a_row or waits_for_start(system, idioms, position)
@@ -339,8 +347,10 @@ SWITCHES = {
     "sections": Switch(("full name", "rooted", "wildcard", "nested", "replaced", "rewritten"), _sections),
     "loaded": Switch(("with spawners", "with robot"), _ros1),
     "loading": Switch(("scope", "attribute", "key"), _loading),
-    "parameters": Switch(("one file", "several files", "dictionary", "inline"), _parameters),
-    "spawners": Switch(("together", "each", "comprehension", "loop", "command line", "manager program"), _spawners),
+    "parameters": Switch(("one file", "several files", "common", "dictionary", "inline"), _parameters),
+    "spawners": Switch(
+        ("together", "each", "comprehension", "loop", "listed in a file", "command line", "manager program"), _spawners
+    ),
     "manager option": Switch(("absolute", "none", "relative", "argument"), _manager_option),
     "param file": Switch(("none", "given"), _param_file),
     "split": Switch(("one start", "spawners apart", "manager apart", "three starts"), _not_moveit),

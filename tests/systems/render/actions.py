@@ -135,11 +135,12 @@ class After:
 
 @dataclass(frozen=True)
 class Loop:
-    """A node for each of some names. style: "comprehension" or "loop"."""
+    """A node for each of some names. style: "comprehension" or "loop". listed: the file that has the names."""
 
     names: tuple[str, ...]
     node: Node
     style: str
+    listed: Value = ()
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from systems.render.around import add_around
 from systems.render.description import FILE_ARGUMENTS, descriptions, xacro_arguments
 from systems.render.distractors import add_examples
 from systems.render.packages import package_files, runtime_packages
-from systems.render.parameters import parameter_files
+from systems.render.parameters import dumped, parameter_files
 from systems.render.places import (
     Places,
     config_folder,
@@ -22,6 +22,7 @@ from systems.render.places import (
 from systems.render.plan import Plan, file_name, planned
 from systems.render.planner import PARAMETERS, planner_files
 from systems.render.python_descriptions import FUNCTION, MODULE, helper
+from systems.render.ros2_spawners import LISTED
 from systems.render.workspace import ExpectedRobot, Workspace
 from systems.system import Robot, System
 
@@ -37,7 +38,8 @@ def assembled(system: System, idioms: Idioms) -> Workspace:
         names = parameter_names(system, idioms, robot)
         folder = f"{places.control}/{config_folder(system)}"
         texts = parameter_files(system, idioms, robot, names)
-        workspace.files |= {f"{folder}/{name}": text for name, text in texts.items()}
+        for path, text in ((f"{folder}/{name}", text) for name, text in texts.items()):
+            workspace.files[path] = workspace.files.get(path, "") + text
         workspace.robots.append(expected(system, idioms, places, robot))
     workspace.files |= launch_texts(plan)
     workspace.starts = [path_of(plan, file) for file in plan.starts]
@@ -47,6 +49,10 @@ def assembled(system: System, idioms: Idioms) -> Workspace:
     )
     if idioms["planner"] != "none":
         workspace.files |= planner_files(system, places)
+    if idioms["spawners"] == "listed in a file":
+        names = [spawn.name for spawn in system.robots[0].spawned if spawn.active]
+        path = f"{places.control}/{config_folder(system)}/{LISTED}"
+        workspace.files[path] = dumped({"controllers": names})
     _add_module(plan, workspace)
     if plan.needs_examples:
         add_examples(workspace, places)

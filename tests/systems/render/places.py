@@ -87,7 +87,7 @@ def parameter_names(system: System, idioms: Idioms, robot: Robot) -> tuple[str, 
         "yaml",
         ("controllers", "ros2_controllers", "control") if system.generation == 2 else ("controllers", "control"),
     )
-    own = f"{robot.name}_{plain}" if system.is_fleet else plain
+    own = f"{robot.name}_{plain}" if system.is_fleet and idioms["parameters"] != "common" else plain
     if idioms["parameters"] == "inline":
         return ()
     return (f"{own}_types.yaml", f"{own}.yaml") if idioms["parameters"] == "several files" else (f"{own}.yaml",)

@@ -168,6 +168,11 @@ class _Writer:
         node = self._started(loop.node)
         if loop.style == "comprehension":
             return f"*[{node} for name in {names}]"
+        if loop.listed:
+            self.values.imports.add("import yaml")
+            self.statements.append(f"with open({self.values.text(loop.listed)}) as file:")
+            self.statements.append('    names = yaml.safe_load(file)["controllers"]')
+            names = "names"
         variable = f"spawners{len(self.variables) or ''}"
         self.variables[variable] = variable
         self.statements.append(f"{variable} = []\nfor name in {names}:\n    {variable}.append({_inner(node)})")

@@ -5,11 +5,14 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from systems.idioms import waits_for_start
-from systems.render.actions import Action, After, Execute, Loop, Name, Node, Timer, Value
+from systems.idioms import LOOPS, waits_for_start
+from systems.render.actions import Action, After, Execute, Loop, Name, Node, Share, Timer, Value
 from systems.render.arguments import Values
-from systems.render.places import pick
+from systems.render.places import config_folder, pick
 from systems.system import Robot, Spawn, System
+
+LISTED = "spawned.yaml"
+"""The file with the names of the controllers that are spawned, if they are read from one."""
 
 
 def spawners(values: Values, namespace: Value) -> list[Action]:
@@ -18,7 +21,7 @@ def spawners(values: Values, namespace: Value) -> list[Action]:
     spawned = values.robot.spawned
     if form == "command line":
         found: list[Action] = [_command(values, spawn) for spawn in spawned]
-    elif form in ("comprehension", "loop"):
+    elif form in LOOPS:
         found = _loop(values, namespace, form)
     elif form == "each":
         found = [_node(values, namespace, [spawn]) for spawn in spawned]
@@ -72,7 +75,11 @@ def _loop(values: Values, namespace: Value, style: str) -> list[Action]:
     active = [spawn for spawn in values.robot.spawned if spawn.active]
     node = Node("controller_manager", "spawner", "", namespace, (), ((Name(),), *_options(values)))
     others = [_node(values, namespace, [spawn]) for spawn in values.robot.spawned if not spawn.active]
-    return [Loop(tuple(spawn.name for spawn in active), node, style), *others]
+    names = tuple(spawn.name for spawn in active)
+    if style != "listed in a file":
+        return [Loop(names, node, style), *others]
+    file = Share((values.places.control,), ((config_folder(values.system),), (LISTED,)))
+    return [Loop(names, node, "loop", (file,)), *others]
 
 
 def _ordered(values: Values, found: list[Action]) -> list[Action]:
