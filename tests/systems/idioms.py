@@ -97,13 +97,20 @@ def _inner_of(idioms: Idioms) -> str:
 
 
 def _source(system: System, _idioms: Idioms, position: str) -> bool:
-    """A plain URDF has neither arguments nor the path of a file; the robots that share it have the same names."""
-    return position != "urdf" or not (
+    """A plain URDF, and one that is made when the package is built, has no arguments: robots that share it have the
+    same names. A plain URDF does not have the path of a file either."""
+    if position == "built" and system.is_simulated and any(robot.namespace for robot in system.robots):
+        return False
+    return position == "macros" or not (
         system.moveit
-        or (system.is_simulated and system.generation == 2)
+        or (position == "urdf" and system.is_simulated and system.generation == 2)
         or any(robot.prefix for robot in system.robots)
         or (system.is_simulated and system.is_fleet)
     )
+
+
+_TEXTS = ("urdf", "built")
+"""Sources of which launch files find a text."""
 
 
 def _shared(system: System, idioms: Idioms, _position: str) -> bool:
@@ -122,7 +129,7 @@ def _argued(system: System, idioms: Idioms, position: str) -> bool:
     if idioms["fleet"] == "shared":
         return True
     robot = system.robots[0]
-    possible = {"namespace": bool(robot.namespace), "prefix": bool(robot.prefix) and idioms["source"] != "urdf"}
+    possible = {"namespace": bool(robot.namespace), "prefix": bool(robot.prefix) and idioms["source"] not in _TEXTS}
     return possible.get(position, True)
 
 
@@ -140,7 +147,7 @@ def _description(system: System, idioms: Idioms, position: str) -> bool:
         return idioms["values"] == "perform"
     is_known = idioms["values"] == "perform" or (idioms["argued"] == "nothing" and idioms["fleet"] == "apart")
     if position == "open":
-        return idioms["source"] == "urdf" and is_known
+        return idioms["source"] in _TEXTS and is_known
     return position not in ("process_file", "process_doc", "function", "module") or is_known
 
 
@@ -152,7 +159,7 @@ def _opaque(system: System, idioms: Idioms, _position: str) -> bool:
 
 def _address(system: System, idioms: Idioms, _position: str) -> bool:
     """An argument of the description that has no value until the robot is started."""
-    if idioms["source"] == "urdf" or system.moveit or idioms["fleet"] == "shared":
+    if idioms["source"] in _TEXTS or system.moveit or idioms["fleet"] == "shared":
         return False
     return idioms["values"] == "perform" or idioms["description"] not in _EXPANDED
 
@@ -165,12 +172,12 @@ def _hardware(system: System, idioms: Idioms, _position: str) -> bool:
     """An argument chooses between a simulator and hardware."""
     one = system.generation == 2 and not system.moveit and not system.is_fleet
     known = idioms["values"] == "perform" or idioms["description"] not in _EXPANDED
-    return one and known and idioms["source"] != "urdf" and system.robots[0].manager == "controller_manager"
+    return one and known and idioms["source"] not in _TEXTS and system.robots[0].manager == "controller_manager"
 
 
 def _planner(system: System, idioms: Idioms, _position: str) -> bool:
     one = system.generation == 2 and not system.moveit and not system.is_fleet
-    return one and idioms["source"] != "urdf" and idioms["description"] not in ("function", "module", "open")
+    return one and idioms["source"] not in _TEXTS and idioms["description"] not in ("function", "module", "open")
 
 
 def _described(system: System, idioms: Idioms, _position: str) -> bool:
@@ -219,6 +226,10 @@ def _parameters(system: System, idioms: Idioms, position: str) -> bool:
     if position == "dictionary":
         untyped = any(not one.typed for robot in system.robots for one in robot.controllers)
         return _real_ros2(system) and idioms["hardware"] == "fixed" and not untyped and not _is_section_wrong(system)
+    if position == "written":  # by the launch file: what is wrong in it cannot be told
+        made = _has_python(system, idioms, "") and idioms["values"] == "perform" and idioms["sections"] == "full name"
+        fixed = idioms["hardware"] == "fixed" and not system.is_fleet and idioms["argued"] not in ("controllers", "all")
+        return made and fixed and _real_ros2(system) and system.fault is None
     if position == "common":  # one file for several robots
         return system.is_fleet and system.generation == 2 and idioms["sections"] == "full name"
     if position == "inline":
@@ -259,6 +270,8 @@ def _manager_option(system: System, idioms: Idioms, position: str) -> bool:
 
 
 def _param_file(system: System, idioms: Idioms, _position: str) -> bool:
+    if idioms["parameters"] == "written":
+        return False
     possible = idioms["spawners"] != "command line" and idioms["sections"] not in ("nested", "replaced", "rewritten")
     return _ros2(system, idioms, "") and possible and not _is_section_wrong(system)
 
@@ -301,6 +314,10 @@ def _manager_description(system: System, idioms: Idioms, position: str) -> bool:
     )
 
 
+def _build(system: System, idioms: Idioms, _position: str) -> bool:
+    return _ros2(system, idioms, "") and idioms["source"] != "built"
+
+
 def _distractor(_system: System, idioms: Idioms, position: str) -> bool:
     """A distro that the user names is meant for everything."""
     return position != "other generation" or idioms["evidence"] != "option"
@@ -311,7 +328,7 @@ SWITCHES = {
     "top": Switch(("python", "xml", "yaml"), _ros2),
     "inner": Switch(("python", "xml", "yaml"), _inner_language),
     "suffix": Switch((".launch", "_launch"), _ros2),
-    "source": Switch(("xacro", "macros", "urdf"), _source),
+    "source": Switch(("xacro", "macros", "urdf", "built"), _source),
     "fleet": Switch(("apart", "shared"), _shared),
     "argued": Switch(
         ("nothing", "controllers", "description", "namespace", "prefix", "spawned", "package", "all"), _argued
@@ -347,7 +364,7 @@ SWITCHES = {
     "sections": Switch(("full name", "rooted", "wildcard", "nested", "replaced", "rewritten"), _sections),
     "loaded": Switch(("with spawners", "with robot"), _ros1),
     "loading": Switch(("scope", "attribute", "key"), _loading),
-    "parameters": Switch(("one file", "several files", "common", "dictionary", "inline"), _parameters),
+    "parameters": Switch(("one file", "several files", "common", "dictionary", "inline", "written"), _parameters),
     "spawners": Switch(
         ("together", "each", "comprehension", "loop", "listed in a file", "command line", "manager program"), _spawners
     ),
@@ -359,14 +376,25 @@ SWITCHES = {
     "condition": Switch(("none", "if", "unless", "expression", "equals", "python"), _condition),
     "manager description": Switch(("remap", "parameter", "topic"), _manager_description),
     "packages": Switch(("one", "two", "three"), _not_moveit),
-    "build": Switch(("cmake", "python"), _ros2),
+    "build": Switch(("cmake", "python"), _build),
     "demo": Switch(("generated", "by hand", "own nodes"), _moveit),
     "world": Switch(("included", "programs"), lambda system, _idioms, _position: system.is_simulated),
     "evidence": Switch(
         ("option", "nothing", "dockerfile", "workflow", "devcontainer", "repos", "readme", "several"),
     ),
     "distractor": Switch(
-        ("none", "unlaunched robot", "old copy", "tests", "other generation", "vendored"), _distractor
+        (
+            "none",
+            "unlaunched robot",
+            "old copy",
+            "tests",
+            "other generation",
+            "vendored",
+            "parts",
+            "calibration",
+            "backups",
+        ),
+        _distractor,
     ),
 }
 """All switches, each after those that it depends on."""

@@ -31,7 +31,7 @@ def test_a_seed_always_gives_the_same_workspace() -> None:
 
 
 def test_every_position_of_every_switch_is_drawn() -> None:
-    found = {item for seed in range(2000) for item in drawn(draw(seed)).items()}
+    found = {item for seed in range(4000) for item in drawn(draw(seed)).items()}
     wanted = {(name, position) for name, switch in SWITCHES.items() for position in switch.positions}
     assert wanted - found == set()
 

@@ -46,7 +46,8 @@ class Description:
 class ParamFile:
     """A file of parameters.
 
-    rewritten: how, "" for as it is: "replaced" (ReplaceString) or "rewritten" (RewrittenYaml), for a namespace.
+    rewritten: how, "" for as it is: "replaced" (ReplaceString) or "rewritten" (RewrittenYaml), for a namespace;
+        or "written" by the launch file, from a template.
     """
 
     path: Value

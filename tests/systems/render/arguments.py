@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from systems.idioms import Idioms
 from systems.render.actions import Arg, Description, Share, Value
 from systems.render.description import ADDRESS, CHOICE, FILE_ARGUMENTS, xacro_arguments
-from systems.render.places import Places, config_folder, description_name, parameter_names, pick
+from systems.render.places import Places, config_folder, description_name, is_text, parameter_names, pick
 from systems.system import Robot, System
 
 EXAMPLE = "example"
@@ -76,7 +76,7 @@ class Values:
         """The robot's description with its arguments."""
         system, idioms, places = self.system, self.idioms, self.places
         name = description_name(system, idioms, self.robot)
-        wrong = f"{EXAMPLE}.urdf" if idioms["source"] == "urdf" else f"{EXAMPLE}.urdf.xacro"
+        wrong = f"{EXAMPLE}.urdf" if is_text(idioms) else f"{EXAMPLE}.urdf.xacro"
         file = self.given("description", "description_file", (name,), (wrong,))
         package: Value = (places.description,)
         if system.generation == 2:
@@ -85,12 +85,12 @@ class Values:
             (argument, self._mapping(argument)) for argument in xacro_arguments(system, idioms, self.robot)
         )
         path = (Share(package, (("urdf",), file)),)
-        return Description(path, mappings, idioms["source"] == "urdf")
+        return Description(path, mappings, is_text(idioms))
 
     @property
     def example(self) -> Description:
         """Another description, that the right one replaces."""
-        is_plain = self.idioms["source"] == "urdf"
+        is_plain = is_text(self.idioms)
         name = f"{EXAMPLE}.urdf" if is_plain else f"{EXAMPLE}.urdf.xacro"
         return Description((Share((self.places.description,), (("urdf",), (name,))),), (), is_plain)
 

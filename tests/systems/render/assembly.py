@@ -13,10 +13,11 @@ from systems.render.parameters import dumped, parameter_files
 from systems.render.places import (
     Places,
     config_folder,
-    description_name,
+    is_text,
     parameter_names,
     places_of,
     roles_of,
+    source_name,
     starts_of,
 )
 from systems.render.plan import Plan, file_name, planned
@@ -89,13 +90,15 @@ def expected(system: System, idioms: Idioms, places: Places, robot: Robot) -> Ex
     arguments = xacro_arguments(system, idioms, robot)
     is_elsewhere = system.generation == 1 and robot.asked != robot.manager  # asked is a namespace
     spawned = () if is_elsewhere else robot.spawned
+    is_written = idioms["parameters"] == "written"  # by the launch file, from a template
+    files = frozenset(f"{folder}/{name}" for name in parameter_names(system, idioms, robot))
     return ExpectedRobot(
-        description=f"{places.description}/urdf/{description_name(system, idioms, robot)}",
+        description=f"{places.description}/urdf/{source_name(system, idioms, robot)}",
         arguments=tuple((name, value) for name, value in arguments.items() if name not in FILE_ARGUMENTS),
         namespace=robot.namespace,
-        parameters=frozenset(f"{folder}/{name}" for name in parameter_names(system, idioms, robot)),
+        parameters=frozenset() if is_written else files,
         spawned=frozenset(f"{robot.namespace}/{spawn.name}".strip("/") for spawn in spawned),
-        extra=frozenset({f"{folder}/{PARAMETERS}"}),
+        extra=files | {f"{folder}/{PARAMETERS}"},
     )
 
 
@@ -104,7 +107,7 @@ def _add_module(plan: Plan, workspace: Workspace) -> None:
     for path, text in list(workspace.files.items()):
         package = path.split("/")[0]
         if f"from {package}.{MODULE} import {FUNCTION}" in text:
-            is_plain = plan.idioms["source"] == "urdf"
+            is_plain = is_text(plan.idioms)
             imports = "" if is_plain else "import xacro\n\n\n"
             module = f'"""Descriptions for launch files."""\n\n{imports}{helper(is_plain=is_plain)}'
             workspace.files[f"{package}/{package}/{MODULE}.py"] = module
@@ -126,7 +129,20 @@ def add_packages(workspace: Workspace, plan: Plan) -> None:
         if any(isinstance(part, ParamFile) and part.rewritten for part in parts_of(launched)):
             depends.add("nav2_common")
         own = package_files(system, package, paths, depends, build=plan.idioms["build"])
+        if plan.idioms["source"] == "built" and package == plan.places.description:
+            own["CMakeLists.txt"] = _building(plan, own["CMakeLists.txt"])
         workspace.files |= {f"{package}/{name}": text for name, text in own.items()}
+
+
+def _building(plan: Plan, text: str) -> str:
+    """The build file, which makes descriptions from xacro files."""
+    names = dict.fromkeys(source_name(plan.system, plan.idioms, robot) for robot in plan.system.robots)
+    files = " ".join(f"urdf/{name}" for name in names)
+    line = f"xacro_add_files({files} TARGET descriptions INSTALL DESTINATION urdf)\n"
+    if plan.system.generation == 1:
+        text = text.replace("find_package(catkin REQUIRED)", "find_package(catkin REQUIRED COMPONENTS xacro)")
+        return text + line
+    return text.replace("ament_package()", f"find_package(xacro REQUIRED)\n{line}ament_package()")
 
 
 def _texts(workspace: Workspace, package: str) -> str:

@@ -8,7 +8,14 @@ from typing import NamedTuple
 
 from systems.idioms import Idioms
 from systems.render.hardware import hardware_of, plugin_of
-from systems.render.places import Places, config_folder, description_name, parameter_names
+from systems.render.places import (
+    Places,
+    config_folder,
+    description_name,
+    is_text,
+    parameter_names,
+    source_name,
+)
 from systems.system import GZ, Joint, Robot, System
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
@@ -22,7 +29,7 @@ _DEFAULTS = {ADDRESS: "127.0.0.1", CHOICE: "false"}
 
 def xacro_arguments(system: System, idioms: Idioms, robot: Robot) -> dict[str, str]:
     """Return the xacro arguments that a robot's description has to be given, with their values; "" for a path."""
-    if idioms["source"] == "urdf":
+    if is_text(idioms):
         return {}
     arguments = {"prefix": robot.prefix} if any(one.prefix for one in _sharing(system, robot)) else {}
     if idioms["address"] == "required":
@@ -60,7 +67,7 @@ def descriptions(system: System, idioms: Idioms, places: Places) -> dict[str, st
     """Return the files of the descriptions by their paths in the workspace."""
     files: dict[str, str] = {}
     for robot in system.robots:
-        name = description_name(system, idioms, robot)
+        name = source_name(system, idioms, robot)
         folder = f"{places.description}/urdf/"
         if folder + name in files:
             continue

@@ -9,9 +9,10 @@ from systems.draw import MODELS, drawn_robot
 from systems.idioms import settled
 from systems.render.arguments import EXAMPLE
 from systems.render.description import descriptions
+from systems.render.leftovers import backups, calibration, parts
 from systems.render.packages import package_files, runtime_packages
 from systems.render.parameters import parameter_files
-from systems.render.places import Places, config_folder, pick
+from systems.render.places import Places, config_folder, is_text, pick
 from systems.render.workspace import Workspace
 from systems.system import Controller, Joint, Robot, System
 
@@ -29,7 +30,7 @@ def add_examples(workspace: Workspace, places: Places) -> None:
     )
     robot = Robot(EXAMPLE, EXAMPLE, (joint,), controllers, ())
     text, parameters = _written(replace(system, robots=(robot,), simulator="", fault=None))
-    end = "urdf" if workspace.idioms["source"] == "urdf" else "urdf.xacro"
+    end = "urdf" if is_text(workspace.idioms) else "urdf.xacro"
     workspace.files[f"{places.description}/urdf/{EXAMPLE}.{end}"] = text
     workspace.files[f"{places.control}/{config_folder(system)}/{EXAMPLE}_controllers.yaml"] = parameters
 
@@ -49,7 +50,12 @@ def add_distractor(workspace: Workspace, places: Places) -> None:
     kind = workspace.idioms["distractor"]
     if kind == "none":
         return
+    if kind == "backups":
+        workspace.files = {**backups(workspace), **workspace.files}
+        return
     found = {
+        "parts": parts,
+        "calibration": calibration,
         "unlaunched robot": _unlaunched,
         "old copy": _old_copy,
         "tests": _tests,

@@ -10,6 +10,8 @@ from systems.idioms import Idioms
 from systems.system import BROADCASTER, DRIVE, FORWARD, TRAJECTORY, Controller, Robot, System, type_of
 
 Tree = dict[str, Any]
+RATE = 100
+"""Of the manager."""
 
 
 def parameter_files(system: System, idioms: Idioms, robot: Robot, names: tuple[str, ...]) -> dict[str, str]:
@@ -30,6 +32,9 @@ def parameter_files(system: System, idioms: Idioms, robot: Robot, names: tuple[s
         manager, own = _nested(robot, manager), _nested(robot, own)
     if len(names) > 1:
         return {names[0]: dumped(manager), names[1]: dumped(own)}
+    if idioms["parameters"] == "written":
+        text = dumped(_merged(manager, own))
+        return {names[0]: text.replace(f"update_rate: {RATE}", "update_rate: @rate@")}
     return {names[0]: dumped(_merged(manager, own))}
 
 
@@ -72,7 +77,7 @@ def types_of(system: System, robot: Robot) -> Tree:
 
 def manager_parameters(system: System, idioms: Idioms, robot: Robot) -> Tree:
     """Return the parameters of a ROS 2 controller manager in a file."""
-    parameters: Tree = {"update_rate": 100}
+    parameters: Tree = {"update_rate": RATE}
     if system.is_simulated:
         parameters["use_sim_time"] = True
     return parameters if idioms["parameters"] == "dictionary" else {**parameters, **types_of(system, robot)}

@@ -70,9 +70,19 @@ def starts_of(system: System, idioms: Idioms) -> list[tuple[str, tuple[str, ...]
 
 def description_name(system: System, idioms: Idioms, robot: Robot) -> str:
     """Return the name of a robot's description, without its folder."""
-    if idioms["source"] == "urdf":
+    if is_text(idioms):
         return f"{robot.model}.urdf"
     return pick(system, "description", (f"{robot.model}.urdf.xacro", f"{robot.model}.xacro"))
+
+
+def source_name(system: System, idioms: Idioms, robot: Robot) -> str:
+    """Return the name of the file that a robot's description is written in: it may be made from it when it is built."""
+    return f"{robot.model}.urdf.xacro" if idioms["source"] == "built" else description_name(system, idioms, robot)
+
+
+def is_text(idioms: Idioms) -> bool:
+    """Return whether launch files find the description as text, that xacro does not have to expand."""
+    return idioms["source"] in ("urdf", "built")
 
 
 def config_folder(system: System) -> str:
@@ -90,4 +100,6 @@ def parameter_names(system: System, idioms: Idioms, robot: Robot) -> tuple[str, 
     own = f"{robot.name}_{plain}" if system.is_fleet and idioms["parameters"] != "common" else plain
     if idioms["parameters"] == "inline":
         return ()
+    if idioms["parameters"] == "written":
+        return (f"{own}.yaml.in",)
     return (f"{own}_types.yaml", f"{own}.yaml") if idioms["parameters"] == "several files" else (f"{own}.yaml",)

@@ -23,6 +23,7 @@ from systems.render.actions import (
     parts_of,
 )
 from systems.render.frontends import FileNames
+from systems.render.parameters import RATE
 from systems.render.places import pick
 from systems.render.python_descriptions import description, helper
 from systems.render.python_values import PythonValues, call, listed
@@ -241,6 +242,9 @@ class _Writer:
         path = self.values.value(parameter.path)
         if not parameter.rewritten:
             return path
+        if parameter.rewritten == "written":
+            self.statements += self._written(path)
+            return "written.name"
         namespace = self.values.value(parameter.namespace)
         if parameter.rewritten == "replaced":
             replacements = f'replacements={{"<robot_namespace>": ("/", {namespace})}}'
@@ -250,6 +254,14 @@ class _Writer:
         if pick(self.system, "parameter file", (False, True)):
             return call(self.values.use("ParameterFile"), whole, "allow_substs=True")
         return whole
+
+    def _written(self, path: str) -> list[str]:
+        """The statements that write a file of parameters from a template."""
+        name = self.values.use("NamedTemporaryFile")
+        return [
+            f'with open({path}) as template:\n    text = template.read().replace("@rate@", "{RATE}")',
+            f'with {name}("w", suffix=".yaml", delete=False) as written:\n    written.write(text)',
+        ]
 
     def _description(self, found: Description) -> str:
         """The variable that holds a description."""

@@ -11,6 +11,7 @@ _IMPORTS = {
     "os": "import os",
     "Path": "from pathlib import Path",
     "xacro": "import xacro",
+    "NamedTemporaryFile": "from tempfile import NamedTemporaryFile",
     "LaunchDescription": "from launch import LaunchDescription",
     "FindPackageShare": "from launch_ros.substitutions import FindPackageShare",
     "get_package_share_directory": "from ament_index_python.packages import get_package_share_directory",

@@ -114,6 +114,7 @@ def _manager(values: Values) -> list[Action]:
     how = idioms["manager description"]
     description = (Param("robot_description", values.description),) if how == "parameter" else ()
     rewritten = idioms["sections"] if idioms["sections"] in ("replaced", "rewritten") else ""
+    rewritten = "written" if idioms["parameters"] == "written" else rewritten
     files = tuple(ParamFile(path, rewritten, values.namespace) for path in values.files)
     types: tuple[Param, ...] = ()
     if idioms["parameters"] == "dictionary":
