@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from random import Random
 from typing import NamedTuple
 
-from systems.system import System
+from systems.system import GZ, System
 
 Idioms = dict[str, str]
 """The position of each switch."""
@@ -180,6 +180,14 @@ def _planner(system: System, idioms: Idioms, _position: str) -> bool:
     return one and idioms["source"] not in _TEXTS and idioms["description"] not in ("function", "module", "open")
 
 
+def _model(system: System, idioms: Idioms, position: str) -> bool:
+    """What is put into the simulator: by Gazebo's program for ROS 1 a file, by that for Gazebo Sim a text."""
+    if position == "file":
+        return system.generation == 1 and system.is_simulated and idioms["source"] in _TEXTS
+    wrapped = idioms["description"] in ("parameter_value", "find_executable")
+    return system.simulator == GZ and _has_python(system, idioms, "") and not wrapped
+
+
 def _described(system: System, idioms: Idioms, _position: str) -> bool:
     """The parameter is set twice, and the last one wins."""
     return system.generation == 1 and idioms["order"] == "natural"
@@ -226,10 +234,10 @@ def _parameters(system: System, idioms: Idioms, position: str) -> bool:
     if position == "dictionary":
         untyped = any(not one.typed for robot in system.robots for one in robot.controllers)
         return _real_ros2(system) and idioms["hardware"] == "fixed" and not untyped and not _is_section_wrong(system)
-    if position == "written":  # by the launch file: what is wrong in it cannot be told
+    if position == "written":  # by the launch file, from a template
         made = _has_python(system, idioms, "") and idioms["values"] == "perform" and idioms["sections"] == "full name"
         fixed = idioms["hardware"] == "fixed" and not system.is_fleet and idioms["argued"] not in ("controllers", "all")
-        return made and fixed and _real_ros2(system) and system.fault is None
+        return made and fixed and _real_ros2(system)
     if position == "common":  # one file for several robots
         return system.is_fleet and system.generation == 2 and idioms["sections"] == "full name"
     if position == "inline":
@@ -359,6 +367,7 @@ SWITCHES = {
     "hardware": Switch(("fixed", "chosen"), _hardware),
     "planner": Switch(("none", "other arguments"), _planner),
     "described": Switch(("once", "twice"), _described),
+    "model": Switch(("topic", "text", "file"), _model),
     "namespacing": Switch(("attribute", "group", "group around include"), _namespaced),
     "opaque": Switch(("at once", "timer", "event"), _opaque),
     "sections": Switch(("full name", "rooted", "wildcard", "nested", "replaced", "rewritten"), _sections),

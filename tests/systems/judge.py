@@ -102,7 +102,7 @@ def _names(finding: Diagnostic, names: Sequence[str]) -> bool:
 
 def _untold(workspace: Workspace, findings: Sequence[Diagnostic]) -> Iterator[str]:
     fault = workspace.system.fault
-    if fault is not None:
+    if fault is not None and workspace.is_fault_visible:
         weaker = [finding.code for finding in findings if _tells(workspace, finding)]
         yield (
             f"{fault.kind}: only {weaker[0]} as {_severity(findings, weaker[0])}"

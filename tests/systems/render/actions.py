@@ -29,7 +29,7 @@ class Share:
     parts: tuple[Value, ...]
 
 
-Value = tuple[str | Arg | Name | Share, ...]
+Value = tuple["str | Arg | Name | Share | Description", ...]
 """Pieces that are joined."""
 
 

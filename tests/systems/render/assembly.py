@@ -54,6 +54,7 @@ def assembled(system: System, idioms: Idioms) -> Workspace:
         names = [spawn.name for spawn in system.robots[0].spawned if spawn.active]
         path = f"{places.control}/{config_folder(system)}/{LISTED}"
         workspace.files[path] = dumped({"controllers": names})
+    workspace.is_fault_visible = idioms["parameters"] != "written"
     _add_module(plan, workspace)
     if plan.needs_examples:
         add_examples(workspace, places)

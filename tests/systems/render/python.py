@@ -20,6 +20,7 @@ from systems.render.actions import (
     ParamFile,
     Share,
     Timer,
+    Value,
     parts_of,
 )
 from systems.render.frontends import FileNames
@@ -206,12 +207,15 @@ class _Writer:
         words += [f'name="{action.name}"'] if action.name else []
         words += [f"namespace={self.values.value(action.namespace)}"] if action.namespace else []
         words += [f"parameters={listed(self._parameters(action))}"] if action.parameters else []
-        words += (
-            [f"arguments={listed([self.values.value(word) for word in action.arguments])}"] if action.arguments else []
-        )
+        words += [f"arguments={listed([self._word(word) for word in action.arguments])}"] if action.arguments else []
         if action.remaps:
             words.append(f"remappings={listed([str(remap).replace(chr(39), chr(34)) for remap in action.remaps])}")
         return call(self.values.use("Node"), *words, *condition)
+
+    def _word(self, word: Value) -> str:
+        """A word of a command line; it may be the whole description."""
+        found = next((piece for piece in word if isinstance(piece, Description)), None)
+        return self.values.value(word) if found is None else self._description(found)
 
     def _parameters(self, node: Node) -> list[str]:
         items: list[str] = []

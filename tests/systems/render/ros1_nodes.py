@@ -62,8 +62,10 @@ def _description(values: Values) -> list[Action]:
         Node(publisher, publisher, _name(values, publisher), namespace),
     ]
     if values.system.is_simulated:
-        words = ("-urdf", "-param", "robot_description", "-model", values.robot.name)
-        arguments = tuple((word,) for word in words)
+        where: tuple[Value, ...] = (("-param",), ("robot_description",))
+        if values.idioms["model"] == "file":
+            where = (("-file",), values.description.path)
+        arguments: tuple[Value, ...] = (("-urdf",), *where, ("-model",), (values.robot.name,))
         found.append(Node("gazebo_ros", "spawn_model", _name(values, "spawn_model"), namespace, (), arguments))
     return found
 

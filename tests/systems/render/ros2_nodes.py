@@ -104,7 +104,9 @@ def _spawned_model(values: Values, namespace: Value) -> Node:
     system = values.system
     classic = system.simulator == CLASSIC
     words = ("-topic", "robot_description", "-entity" if classic else "-name", values.robot.name)
-    arguments = tuple((word,) for word in words)
+    arguments: tuple[Value, ...] = tuple((word,) for word in words)
+    if values.idioms["model"] == "text":
+        arguments = (("-string",), (values.description,), *arguments[2:])
     package, program = ("gazebo_ros", "spawn_entity.py") if classic else ("ros_gz_sim", "create")
     return Node(package, program, "", namespace, (), arguments, label=first_label(system, values.robot))
 

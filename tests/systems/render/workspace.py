@@ -37,6 +37,7 @@ class Workspace:
     foreign: the first parts of paths that belong to what is not started, and is no part of the system.
     is_distro_given: whether the user names the distro; otherwise a file may do it.
     distros: that may be found; none if nothing names any.
+    is_fault_visible: whether what is wrong stands in a file as it is read.
     is_simulator_known: whether the launch files that start robots start the simulator, too.
     """
 
@@ -49,6 +50,7 @@ class Workspace:
     foreign: list[str] = field(default_factory=list)
     is_distro_given: bool = True
     distros: frozenset[str] = frozenset()
+    is_fault_visible: bool = True
     is_simulator_known: bool = True
 
     def write(self, folder: Path) -> None:
