@@ -309,6 +309,8 @@ def waits_for_start(system: System, idioms: Idioms, event: str) -> bool:
 def _condition(system: System, idioms: Idioms, position: str) -> bool:
     if position == "python":
         return _has_python(system, idioms, "") and idioms["values"] == "perform"
+    if position == "substitution":
+        return _has_python(system, idioms, "") and system.distro != "humble"
     if position == "equals":
         return _has_python(system, idioms, "") and system.distro == "humble"
     return not system.moveit
@@ -346,7 +348,8 @@ SWITCHES = {
     "values": Switch(("substitutions", "perform"), _has_python),
     "layout": Switch(("list", "variables", "add_action"), _any_python),
     "paths": Switch(
-        ("find_package_share", "joined", "share_directory", "pathlib", "share_path", "find", "plus"), _any_python
+        ("find_package_share", "joined", "share_directory", "pathlib", "share_path", "find", "plus", "file"),
+        _any_python,
     ),
     "description": Switch(
         (
@@ -382,7 +385,7 @@ SWITCHES = {
     "split": Switch(("one start", "spawners apart", "manager apart", "three starts"), _not_moveit),
     "around": Switch(("nothing", "rviz", "plain", "handed on"), _around),
     "event": Switch(("none", "on exit", "on start", "timer"), _event),
-    "condition": Switch(("none", "if", "unless", "expression", "equals", "python"), _condition),
+    "condition": Switch(("none", "if", "unless", "expression", "equals", "substitution", "python"), _condition),
     "manager description": Switch(("remap", "parameter", "topic"), _manager_description),
     "packages": Switch(("one", "two", "three"), _not_moveit),
     "build": Switch(("cmake", "python"), _build),

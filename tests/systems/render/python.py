@@ -48,7 +48,7 @@ class _Writer:
     def __init__(self, file: LaunchFile, system: System, idioms: Idioms, names: FileNames) -> None:
         self.file, self.system, self.idioms, self.names = file, system, idioms, names
         nodes = any(isinstance(part, Node | Execute) for part in parts_of(file.actions))
-        self.values = PythonValues(idioms, nodes and idioms["values"] == "perform")
+        self.values = PythonValues(idioms, nodes and idioms["values"] == "perform", file.package)
         self.statements: list[str] = []
         self.variables: dict[str, str] = {}
         self.descriptions: dict[Description, str] = {}

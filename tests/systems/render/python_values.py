@@ -36,7 +36,15 @@ _IMPORTS = {
         "from launch.actions import {}",
     ),
     **dict.fromkeys(
-        ("Command", "FindExecutable", "LaunchConfiguration", "PathJoinSubstitution", "PythonExpression"),
+        (
+            "Command",
+            "FindExecutable",
+            "LaunchConfiguration",
+            "PathJoinSubstitution",
+            "PythonExpression",
+            "EqualsSubstitution",
+            "NotEqualsSubstitution",
+        ),
         "from launch.substitutions import {}",
     ),
     **dict.fromkeys(
@@ -80,11 +88,13 @@ def _merged(pieces: list[str]) -> list[str]:
 class PythonValues:
     """Writes values, and remembers what has to be imported for them.
 
+    own: the package of the launch file.
     performs: whether the code has a launch context, so that each value is a text.
     """
 
     idioms: Idioms
     performs: bool
+    own: str = ""
     imports: set[str] = field(default_factory=set)
 
     def use(self, name: str) -> str:
@@ -163,6 +173,8 @@ class PythonValues:
     def _joined_text(self, share: Share) -> str:
         package, paths = self.value(share.package), self.idioms["paths"]
         parts = [self.value(part) for part in share.parts]
+        if paths == "file" and share.package == (self.own,):
+            return self._beside(parts)
         if paths == "plus":
             ends = " + ".join(f'"/" + {part}' for part in parts)
             return f"{self.use('get_package_share_directory')}({package}) + {ends}".replace('" + "', "")
@@ -175,6 +187,12 @@ class PythonValues:
         self.imports.add("import os")
         return f"os.path.join({', '.join([base, *parts])})"
 
+    def _beside(self, parts: list[str]) -> str:
+        """A path from the launch file itself: it is installed beside the other folders of its package."""
+        self.imports.add("import os")
+        words = ["os.path.dirname(os.path.abspath(__file__))", '".."', *parts]
+        return f"os.path.join({', '.join(words)})"
+
     # -- conditions -----------------------------------------------------------------------------------------------
 
     def condition(self, when: When) -> str:
@@ -184,6 +202,9 @@ class PythonValues:
             sign = "==" if when.holds else "!="
             expression = f"[\"'\", {argument}, \"' {sign} '{when.value}'\"]"
             return f"{self.use('IfCondition')}({self.use('PythonExpression')}({expression}))"
+        if when.form == "substitution":
+            name = "EqualsSubstitution" if when.holds else "NotEqualsSubstitution"
+            return f'{self.use("IfCondition")}({self.use(name)}({argument}, "{when.value}"))'
         if when.form == "equals":
             name = "LaunchConfigurationEquals" if when.holds else "LaunchConfigurationNotEquals"
             return f'{self.use(name)}("{when.arg}", "{when.value}")'

@@ -140,7 +140,7 @@ def _spawners(values: Values) -> list[Action]:
     if form == "none":
         return found
     robot = values.robot
-    if form in ("expression", "equals"):
+    if form in ("expression", "equals", "substitution"):
         when = When(pick(values.system, "mode", ("mode", "start_mode")), "full", form)
     else:
         value = "false" if form == "unless" else "true"
