@@ -75,7 +75,7 @@ def undefined(text: str) -> set[str]:
         elif isinstance(node, ast.FunctionDef):
             known |= {node.name, *(argument.arg for argument in node.args.args)}
             known |= {argument.arg for argument in (node.args.vararg, node.args.kwarg) if argument}
-    return names - known - set(dir(builtins))
+    return names - known - {*dir(builtins), "__file__"}
 
 
 def test_what_is_expected_is_there() -> None:
