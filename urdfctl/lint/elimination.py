@@ -50,6 +50,7 @@ def shares_joints(project: Project, sources: Mapping[str, SourceText]) -> bool:
 
 GUESSED = "the launch file needs arguments; their values are guessed from the files that exist"
 UNSTARTED = "only without xacro arguments; every launch file that starts this robot gives it some"
+OF_PROSE = "only in the distro that the prose of a README names; set `distro` in urdfctl.toml if it is right"
 _ELIMINATED = "no file says that this robot and controller file belong together; the package has no others"
 
 
@@ -66,7 +67,7 @@ def weakened(together: Outcome, apart: Iterable[Outcome], why: str = _ELIMINATED
 
 def is_weakened(diagnostic: Diagnostic) -> bool:
     """Return whether `weakened` made a diagnostic less severe."""
-    return any(note.message in (GUESSED, UNSTARTED, _ELIMINATED) for note in diagnostic.notes)
+    return any(note.message in (GUESSED, UNSTARTED, OF_PROSE, _ELIMINATED) for note in diagnostic.notes)
 
 
 def _weakened(diagnostic: Diagnostic, why: str) -> Diagnostic:

@@ -37,6 +37,15 @@ class Outcome(NamedTuple):
     suppressions: list[SuppressionUse]
     crashed: bool = False
 
+    @property
+    def has_errors(self) -> bool:
+        """Whether any diagnostic is an error."""
+        return any(diagnostic.severity is Severity.ERROR for diagnostic in self.diagnostics)
+
+    def only_errors(self) -> Outcome:
+        """Return the outcome without its other diagnostics."""
+        return self._replace(diagnostics=[each for each in self.diagnostics if each.severity is Severity.ERROR])
+
 
 class TargetResult(NamedTuple):
     """The result of linting one target.

@@ -10,6 +10,7 @@ from urdfctl.lint.generated import twin_digest
 from urdfctl.lint.results import Outcome, TargetResult, among
 from urdfctl.lint.selection import Selection
 from urdfctl.load.bringup import bringup_of
+from urdfctl.load.distro import without_prose
 from urdfctl.load.join_facts import join_facts
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
@@ -59,7 +60,7 @@ def lint_target(
     elif target.guessed:
         outcome = _guessed(project, run)
     else:
-        outcome = run(project)
+        outcome = _outcome(project, run)
     result = TargetResult(
         path=project.path,
         ros=project.ros,
@@ -85,6 +86,18 @@ def lint_target(
         joining=join_facts(project),
     )
     return LintedTarget(result, project, root, loaded.sources)
+
+
+def _outcome(project: Project, run: Run) -> Outcome:
+    """The outcome of a project; what holds only in the distro that a README's prose names is a warning at most."""
+    outcome = run(project)
+    evidence = project.evidence and without_prose(project.evidence)
+    if not evidence or evidence.distros == project.distros or evidence.ros != project.ros or not outcome.has_errors:
+        return outcome
+    from urdfctl.lint.elimination import OF_PROSE, weakened
+
+    without = run(project._replace(distro=evidence.distro, distros=evidence.distros, evidence=evidence))
+    return weakened(outcome, [without.only_errors()], OF_PROSE)
 
 
 def _guessed(project: Project, run: Run) -> Outcome:

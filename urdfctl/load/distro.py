@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ from urdfctl.load.evidence import (
     items_of_package,
     items_of_robot,
 )
+from urdfctl.load.repository import PROSE, items_of_repository
 from urdfctl.model.project import Evidence, EvidenceItem
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import SourceText
@@ -44,6 +46,8 @@ class Beside(NamedTuple):
     package: the folder of the package that contains it.
     sources: the texts of all files that were read.
     moveit: the configuration of MoveIt.
+    workspace: the folder of the workspace.
+    path: the description or launch file.
     """
 
     package: str | None = None
@@ -51,6 +55,8 @@ class Beside(NamedTuple):
     launch: Launch | None = None
     sources: Sequence[SourceText] = ()
     moveit: MoveIt | None = None
+    workspace: str | None = None
+    path: str | None = None
 
 
 def detect_distro(robot: Robot | None, beside: Beside, settings: Settings) -> Evidence:
@@ -76,6 +82,9 @@ def _items(robot: Robot | None, beside: Beside) -> Iterator[EvidenceItem]:
     yield from items_of_launch(beside.launch)
     yield from items_of_moveit(beside.moveit)
     yield from items_of_headers(beside.sources)
+    if beside.workspace and beside.path:
+        started = beside.launch.path if beside.launch else beside.path
+        yield from items_of_repository(beside.package or os.path.dirname(started), beside.workspace)
 
 
 def weighed(items: Iterable[EvidenceItem]) -> Evidence:
@@ -94,7 +103,16 @@ def weighed(items: Iterable[EvidenceItem]) -> Evidence:
     mine = [item for item in told if item.ros == ros]
     distros = _narrowed(family, [item for item in items if set(item.distros) & set(family)])
     most = max(mine, key=lambda item: item.weight)
+    if len(distros) == 1:
+        naming = (item for item in items if set(item.distros) & set(family) == set(distros))
+        most = max(naming, key=lambda item: item.weight, default=most)
     return Evidence(distros[0] if len(distros) == 1 else None, distros, most.what, items=items)
+
+
+def without_prose(evidence: Evidence) -> Evidence:
+    """Return what is left of the evidence for a distro without the prose of a README."""
+    items = [item for item in evidence.items if item.kind != PROSE]
+    return evidence if len(items) == len(evidence.items) else weighed(items)
 
 
 def _weight(items: Iterable[EvidenceItem]) -> int:

@@ -92,11 +92,14 @@ class Loader:
 
     def _a_path_in_each_workspace(self, targets: Sequence[Target]) -> dict[str, str]:
         paths = [os.path.abspath(target.path) for target in targets]
-        return {workspace_of(path, self.settings.workspace): path for path in paths}
+        return {self._workspace(path): path for path in paths}
+
+    def _workspace(self, path: str) -> str:
+        return workspace_of(path, self.settings.workspace)
 
     def index_for(self, path: str) -> PackageIndex:
         """Return the packages of the workspace that a file is in."""
-        return self._index(workspace_of(path, self.settings.workspace))
+        return self._index(self._workspace(path))
 
     def _index(self, workspace: str) -> PackageIndex:
         if workspace not in self._indexes:
@@ -212,7 +215,8 @@ class Loader:
         package = packages.own() or ament_package(packages.beside())
         sources = tuple(_sources(files, launch_file).values())
         moveit = self._moveit(path, launch, controller_files, files)
-        evidence = detect_distro(None, Beside(package, controller_files, launch, sources, moveit), self.settings)
+        beside = Beside(package, controller_files, launch, sources, moveit, self._workspace(path), path)
+        evidence = detect_distro(None, beside, self.settings)
         problems = (
             *(launch_file.problems if launch_file else ()),
             *(controller_files.problems if controller_files else ()),
@@ -236,7 +240,9 @@ class Loader:
         controller_files = _controller_files(controllers, robot, launch, files)
         sources = tuple(_sources(files, launch_file).values())
         moveit = self._moveit(path, launch, controller_files, files)
-        beside = Beside(described.packages.own(), controller_files, launch, sources, moveit)
+        beside = Beside(
+            described.packages.own(), controller_files, launch, sources, moveit, self._workspace(path), path
+        )
         evidence = detect_distro(robot, beside, self.settings)
         problems = (
             *expansion.problems,

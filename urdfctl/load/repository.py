@@ -1,0 +1,129 @@
+"""What the files of a repository say about its distro that no robot needs: containers, CI, what is built beside it.
+
+The folders from a package up to its workspace are looked at; the nearest one with a file that names a distro counts.
+What a README tells its readers to type counts only where there is nothing else, and its prose least.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+from fnmatch import fnmatchcase
+
+from urdfctl.catalog.distros import ALL
+from urdfctl.model.project import EvidenceItem
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.disk.gate import names_in
+from urdfctl.source.disk.shown import remembered
+from urdfctl.startup.records import NamedTuple
+
+PROSE = "prose"
+"""The kind of what a README only mentions."""
+_WEIGHT, _WEIGHT_OF_README, _WEIGHT_OF_PROSE = 5, 2, 1
+_MOST_BYTES = 1 << 16
+_MOST_FILES = 24
+_MOST_LEVELS = 8
+_FILES = {
+    "": (
+        *("Dockerfile*", "*.Dockerfile", "*.dockerfile", "Containerfile*", "docker-compose*.y*ml", "compose*.y*ml"),
+        *("*.repos", "*.rosinstall", ".gitlab-ci.yml", ".travis.yml", ".env"),
+    ),
+    ".github/workflows": ("*.yml", "*.yaml"),
+    ".devcontainer": ("*",),
+    ".docker": ("*",),
+    "docker": ("Dockerfile*", "*.Dockerfile", "*.dockerfile", "docker-compose*.y*ml", "compose*.y*ml", ".env"),
+}
+"""Patterns of the files that name a distro, by their folder."""
+_README = ("README", "README.*", "readme.*", "Readme.*", "INSTALL.md")
+_NAMES = "|".join(sorted(ALL))
+_LIST = rf"[\"'\[\s,-]*((?:(?:{_NAMES})\b[\"'\s,-]*(?:\n[\s-]*)?)+)"
+_VARIABLE = re.compile(rf"(?i)\b(?:ros_?)?distro(?:s|[\w-]*distributions?)?[\"']?\s*[:=]{_LIST}")
+_NAMING = (
+    _VARIABLE,
+    re.compile(rf"(?i)\brequired-ros-distributions\s*:{_LIST}"),
+    re.compile(rf"\bros(?:-[a-z]+)*:({_NAMES})\b"),
+    re.compile(rf"/opt/ros/({_NAMES})\b"),
+    re.compile(rf"\bros-({_NAMES})-[a-z*$]"),
+    re.compile(rf"(?m)^\s*version\s*:\s*[\"']?({_NAMES})(?:-devel)?[\"']?\s*$"),
+    re.compile(rf"\b(?:ROS_DISTRO|rosdistro)\s+({_NAMES})\b"),
+)
+_MENTIONED = re.compile(rf"(?i)\bROS[\s_-]*[12]?[\s,:(*_-]*({_NAMES})\b")
+
+
+class _Named(NamedTuple):
+    """A distro that a file names, and where."""
+
+    distro: str
+    place: str
+
+
+def items_of_repository(folder: str, workspace: str) -> Iterator[EvidenceItem]:
+    """Yield what the files around a package say about its distro: one item at most.
+
+    folder: of the package, or of the robot. workspace: the outermost folder that is looked at.
+    """
+    levels = list(_levels(folder, workspace))
+    for files, kind, weight in (
+        (_configuring, "repository", _WEIGHT),
+        (_advising, "repository", _WEIGHT_OF_README),
+        (_mentioning, PROSE, _WEIGHT_OF_PROSE),
+    ):
+        named = next(filter(None, (files(level) for level in levels)), ())
+        if named:
+            found = {one.distro for one in named}
+            distros = tuple(distro for distro in ALL if distro in found)
+            place = next(one.place for one in named if one.distro in distros)
+            path = os.path.relpath(place.rpartition(":")[0], workspace).replace(os.sep, "/")
+            yield EvidenceItem(kind, f"{path}:{place.rpartition(':')[2]}", distros, weight, place.rpartition(":")[0])
+            return
+
+
+def _levels(folder: str, workspace: str) -> Iterator[str]:
+    for _ in range(_MOST_LEVELS):
+        yield folder
+        if folder == workspace or not folder.startswith(workspace.rstrip(os.sep) + os.sep):
+            return
+        folder = os.path.dirname(folder)
+
+
+@remembered
+def _configuring(folder: str) -> tuple[_Named, ...]:
+    """What is named by the files that build or test a repository."""
+    found: list[_Named] = []
+    for inner, patterns in _FILES.items():
+        for path in _matching(os.path.join(folder, inner) if inner else folder, patterns):
+            found += _named(path, _NAMING)
+    return tuple(found)
+
+
+@remembered
+def _advising(folder: str) -> tuple[_Named, ...]:
+    """What the commands in a README name."""
+    return tuple(one for path in _matching(folder, _README) for one in _named(path, _NAMING))
+
+
+@remembered
+def _mentioning(folder: str) -> tuple[_Named, ...]:
+    """What the prose of a README names."""
+    return tuple(one for path in _matching(folder, _README) for one in _named(path, (_MENTIONED,)))
+
+
+def _matching(folder: str, patterns: Iterable[str]) -> Iterator[str]:
+    try:
+        names = names_in(folder)
+    except OSError:
+        return
+    matching = [name for name in names if any(fnmatchcase(name, pattern) for pattern in patterns)]
+    yield from (os.path.join(folder, name) for name in matching[:_MOST_FILES])
+
+
+def _named(path: str, patterns: Iterable[re.Pattern[str]]) -> Iterator[_Named]:
+    try:
+        text = first_bytes(path, _MOST_BYTES).decode("utf-8", "replace")
+    except OSError:
+        return
+    for pattern in patterns:
+        for match in pattern.finditer(text):
+            line = text.count("\n", 0, match.start()) + 1
+            yield from (_Named(name, f"{path}:{line}") for name in re.findall(_NAMES, match[1].lower()))
