@@ -337,7 +337,10 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
     for entry, (_, result) in results:
         bringup = result.bringup
         if bringup is not None:
-            more += [entry._replace(target=Target(path, launch=result.launch)) for path in bringup.others]
+            more += [
+                entry._replace(target=Target(path, launch=result.launch, namespace=namespace))
+                for path, namespace in bringup.others
+            ]
             inner = [path for path in bringup.unfollowed if os.path.abspath(path) not in known]
             known.update(map(os.path.abspath, inner))
             more += [entry._replace(target=Target(path)) for path in inner]

@@ -26,7 +26,7 @@ class Bringup(NamedTuple):
     simulators: those that it starts.
     moveit: True if it starts MoveIt's move_group.
     complete: False if some of what it starts is unknown.
-    others: the descriptions of its other robots.
+    others: the descriptions of its other robots, each with the namespace of the robot.
     unfollowed: included launch files that are worth checking on their own.
     beside: the launch files that are started beside it, in other terminals.
     """
@@ -38,7 +38,7 @@ class Bringup(NamedTuple):
     simulators: tuple[str, ...] = ()
     moveit: bool = False
     complete: bool = True
-    others: tuple[str, ...] = ()
+    others: tuple[tuple[str, str | None], ...] = ()
     unfollowed: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
 
@@ -46,9 +46,10 @@ class Bringup(NamedTuple):
     def from_json(cls, data: dict[str, Any]) -> Bringup:
         """Return the bringup that `_asdict` and JSON made `data` from."""
         arguments = tuple((name, value) for name, value in data["arguments"])
-        names = ("spawned", "includes", "simulators", "others", "unfollowed", "beside")
+        names = ("spawned", "includes", "simulators", "unfollowed", "beside")
         lists = {name: tuple(data[name]) for name in names}
-        return cls(**{**data, **lists, "arguments": arguments})
+        others = tuple((path, namespace) for path, namespace in data["others"])
+        return cls(**{**data, **lists, "arguments": arguments, "others": others})
 
 
 def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...], beside: Sequence[LaunchStart] = ()) -> Bringup:
@@ -69,7 +70,7 @@ def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...], beside: S
         simulators=tuple(dict.fromkeys(simulation.simulator for simulation in launch.simulations if simulation.sure)),
         moveit=any(node.runs(*_MOVE_GROUP) for node in launch.nodes),
         complete=launch.complete,
-        others=tuple(robot.file.path for robot in launch.robots[1:] if robot.file.path),
+        others=tuple((robot.file.path, robot.namespace) for robot in launch.others if robot.file.path),
         unfollowed=launch.unfollowed,
         beside=tuple(os.path.abspath(start.path) for start in beside),
     )

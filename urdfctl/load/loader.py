@@ -132,7 +132,7 @@ class Loader:
         """Return the target, with the files that belong to it."""
         path = os.path.abspath(target.path)
         launch_file = self._launch_file(path, target)
-        description = _description(launch_file, None if is_launch(path) else path)
+        description = _description(launch_file, None if is_launch(path) else path, target.namespace)
         arguments = dict(target.arguments)
         alone = not arguments
         if launch_file and launch_file.launch and description and description.file.path:
@@ -215,7 +215,15 @@ class Loader:
         package = packages.own() or ament_package(packages.beside())
         sources = tuple(_sources(files, launch_file).values())
         moveit = self._moveit(path, launch, controller_files, files)
-        beside = Beside(package, controller_files, launch, sources, moveit, self._workspace(path), path)
+        beside = Beside(
+            package=package,
+            controllers=controller_files,
+            launch=launch,
+            sources=sources,
+            moveit=moveit,
+            workspace=self._workspace(path),
+            path=path,
+        )
         evidence = detect_distro(None, beside, self.settings)
         problems = (
             *(launch_file.problems if launch_file else ()),
@@ -241,7 +249,13 @@ class Loader:
         sources = tuple(_sources(files, launch_file).values())
         moveit = self._moveit(path, launch, controller_files, files)
         beside = Beside(
-            described.packages.own(), controller_files, launch, sources, moveit, self._workspace(path), path
+            package=described.packages.own(),
+            controllers=controller_files,
+            launch=launch,
+            sources=sources,
+            moveit=moveit,
+            workspace=self._workspace(path),
+            path=path,
         )
         evidence = detect_distro(robot, beside, self.settings)
         problems = (
@@ -341,9 +355,11 @@ class Loader:
         return self._exports[index.workspace]
 
 
-def _description(launch_file: LaunchFile | None, path: str | None) -> Description | None:
-    """The description of a robot in a launch file: the first one, or the one whose file is named."""
+def _description(launch_file: LaunchFile | None, path: str | None, namespace: str | None) -> Description | None:
+    """The description of a robot in a launch file: the first one, or the one whose file and namespace are named."""
     robots = launch_file.launch.robots if launch_file and launch_file.launch else ()
+    if namespace is not None:
+        robots = tuple(one for one in robots if one.namespace == namespace)
     return next((one for one in robots if path is None or _is_same_file(one.file.path or "", path)), None)
 
 

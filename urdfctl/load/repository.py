@@ -51,7 +51,7 @@ _NAMING = (
 _MENTIONED = re.compile(rf"(?i)\bROS[\s_-]*[12]?[\s,:(*_-]*({_NAMES})\b")
 
 
-class _Named(NamedTuple):
+class _NamedDistro(NamedTuple):
     """A distro that a file names, and where."""
 
     distro: str
@@ -88,9 +88,9 @@ def _levels(folder: str, workspace: str) -> Iterator[str]:
 
 
 @remembered
-def _configuring(folder: str) -> tuple[_Named, ...]:
+def _configuring(folder: str) -> tuple[_NamedDistro, ...]:
     """What is named by the files that build or test a repository."""
-    found: list[_Named] = []
+    found: list[_NamedDistro] = []
     for inner, patterns in _FILES.items():
         for path in _matching(os.path.join(folder, inner) if inner else folder, patterns):
             found += _named(path, _NAMING)
@@ -98,13 +98,13 @@ def _configuring(folder: str) -> tuple[_Named, ...]:
 
 
 @remembered
-def _advising(folder: str) -> tuple[_Named, ...]:
+def _advising(folder: str) -> tuple[_NamedDistro, ...]:
     """What the commands in a README name."""
     return tuple(one for path in _matching(folder, _README) for one in _named(path, _NAMING))
 
 
 @remembered
-def _mentioning(folder: str) -> tuple[_Named, ...]:
+def _mentioning(folder: str) -> tuple[_NamedDistro, ...]:
     """What the prose of a README names."""
     return tuple(one for path in _matching(folder, _README) for one in _named(path, (_MENTIONED,)))
 
@@ -118,7 +118,7 @@ def _matching(folder: str, patterns: Iterable[str]) -> Iterator[str]:
     yield from (os.path.join(folder, name) for name in matching[:_MOST_FILES])
 
 
-def _named(path: str, patterns: Iterable[re.Pattern[str]]) -> Iterator[_Named]:
+def _named(path: str, patterns: Iterable[re.Pattern[str]]) -> Iterator[_NamedDistro]:
     try:
         text = first_bytes(path, _MOST_BYTES).decode("utf-8", "replace")
     except OSError:
@@ -126,4 +126,4 @@ def _named(path: str, patterns: Iterable[re.Pattern[str]]) -> Iterator[_Named]:
     for pattern in patterns:
         for match in pattern.finditer(text):
             line = text.count("\n", 0, match.start()) + 1
-            yield from (_Named(name, f"{path}:{line}") for name in re.findall(_NAMES, match[1].lower()))
+            yield from (_NamedDistro(name, f"{path}:{line}") for name in re.findall(_NAMES, match[1].lower()))

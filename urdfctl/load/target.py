@@ -24,6 +24,7 @@ class Target(NamedTuple):
     launch: the launch file that belongs to the robot.
     by_elimination: True if nothing says that the controller files belong to the robot, but nothing else is there.
     guessed: whether the arguments of a launch file are guessed from the files that exist.
+    namespace: that of the robot, if the launch file starts several with the same description.
     beside: the launch files that are started beside the one of the target, in another terminal.
     """
 
@@ -34,6 +35,7 @@ class Target(NamedTuple):
     launch: str | None = None
     by_elimination: bool = False
     guessed: bool = False
+    namespace: str | None = None
     beside: tuple[LaunchStart, ...] = ()
 
     @classmethod

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 _WITHOUT_CONTROLLERS = frozenset({"moveit_ros_move_group", "moveit_servo", "teleop_twist_joy", "diagnostic_aggregator"})
 
+_DECIDING = ("ros2_control_node", None, "robot_state_publisher")
+"""The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
     *("inline", "misspelt", "moveit"),
@@ -224,6 +226,7 @@ class Launch(NamedTuple):
     inline: ROS 1: the parameters that it contains.
     misspelt: the packages that it names and that do not exist, each with the package that was probably meant.
     moveit: the files that it gives to MoveIt.
+    others: the descriptions of its other robots, if only what belongs to one is kept.
     """
 
     path: str
@@ -243,6 +246,7 @@ class Launch(NamedTuple):
     inline: tuple[InlineParameters, ...] = ()
     misspelt: tuple[tuple[Word, str], ...] = ()
     moveit: tuple[MoveItFiles, ...] = ()
+    others: tuple[Description, ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:
@@ -263,17 +267,19 @@ class Launch(NamedTuple):
         """The descriptions of all robots, each once, with the robot's namespace; empty if it is not known which.
 
         The same description in a namespace and below it is one robot. A node's own description belongs to the node's
-        namespace, unless controllers are loaded under the node's name.
+        namespace, unless controllers are loaded under the node's name. Of different descriptions for one namespace,
+        that of the controller manager counts, then that of robot_state_publisher; in ROS 1 the one that is set last.
         """
         usable = [each._replace(namespace=self._home(each)) for each in self.descriptions if each.usable]
         sure = [each for each in usable if each.sure]
         robots: list[Description] = []
-        for each in sorted(sure or usable, key=lambda one: (one.namespace or "").count("/")):
+        for each in sorted(_decisive(sure or usable), key=lambda one: (one.namespace or "").count("/")):
             if not any(_is_same_robot(each, robot) for robot in robots):
                 robots.append(each)
         if len({each.namespace for each in robots}) < len(robots):
             return ()  # different descriptions for one namespace
-        return tuple(sorted(robots, key=lambda one: one.at.start))
+        order = [each.at for each in self.descriptions]
+        return tuple(sorted(robots, key=lambda one: order.index(one.at)))
 
     @property
     def unfollowed(self) -> tuple[str, ...]:
@@ -305,7 +311,8 @@ class Launch(NamedTuple):
     def among(self, robot: Description) -> Launch:
         """Return the launch file with only what belongs to one of its robots: what no other robot is nearer to."""
         others = {self._home(each) or "" for each in self.descriptions if not each.usable}
-        homes = others | {each.namespace or "" for each in self.robots}
+        robots = self.robots
+        homes = others | {each.namespace or "" for each in robots}
         home = robot.namespace or ""
 
         def belongs(namespace: str | None) -> bool:
@@ -316,6 +323,7 @@ class Launch(NamedTuple):
             return self
         return self._replace(
             descriptions=tuple(each for each in self.descriptions if belongs(self._home(each))),
+            others=tuple(each for each in robots if each.namespace != robot.namespace),
             loads=tuple(load for load in self.loads if belongs(load.of if self.ros > 1 else load.namespace)),
             spawns=tuple(spawn for spawn in self.spawns if belongs(spawn.namespace)),
         )
@@ -335,6 +343,24 @@ class Launch(NamedTuple):
             return own
         used = {load.namespace for load in self.loads if not load.in_node} | {spawn.namespace for spawn in self.spawns}
         return own if own in used else own.rpartition("/")[0]
+
+
+def _decisive(descriptions: Sequence[Description]) -> list[Description]:
+    """The descriptions without those that a more important node of their namespace does not get.
+
+    roslaunch sets parameters in the order of the files: the last one that is set stays (roslaunch, loader.py).
+    """
+    best: dict[str | None, int] = {}
+    for each in descriptions:
+        best[each.namespace] = min(best.get(each.namespace, len(_DECIDING)), _rank(each))
+    last = {each.namespace: each for each in descriptions if each.node is None}
+    kept = [each for each in descriptions if _rank(each) == best[each.namespace]]
+    return [each for each in kept if each.node is not None or each is last[each.namespace]]
+
+
+def _rank(description: Description) -> int:
+    """How much a node decides which description is that of the robot; 0 is most."""
+    return _DECIDING.index(description.node) if description.node in _DECIDING else len(_DECIDING)
 
 
 def _is_same_robot(description: Description, robot: Description) -> bool:
