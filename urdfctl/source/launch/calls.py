@@ -34,6 +34,7 @@ _PATHS = frozenset({"Path", "PosixPath", "str", "fspath", "abspath", "realpath",
 _ENVIRONMENT = frozenset({"os.getenv", "os.environ.get"})
 _GROWING = frozenset({"add_action", "add_entity"})
 _LOADING = frozenset({"yaml.safe_load", "yaml.load", "yaml.full_load"})
+_LONGEST_CHAIN = 30
 _LISTS = frozenset({"list", "tuple", "sorted"})
 
 
@@ -98,6 +99,17 @@ class Calls:
         name = known_text(package)
         folder = self._find(name, package.at) if name else None
         return Constant(folder or (outside(name) if name else UNKNOWN), at)
+
+    def package_of_builder(self, of: Term | None, at: Place) -> Term | None:
+        """Return the folder that a MoveItConfigsBuilder, or what it made, reads; None for another term."""
+        for _ in range(_LONGEST_CHAIN):
+            if isinstance(of, Called) and of.short == "MoveItConfigsBuilder":
+                package = known_text(of.given("package_name"))
+                robot = known_text(of.given("robot_name", 0))
+                name = package or (robot and f"{robot}_moveit_config")
+                return self._share(Constant(name, at), at) if name else None
+            of = of.of if isinstance(of, (Called, Member)) else None
+        return None
 
     def environment(self, arguments: Sequence[Term], at: Place) -> Term:
         """Return the term of an environment variable: its name, and its default if it has one."""

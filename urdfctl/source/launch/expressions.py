@@ -256,6 +256,8 @@ class Evaluation:
             if node.attr == "parent":
                 return Constant(os.path.dirname(of.value), at)
             return Constant(os.path.basename(of.value), at) if node.attr == "name" else UnknownTerm(at)
+        if node.attr == "package_path":
+            return self._calls.package_of_builder(of, at) or Member(of, node.attr, at)
         return Member(of, node.attr, at)
 
     def _subscript(self, node: ast.Subscript, frame: Frame) -> Term:
@@ -378,6 +380,8 @@ class Evaluation:
         return UnknownTerm(at)
 
     def _performed(self, of: Term, at: Place) -> Term:
+        if isinstance(of, Called) and of.short == "Command":
+            return of  # what a command prints is known by the command only
         evaluation: Evaluation | None = self
         while evaluation is not None and evaluation.context is None:
             evaluation = evaluation.outer

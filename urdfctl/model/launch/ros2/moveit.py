@@ -10,6 +10,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 
 from urdfctl.model.controllers import FileReference
+from urdfctl.model.launch import Word
 from urdfctl.model.launch.ros2.texts import Content, Texts, table_of
 from urdfctl.model.launch.xacro_command import known_path
 from urdfctl.model.moveit import MoveItFiles
@@ -113,6 +114,23 @@ class Builder:
             as_values=True,
             runs=runs,
         )
+
+    def spawned(self) -> tuple[Word, ...] | None:
+        """Return the controllers that `generate_spawn_controllers_launch` spawns; None if they are not known.
+
+        They are those that MoveIt's own controllers have the names of, and then the joint state broadcaster
+        (moveit_configs_utils, launches.py).
+        """
+        path = known_path(self._controllers() or UNKNOWN)
+        file = self.texts.values(path) if path else None
+        if not isinstance(file, Table):
+            return None
+        manager = file.entries.get(_MANAGER)
+        names = manager.entries.get("controller_names") if isinstance(manager, Table) else Items([], self.call.at)
+        if not isinstance(names, Items):
+            return None
+        words = [Word(self.texts.of(value), value.at) for value in names.values]
+        return (*words, Word("joint_state_broadcaster", self.call.at))
 
     def _given(self, method: str) -> Term | None:
         called = self.calls.get(method)

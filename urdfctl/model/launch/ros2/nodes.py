@@ -159,7 +159,12 @@ class Nodes:
                 content = builder.description(self.facts.exists, term.at)
                 self.facts.described(content, DESCRIBED[0] if not runs else "move_group", namespace, sure=sure)
         if demo or kind == "generate_spawn_controllers_launch":
-            self.facts.spawns.append(Spawn((), namespace, term.at, sure=sure, complete=False))
+            words = builder.spawned() if builder is not None else None
+            for word in words or ():
+                names = ((word.text, word.at),)
+                self.facts.spawns.append(Spawn(names, namespace, term.at, sure=sure, complete=UNKNOWN not in word.text))
+            if words is None:
+                self.facts.spawns.append(Spawn((), namespace, term.at, sure=sure, complete=False))
         if demo:
             folder = builder.folder if builder else UNKNOWN
             controllers = Word(f"{folder}/config/ros2_controllers.yaml", term.at)
