@@ -49,7 +49,9 @@ def tracked(*folders: str) -> set[str]:
 
 def test_the_wheel_holds_exactly_the_packages_files_and_the_templates() -> None:
     templates = {f"urdfctl/{name}" for name in tracked("templates")}
-    assert {name for name in wheel() if ".dist-info/" not in name} == tracked("urdfctl") | templates
+    held = {name for name in wheel() if ".dist-info/" not in name}
+    assert held - tracked("urdfctl") - templates == set(), "git add what is new, or delete it"
+    assert (tracked("urdfctl") | templates) - held == set()
 
 
 def test_the_sdist_holds_what_a_release_is_tested_with_and_makes_the_same_wheel(tmp_path: Path) -> None:
@@ -58,9 +60,9 @@ def test_the_sdist_holds_what_a_release_is_tested_with_and_makes_the_same_wheel(
     with tarfile.open(path) as archive:
         archive.extractall(tmp_path, filter="data")
     held = {found.relative_to(tmp_path / top).as_posix() for found in (tmp_path / top).rglob("*") if found.is_file()}
-    assert held - {".gitignore", "PKG-INFO"} == {
-        name for name in tracked() if not name.startswith((".ci/", ".github/")) and name != ".gitignore"
-    }
+    expected = {name for name in tracked() if not name.startswith((".ci/", ".github/")) and name != ".gitignore"}
+    assert held - {".gitignore", "PKG-INFO"} - expected == set(), "git add what is new, or delete it"
+    assert expected - held == set()
     with ZipFile(build(str(tmp_path / "again"), "wheel", tmp_path / top)) as archive:
         assert {name: archive.read(name) for name in archive.namelist()} == wheel()
 
