@@ -20,7 +20,7 @@ from urdfctl.lint.examples import written
 from urdfctl.lint.selection import Selection
 from urdfctl.load.loader import Loader
 from urdfctl.rule import Rule
-from urdfctl.rules.examples import unmarked
+from urdfctl.rules.examples import Mark, marked_lines, unmarked
 
 __all__ = ["assert_rule"]
 
@@ -48,12 +48,17 @@ def assert_rule(rule: Rule) -> None:
 
 
 def _assert_bad(rule: Rule, example: Example, name: str) -> None:
-    marks = set(unmarked(example.files)[1])
+    files, marks = unmarked(example.files)
     assert marks, f"{name} marks no place with « and »"
     found, folder = _findings(rule, example)
     assert found, f"{name} is not reported"
-    places = {(os.path.relpath(one.at.file, folder).replace(os.sep, "/"), one.at.start, one.at.end) for one in found}
-    assert places == marks, f"{name} is reported elsewhere than at its marks: {_said(found)}"
+    places = {
+        Mark(os.path.relpath(one.at.file, folder).replace(os.sep, "/"), one.at.start, one.at.end) for one in found
+    }
+    assert places == set(marks), (
+        f"{name} is reported elsewhere than at its marks: {_said(found)}\n"
+        f"marked:\n{marked_lines(files, marks)}\nreported:\n{marked_lines(files, places)}"
+    )
 
 
 def _findings(rule: Rule, example: Example) -> tuple[list[Diagnostic], str]:

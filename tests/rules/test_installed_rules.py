@@ -108,6 +108,7 @@ def test_the_tests_of_the_page_pass(site: Path, monkeypatch: pytest.MonkeyPatch)
         ("«Wrist»", "«wrist»", "bad example 1 of ACME001 is not reported"),
         ("«Wrist»", "Wrist", "bad example 1 of ACME001 marks no place"),
         ('<joint name="«Wrist»" type="fixed">', '<joint name="Wrist" type="«fixed»">', "is reported elsewhere"),
+        ('<joint name="«Wrist»" type="fixed">', '<joint name="Wrist" type="«fixed»">', "reported:\nrobot.urdf:"),
         ('name="wrist"', 'name="Wrist"', "good example 1 of ACME001 is reported"),
         ("Severity.WARNING", "Severity.ERROR", "its severity is warning"),
         ("for joint in", "for joint in 1 / 0 or", "ZeroDivisionError"),

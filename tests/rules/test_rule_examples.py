@@ -14,7 +14,7 @@ from urdfctl.fix.edits import Splice, edited
 from urdfctl.lint.examples import written
 from urdfctl.rule import Rule
 from urdfctl.rules import FAMILIES, all_faults, faults_found_by
-from urdfctl.rules.examples import unmarked
+from urdfctl.rules.examples import Mark, marked_lines, unmarked
 
 FAULTS = all_faults()
 LINTED = [fault for fault in faults_found_by("lint") if fault.code != "UC000"]
@@ -35,7 +35,8 @@ def test_a_bad_example_is_reported_at_the_marked_places_and_its_fixes_repair_it(
     reported = [finding for finding in findings(tmp_path, example) if finding.code == fault.code]
     places = [finding.at for finding in reported]
     assert marks, "the bad example marks no place with « and »"
-    assert {(Path(at.file).relative_to(tmp_path).as_posix(), at.start, at.end) for at in places} == set(marks)
+    found = {Mark(Path(at.file).relative_to(tmp_path).as_posix(), at.start, at.end) for at in places}
+    assert found == set(marks), f"marked:\n{marked_lines(files, marks)}\nreported:\n{marked_lines(files, found)}"
     edits = {Splice(edit.file, edit.start, edit.end, edit.text) for edit in fix_edits(reported)}
     if not edits:
         return
@@ -58,7 +59,8 @@ def fix_edits(reported: list[Diagnostic]) -> list[ShownEdit]:
 @pytest.mark.parametrize("name", GOOD)
 def test_a_good_example_is_silent_under_all_rules(name: str, tmp_path: Path) -> None:
     _, example = GOOD[name]
-    assert [f"{d.code} {d.message}" for d in findings(tmp_path, example)] == []
+    reported = [f"{d.code} {d.message}" for d in findings(tmp_path, example)]
+    assert reported == [], "reported:\n" + "\n".join(reported)
 
 
 def test_a_fault_that_lint_finds_has_examples() -> None:

@@ -92,3 +92,16 @@ def unmarked(files: Mapping[str, str]) -> tuple[dict[str, str], list[Mark]]:
             if index % 2 == 0:
                 marks.append(Mark(name, offset, offset + len(parts[index + 1].encode())))
     return plain, marks
+
+
+def marked_lines(files: Mapping[str, str], marks: Iterable[Mark]) -> str:
+    """Return places of completed files as text: a file, the number of a line, and the line with « and » around the place."""
+    shown = []
+    for file, start, end in sorted(marks):
+        data = files[file].encode()
+        before, inside, after = (
+            part.decode("utf-8", "replace") for part in (data[:start], data[start:end], data[end:])
+        )
+        line = f"{before.rpartition(chr(10))[2]}«{inside}»{after.partition(chr(10))[0]}"
+        shown.append(f"{file}:{before.count(chr(10)) + 1}: {line.strip()}")
+    return "\n".join(shown) or "nowhere"
