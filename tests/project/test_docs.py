@@ -6,6 +6,7 @@ import inspect
 import re
 import shlex
 import textwrap
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -83,12 +84,17 @@ def commands_in(cell: str) -> set[str]:
     return set().union(*(sets.get(name, {name}) for name in cell.split(", ")))
 
 
-def test_each_option_of_each_command_is_on_the_page_of_commands_and_no_other() -> None:
+def rows_of_options() -> Iterator[tuple[str, str, str]]:
+    """Yield what the page of commands says of options: a command, a flag and what it does."""
     page = (CHECKOUT / "docs/commands.md").read_text(encoding="utf-8").partition("## Options")[2]
-    rows = re.findall(r"^\| (`-.*?`) \| ([a-z0-9, -]+) \| \S.*\|$", page, re.MULTILINE)
-    written = {
-        (name, flag) for flags, cell in rows for name in commands_in(cell) for flag in re.findall("[\\w-]+", flags)
-    }
+    for flags, cell, text in re.findall(r"^\| (`-.*?`) \| ([a-z0-9, -]+) \| (\S.*?) *\|$", page, re.MULTILINE):
+        for name in commands_in(cell):
+            for flag in re.findall("[\\w-]+", flags):
+                yield name, flag, text
+
+
+def test_each_option_of_each_command_is_on_the_page_of_commands_and_no_other() -> None:
+    written = {(name, flag) for name, flag, _ in rows_of_options()}
     there = {
         (name, flag)
         for name, options in OPTIONS.items()
@@ -96,8 +102,19 @@ def test_each_option_of_each_command_is_on_the_page_of_commands_and_no_other() -
         for flag in (*one.flags, *one.negatives)
         if not one.hidden
     }
-    assert there - written == set(), "give each option a line in docs/commands.md"
-    assert written - there == set()
+    assert there - written == set(), "give each option a line in its group's table of docs/commands.md"
+    assert written - there == set(), "docs/commands.md has options that are not there"
+
+
+def test_the_page_of_commands_says_of_an_option_what_its_help_says() -> None:
+    helps = {
+        (name, flag): one.help.removesuffix(".")
+        for name, options in OPTIONS.items()
+        for one in options.declared.values()
+        for flag in one.flags
+    }
+    others = [(*row, said) for *row, said in rows_of_options() if helps.get((row[0], row[1]), "") not in said]
+    assert others == [], "write the words of the option's declaration into docs/commands.md"
 
 
 def test_the_list_of_commands_says_each_to_its_end() -> None:
