@@ -23,7 +23,7 @@ def test_all_that_a_controller_speaks_of_is_one_of_its_parameters() -> None:
     def check(case: tuple[str, str]) -> None:
         controller = CATALOG.controller(*case)
         assert controller is not None
-        assert controller.undeclared == ()
+        assert controller.undeclared == (), "the entry's claims or rules name what is not in its parameters"
         for parameter in controller.parameters.values():
             assert set(parameter.validators) | set(parameter.useful) <= NAMES
 

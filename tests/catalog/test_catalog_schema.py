@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -13,6 +15,7 @@ import yaml
 from sampling import assert_each
 
 import urdfctl.catalog.schema
+from urdfctl.catalog import compiled
 from urdfctl.catalog.compiled import DATA
 from urdfctl.catalog.distros import spanned
 from urdfctl.catalog.schema import flaws
@@ -49,6 +52,41 @@ def test_the_data_obeys_the_schema() -> None:
         VALIDATORS[kind].validate(entry)
 
     assert_each(check, dict(entries()))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("distros: humble..", "distros: humbel..", "distros: 'humbel..' is not a distro"),
+        (
+            " joints: {type: s",
+            " joints: {requird: true, type: s",
+            "parameters.joints: unknown key 'requird'; did you mean 'required'?",
+        ),
+    ],
+)
+def test_an_entry_that_does_not_is_not_compiled(
+    old: str, new: str, told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    data = tmp_path / "data"
+    shutil.copytree(DATA, data)
+    edited = data / "ros2" / "controllers" / "ros2_control_demo_example_7.yaml"
+    text = edited.read_text(encoding="utf-8")
+    edited.write_text(text.replace(old, new), encoding="utf-8")
+    monkeypatch.setattr(compiled, "DATA", data)
+    with pytest.raises(SystemExit) as ended:
+        compiled.main()
+    entry = "ros2/controllers/ros2_control_demo_example_7.yaml: ros2_control_demo_example_7/RobotController"
+    assert f"{entry}: {told}" in str(ended.value).splitlines()
+    assert (data / "ros2/controllers.json").read_bytes() == (DATA / "ros2/controllers.json").read_bytes()
+
+
+def test_the_entry_that_the_page_shows_is_one_of_the_data() -> None:
+    [shown] = re.findall(
+        r"^```yaml\n(.*?)^```", (DATA / "README.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+    )
+    file = DATA / "ros2" / "controllers" / "ros2_control_demo_example_7.yaml"
+    assert file.read_text(encoding="utf-8").endswith(shown), f"copy the entry of {file.name} to README.md again"
 
 
 def test_the_schema_is_one() -> None:

@@ -45,19 +45,26 @@ ENTRIES = [pytest.param(ros, *entry, id=f"{ros}-{entry[0]}") for ros in GENERATI
 @pytest.mark.parametrize(("ros", "name", "called"), ENTRIES)
 def test_an_entry_has_a_source(ros: str, name: str, called: str) -> None:
     repositories = [repo for repo, names in PROVENANCE["sources"][ros].items() if called in names]
-    assert len(repositories) == 1 or name in UNSOURCED, f"name the repository of '{called}' in provenance.yaml"
+    assert len(repositories) == 1 or name in UNSOURCED, (
+        f"name '{called}' under 'sources', '{ros}' in provenance.yaml, after its repository"
+    )
 
 
 @pytest.mark.parametrize("ros", GENERATIONS)
 def test_of_each_source_it_is_noted_what_was_read(ros: str) -> None:
     read = {one["repo"] for one in (*PROVENANCE["ros1"], *PROVENANCE["ros2"]) if one.get("commit") or one.get("read")}
-    assert set(PROVENANCE["sources"][ros]) - read == set(), "note the commit or the versions"
+    assert set(PROVENANCE["sources"][ros]) - read == set(), (
+        "list what was read under 'ros1' or 'ros2' of provenance.yaml: a line with 'repo' and 'commit', or 'read'"
+    )
 
 
 @pytest.mark.parametrize("ros", GENERATIONS)
 def test_each_source_is_one_of_an_entry(ros: str) -> None:
     named = [name for names in PROVENANCE["sources"][ros].values() for name in names]
-    assert sorted(named) == sorted({called for name, called in entries(ros) if name not in UNSOURCED})
+    entered = {called for name, called in entries(ros) if name not in UNSOURCED}
+    assert entered - set(named) == set(), "name them under 'sources' in provenance.yaml"
+    assert set(named) - entered == set(), "no entry is from what 'sources' in provenance.yaml names"
+    assert len(named) == len(set(named)), "'sources' in provenance.yaml names one of them twice"
 
 
 def test_what_has_no_source_is_known_and_says_why() -> None:

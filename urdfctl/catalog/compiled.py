@@ -7,6 +7,7 @@ Reading the YAML takes a fifth of a second, reading the JSON a few milliseconds.
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from typing import Any
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.reading import controller_type, extension
+from urdfctl.catalog.schema import flaws
 
 DATA = Path(__file__).parent / "data"
 KINDS = ("controllers", "hardware", "simulators", "transmissions", "interfaces", "manager")
@@ -30,6 +32,10 @@ _BY_NAME = {
 """Keys whose value is a map from names of parameters or the like; a name is kept even if it is in the list above."""
 _KEY = {"controllers": "type", "hardware": "type", "simulators": "id", "transmissions": "type", "filters": "type"}
 """The field that identifies an entry of each kind."""
+_DEFINITIONS = {
+    "controllers": "controller", "hardware": "hardware", "simulators": "simulator", "transmissions": "transmission",
+}  # fmt: skip
+"""What schema.json calls an entry of each kind."""
 
 
 def files() -> Iterator[tuple[Path, str]]:
@@ -53,6 +59,17 @@ def _with_literals(plain: Any) -> Any:
     return ".nan" if isinstance(plain, float) and plain != plain else plain  # noqa: PLR0124 (nan)
 
 
+def wrong() -> Iterator[str]:
+    """Yield what schema.json does not allow in the entries that people edit: the file, the entry, the key and why."""
+    for ros in ("ros1", "ros2"):
+        for kind, definition in _DEFINITIONS.items():
+            for path in _paths(DATA / ros, kind):
+                for entry in _yaml(path):
+                    name = entry.get(_KEY[kind], "an entry without a name")
+                    for flaw in flaws(entry, definition):
+                        yield f"{path.relative_to(DATA).as_posix()}: {name}: {flaw.path}: {flaw.message}"
+
+
 def sources() -> list[Path]:
     """Return the YAML files that people edit."""
     return sorted(DATA.rglob("*.yaml"))
@@ -60,9 +77,7 @@ def sources() -> list[Path]:
 
 def _collected(folder: Path, kind: str) -> dict[str, Any]:
     """All entries of one kind, by key."""
-    file = folder / f"{kind}.yaml"
-    paths = sorted((folder / kind).glob("*.yaml")) if (folder / kind).is_dir() else [file] if file.exists() else []
-    contents = [_yaml(path) for path in paths]
+    contents = [_yaml(path) for path in _paths(folder, kind)]
     if kind not in _KEY and kind == "interfaces" and isinstance(contents[0], list):
         return {entry["name"]: _for_program(entry) for entry in contents[0]}
     if kind not in _KEY:
@@ -76,6 +91,12 @@ def _collected(folder: Path, kind: str) -> dict[str, Any]:
     return (
         {key: _with_same_as(entry, distros) for key, entry in compiled.items()} if kind == "controllers" else compiled
     )
+
+
+def _paths(folder: Path, kind: str) -> list[Path]:
+    """The YAML files of one kind."""
+    file = folder / f"{kind}.yaml"
+    return sorted((folder / kind).glob("*.yaml")) if (folder / kind).is_dir() else [file] if file.exists() else []
 
 
 def _with_same_as(entry: dict[str, Any], distros: tuple[str, ...]) -> dict[str, Any]:
@@ -156,7 +177,10 @@ def _yaml(path: Path) -> Any:
 
 
 def main() -> None:
-    """Write the JSON files that are not up to date."""
+    """Write the JSON files that are not up to date; none if an entry is not as schema.json says."""
+    told = list(wrong())
+    if told:
+        sys.exit("\n".join(told))
     for path, text in files():
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.write_text(text, encoding="utf-8")
