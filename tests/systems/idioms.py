@@ -249,7 +249,7 @@ def _real_ros2(system: System) -> bool:
     return system.generation == 2 and not system.simulator and not system.moveit
 
 
-LOOPS = ("comprehension", "loop", "listed in a file")
+LOOPS = ("comprehension", "loop", "function", "listed in a file")
 """How the names of controllers are looped over."""
 
 
@@ -378,7 +378,17 @@ SWITCHES = {
     "loading": Switch(("scope", "attribute", "key"), _loading),
     "parameters": Switch(("one file", "several files", "common", "dictionary", "inline", "written"), _parameters),
     "spawners": Switch(
-        ("together", "each", "comprehension", "loop", "listed in a file", "command line", "manager program"), _spawners
+        (
+            "together",
+            "each",
+            "comprehension",
+            "loop",
+            "function",
+            "listed in a file",
+            "command line",
+            "manager program",
+        ),
+        _spawners,
     ),
     "manager option": Switch(("absolute", "none", "relative", "argument"), _manager_option),
     "param file": Switch(("none", "given"), _param_file),

@@ -170,6 +170,8 @@ class _Writer:
         node = self._started(loop.node)
         if loop.style == "comprehension":
             return f"*[{node} for name in {names}]"
+        if loop.style == "function":
+            return self._by_function(names, node)
         if loop.listed:
             self.values.imports.add("import yaml")
             self.statements.append(f"with open({self.values.text(loop.listed)}) as file:")
@@ -179,6 +181,13 @@ class _Writer:
         self.variables[variable] = variable
         self.statements.append(f"{variable} = []\nfor name in {names}:\n    {variable}.append({_inner(node)})")
         return f"*{variable}"
+
+    def _by_function(self, names: str, node: str) -> str:
+        """Nodes that a function of the launch file makes: a function for each robot, with a name of its own."""
+        function = f"spawner{len(self.variables) or ''}"
+        self.variables[function] = function
+        self.statements.append(f"def {function}(name):\n    return {_inner(node)}\n")
+        return f"*[{function}(each) for each in {names}]"
 
     def _include(self, action: Include) -> str:
         if action.path:
