@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from systems.idioms import LOOPS, waits_for_start
+from systems.possible import LOOPS, waits_for_start
 from systems.render.actions import Action, After, Execute, Loop, Name, Node, Share, Timer, Value
 from systems.render.arguments import Values
 from systems.render.places import config_folder, pick
