@@ -8,8 +8,9 @@ from multiprocessing import get_context
 from typing import NamedTuple
 
 from systems.draw import draw
-from systems.idioms import SWITCHES, Idioms, drawn, is_plain, settled
+from systems.idioms import SWITCHES, drawn, is_plain, settled
 from systems.judge import Verdict, judged
+from systems.possible import Idioms
 from systems.render import Workspace, render
 from systems.system import System
 

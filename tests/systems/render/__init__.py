@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render.assembly import assembled
 from systems.render.distractors import add_distractor
 from systems.render.evidence import add_evidence

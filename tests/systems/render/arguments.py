@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render.actions import Arg, Description, Share, Value
 from systems.render.description import ADDRESS, CHOICE, FILE_ARGUMENTS, xacro_arguments
 from systems.render.places import Places, config_folder, description_name, is_text, parameter_names, pick

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render import frontends, python, roslaunch
 from systems.render.actions import LaunchFile, ParamFile, packages_in, parts_of
 from systems.render.around import add_around
@@ -51,9 +51,9 @@ def assembled(system: System, idioms: Idioms) -> Workspace:
     if idioms["planner"] != "none":
         workspace.files |= planner_files(system, places)
     if idioms["spawners"] == "listed in a file":
-        names = [spawn.name for spawn in system.robots[0].spawned if spawn.active]
+        listed = [spawn.name for spawn in system.robots[0].spawned if spawn.active]
         path = f"{places.control}/{config_folder(system)}/{LISTED}"
-        workspace.files[path] = dumped({"controllers": names})
+        workspace.files[path] = dumped({"controllers": listed})
     workspace.is_fault_visible = idioms["parameters"] != "written"
     _add_module(plan, workspace)
     if plan.needs_examples:

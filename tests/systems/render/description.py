@@ -6,7 +6,7 @@ from dataclasses import replace
 from textwrap import indent
 from typing import NamedTuple
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render.hardware import hardware_of, plugin_of
 from systems.render.places import (
     Places,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from textwrap import dedent, indent
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render.description import XACRO, descriptions
 from systems.render.packages import package_files, runtime_packages
 from systems.render.parameters import dumped, parameter_files

@@ -6,7 +6,7 @@ from typing import Any
 
 import yaml
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.system import BROADCASTER, DRIVE, FORWARD, TRAJECTORY, Controller, Robot, System, type_of
 
 Tree = dict[str, Any]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from random import Random
 from typing import NamedTuple, TypeVar
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.system import Robot, System
 
 SIMULATOR, DESCRIPTION, MANAGER, SPAWNERS = "simulator", "description", "manager", "spawners"

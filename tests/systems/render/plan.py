@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from types import ModuleType
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render import ros1_nodes, ros2_nodes
 from systems.render.actions import Action, Arg, Group, Include, LaunchFile, Value, args_in
 from systems.render.arguments import Values

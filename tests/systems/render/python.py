@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from textwrap import indent
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render.actions import (
     Action,
     After,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render.actions import Arg, Name, Share, Value, When, args_in
 
 _IMPORTS = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render.actions import Action, Describe, Group, Include, Load, Node, Param, Value, When
 from systems.render.arguments import Values
 from systems.render.parameters import inline_parameters

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.render.actions import Action, Execute, Group, Include, Node, Param, ParamFile, Value, When
 from systems.render.arguments import Values
 from systems.render.description import CHOICE, both

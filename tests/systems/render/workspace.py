@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from systems.idioms import Idioms
+from systems.possible import Idioms
 from systems.system import System
 
 
