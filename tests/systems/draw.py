@@ -110,7 +110,7 @@ def drawn_robot(random: Random, model: str, generation: int, simulator: str, *, 
         finger = Joint(f"finger{ending}", "prismatic", ("position",), joints[-1].name)
         joints.append(finger)
         controllers.append(Controller(random.choice(_HAND_CONTROLLERS), FORWARD, (finger.name,), "position"))
-    custom = generation == 2 and bool(simulator) and random.random() < 0.2
+    custom = simulator == GZ and random.random() < 0.2  # no other plugin lets its manager be renamed
     manager = "control_manager" if custom else "controller_manager"
     spawned = _spawned(random, controllers)
     return Robot(model, model, tuple(joints), tuple(controllers), spawned, manager=manager, asked=manager)
