@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from functools import cache
 from multiprocessing import get_context
 from typing import NamedTuple
 
@@ -40,6 +41,18 @@ def workspace_of(seed: int) -> Workspace:
     return render(system, drawn(system))
 
 
+@cache
+def _prepare() -> None:
+    """Import what urdfctl's workers need before they are forked, once."""
+    import urdfctl.load.controller_files
+    import urdfctl.load.launch_files  # noqa: F401
+    from urdfctl.catalog.store import prepare
+    from urdfctl.rules import all_faults
+
+    all_faults()
+    prepare()
+
+
 def tried(seed: int) -> Tried:
     """Judge what urdfctl says of the workspace of a seed."""
     return tried_with(seed, drawn(draw(seed)))
@@ -47,6 +60,7 @@ def tried(seed: int) -> Tried:
 
 def tried_with(seed: int, idioms: Idioms) -> Tried:
     """Judge what urdfctl says of the system of a seed, written in some idioms."""
+    _prepare()
     system = draw(seed)
     fault = system.fault.kind if system.fault else ""
     verdict, crash = Verdict(), ""
@@ -61,6 +75,28 @@ def kind_of(system: System) -> str:
     """Return what kind of system it is, in words."""
     how = "moveit demo" if system.moveit else system.simulator or "hardware"
     return f"ROS {system.generation} {how}{', two robots' if system.is_fleet else ''}"
+
+
+class Shares(NamedTuple):
+    """What is right about many systems, from 0 to 1.
+
+    given: robots are given back as they are started.
+    told: of the planted inconsistencies.
+    false: systems of which something is told that is no error.
+    """
+
+    given: float
+    told: float
+    false: float
+
+
+def shares(results: Sequence[Tried]) -> Shares:
+    """Return the shares of some systems."""
+    faulty = [found for found in results if found.fault]
+    given = sum(not found.verdict.missing and not found.crash for found in results)
+    told = sum(not found.verdict.untold and not found.crash for found in faulty)
+    false = sum(bool(found.verdict.false) for found in results)
+    return Shares(given / max(1, len(results)), told / max(1, len(faulty)), false / max(1, len(results)))
 
 
 def all_tried(seeds: Sequence[int], processes: int) -> Iterator[Tried]:

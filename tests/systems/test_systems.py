@@ -11,6 +11,7 @@ from xml.etree import ElementTree as ET
 import pytest
 import yaml
 
+from systems.campaign import Shares, all_tried, shares
 from systems.draw import draw
 from systems.idioms import SWITCHES, drawn, is_plain, settled
 from systems.render import Workspace, render
@@ -22,6 +23,19 @@ SEEDS = range(200)
 def workspace(seed: int) -> Workspace:
     system = draw(seed)
     return render(system, drawn(system))
+
+
+AT_LEAST = Shares(given=0.2, told=0.5, false=0.05)
+"""What urdfctl gives back and tells of the systems of `SEEDS` at least, and tells falsely at most: to be raised."""
+
+
+def test_most_systems_are_given_back_and_their_faults_told() -> None:
+    results = list(all_tried(SEEDS, processes=1))
+    found = shares(results)
+    assert not [tried.crash for tried in results if tried.crash]
+    assert found.given >= AT_LEAST.given
+    assert found.told >= AT_LEAST.told
+    assert found.false <= AT_LEAST.false
 
 
 def test_a_seed_always_gives_the_same_workspace() -> None:
