@@ -71,6 +71,7 @@ SWITCHES = {
         ("nothing", "controllers", "description", "namespace", "prefix", "spawned", "package", "all"), possible.argued
     ),
     "passing": Switch(("default", "forwarded", "overridden", "required"), possible.passing),
+    "defaults": Switch(("written", "environment", "set"), possible.defaults),
     "order": Switch(("natural", "backward"), possible.not_moveit),
     "values": Switch(("substitutions", "perform"), possible.has_python),
     "layout": Switch(("list", "variables", "add_action"), possible.any_python),

@@ -91,6 +91,11 @@ def passing(system: System, idioms: Idioms, position: str) -> bool:
     return _has_inner(system, idioms, "") and idioms["argued"] != "nothing"
 
 
+def defaults(system: System, idioms: Idioms, _position: str) -> bool:
+    """Where an argument's default comes from: an environment variable, or it is set and no argument at all."""
+    return not system.moveit and idioms["argued"] != "nothing"
+
+
 def description(system: System, idioms: Idioms, position: str) -> bool:
     """A file without xacro can be read; what xacro's Python functions expand depends on no launch argument."""
     if not has_python(system, idioms, ""):

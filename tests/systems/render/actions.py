@@ -15,6 +15,14 @@ class Arg:
 
 
 @dataclass(frozen=True)
+class Variable:
+    """The value of an environment variable, or a text if there is none."""
+
+    name: str
+    default: str
+
+
+@dataclass(frozen=True)
 class Name:
     """The variable of the loop around."""
 
@@ -29,7 +37,7 @@ class Share:
     parts: tuple[Value, ...]
 
 
-Value = tuple["str | Arg | Name | Share | Description", ...]
+Value = tuple["str | Arg | Name | Share | Variable | Description", ...]
 """Pieces that are joined."""
 
 
@@ -170,6 +178,7 @@ class LaunchFile:
 
     stem: its name without what the language adds.
     declared: its arguments, with their defaults; None for one that must be given.
+    is_set: whether those with a default are set, so that nobody can give another value.
     """
 
     package: str
@@ -177,6 +186,7 @@ class LaunchFile:
     language: str
     actions: tuple[Action, ...]
     declared: tuple[tuple[str, Value | None], ...] = ()
+    is_set: bool = False
 
 
 def parts_of(thing: Any) -> Iterator[Any]:

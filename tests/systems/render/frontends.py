@@ -22,6 +22,7 @@ from systems.render.actions import (
     Share,
     Timer,
     Value,
+    Variable,
     When,
 )
 
@@ -33,7 +34,7 @@ _PUSH = {"humble": "push-ros-namespace"}
 
 def written(file: LaunchFile, distro: str, names: FileNames) -> str:
     """Return the text of a launch file in XML or YAML."""
-    entities = [_declaration(name, default) for name, default in file.declared]
+    entities = [_declaration(name, default, is_set=file.is_set) for name, default in file.declared]
     push = _PUSH.get(distro, "push_ros_namespace")
     for action in file.actions:
         entities += _entities(action, None, push, names)
@@ -51,6 +52,8 @@ def text_of(value: Value) -> str:
 def _piece(piece: object) -> str:
     if isinstance(piece, Arg):
         return f"$(var {piece.name})"
+    if isinstance(piece, Variable):
+        return f"$(env {piece.name} {piece.default})"
     if isinstance(piece, Share):
         return "/".join([f"$(find-pkg-share {text_of(piece.package)})", *map(text_of, piece.parts)])
     return str(piece)
@@ -60,7 +63,9 @@ Entity = tuple[str, Tree, list[Any]]
 """A tag with its attributes and its children."""
 
 
-def _declaration(name: str, default: Value | None) -> Entity:
+def _declaration(name: str, default: Value | None, *, is_set: bool) -> Entity:
+    if is_set and default is not None:
+        return "let", {"name": name, "value": text_of(default)}, []
     return ("arg", {"name": name} if default is None else {"name": name, "default": text_of(default)}, [])
 
 

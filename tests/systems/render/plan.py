@@ -8,7 +8,7 @@ from types import ModuleType
 
 from systems.possible import Idioms
 from systems.render import ros1_nodes, ros2_nodes
-from systems.render.actions import Action, Arg, Group, Include, LaunchFile, Value, args_in
+from systems.render.actions import Action, Arg, Group, Include, LaunchFile, Value, Variable, args_in
 from systems.render.arguments import Values
 from systems.render.description import ADDRESS, CHOICE
 from systems.render.places import DESCRIPTION, MANAGER, SIMULATOR, Places, pick, starts_of
@@ -68,6 +68,7 @@ def planned(system: System, idioms: Idioms, places: Places) -> Plan:
         actions = _flat(plan, roles) if idioms["depth"] == "flat" else _included(plan, start.stem, roles)
         start.actions = tuple(actions[::-1] if idioms["order"] == "backward" else actions)
         start.declared = _declared(plan, start, is_top=True)
+        start.is_set = idioms["defaults"] == "set"
         plan.starts.append(start)
     plan.files[:0] = plan.starts
     return plan
@@ -178,6 +179,14 @@ def _declared(plan: Plan, file: LaunchFile, *, is_top: bool) -> tuple[tuple[str,
     return tuple(found)
 
 
+def _from_environment(plan: Plan, name: str) -> Value:
+    """The right value, by way of an environment variable that is not set if the switch says so."""
+    right = plan.right[name]
+    if plan.idioms["defaults"] == "environment" and len(right) == 1 and isinstance(right[0], str) and right[0]:
+        return (Variable(f"START_{name}".upper(), right[0]),)
+    return right
+
+
 def _usual(plan: Plan, name: str) -> str:
     return str(plan.system.is_simulated).lower() if name == CHOICE else "true"
 
@@ -185,5 +194,5 @@ def _usual(plan: Plan, name: str) -> str:
 def _default(plan: Plan, name: str, *, is_top: bool) -> Value | None:
     passing = plan.passing
     if is_top or passing == "default":
-        return plan.right[name]
+        return _from_environment(plan, name)
     return None if passing == "required" else plan.wrong[name]

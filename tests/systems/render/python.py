@@ -70,12 +70,21 @@ class _Writer:
         found = []
         for name, default in self.file.declared:
             words = [f'"{name}"']
+            if default is not None and self.file.is_set:
+                words.append(self._default(default))
+                found.append(call(self.values.use("SetLaunchConfiguration"), *words))
+                continue
             if default is not None:
-                self.values.performs, before = False, self.values.performs
-                words.append(f"default_value={self.values.value(default)}")
-                self.values.performs = before
+                words.append(f"default_value={self._default(default)}")
             found.append(call(self.values.use("DeclareLaunchArgument"), *words))
         return found
+
+    def _default(self, default: Value) -> str:
+        """The default of an argument, which is declared where there is no launch context."""
+        self.values.performs, before = False, self.values.performs
+        text = self.values.value(default)
+        self.values.performs = before
+        return text
 
     def _declarative(self, items: list[str]) -> str:
         self.values.use("LaunchDescription")

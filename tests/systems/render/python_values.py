@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from systems.possible import Idioms
-from systems.render.actions import Arg, Name, Share, Value, When, args_in
+from systems.render.actions import Arg, Name, Share, Value, Variable, When, args_in
 
 _IMPORTS = {
     "os": "import os",
@@ -31,6 +31,7 @@ _IMPORTS = {
             "IncludeLaunchDescription",
             "OpaqueFunction",
             "RegisterEventHandler",
+            "SetLaunchConfiguration",
             "TimerAction",
         ),
         "from launch.actions import {}",
@@ -38,6 +39,7 @@ _IMPORTS = {
     **dict.fromkeys(
         (
             "Command",
+            "EnvironmentVariable",
             "FindExecutable",
             "LaunchConfiguration",
             "PathJoinSubstitution",
@@ -136,6 +138,8 @@ class PythonValues:
             return [self.configuration(piece.name)]
         if isinstance(piece, Name):
             return [piece.name]
+        if isinstance(piece, Variable):
+            return [f'{self.use("EnvironmentVariable")}("{piece.name}", default_value="{piece.default}")']
         if isinstance(piece, Share):
             return self._path(piece)
         return [f'"{piece}"']

@@ -17,6 +17,7 @@ from systems.render.actions import (
     Param,
     Share,
     Value,
+    Variable,
     When,
 )
 from systems.render.frontends import FileNames
@@ -26,7 +27,7 @@ from systems.system import System
 
 def written(file: LaunchFile, system: System, names: FileNames) -> str:
     """Return the text of a launch file."""
-    lines = [_declaration(name, default) for name, default in file.declared]
+    lines = [_declaration(name, default, is_set=file.is_set) for name, default in file.declared]
     lines += [_action(action, system, names) for action in file.actions]
     head = '<?xml version="1.0"?>\n' if pick(system, "declaration", (True, False)) else ""
     return f"{head}<launch>\n{indent(''.join(lines), '  ')}</launch>\n"
@@ -40,6 +41,8 @@ def text_of(value: Value) -> str:
 def _piece(piece: object) -> str:
     if isinstance(piece, Arg):
         return f"$(arg {piece.name})"
+    if isinstance(piece, Variable):
+        return f"$(optenv {piece.name} {piece.default})"
     if isinstance(piece, Share):
         return "/".join([f"$(find {text_of(piece.package)})", *map(text_of, piece.parts)])
     return str(piece)
@@ -50,10 +53,11 @@ def _tag(tag: str, attributes: dict[str, str], inside: str = "") -> str:
     return f"<{tag}{words}>\n{indent(inside, '  ')}</{tag}>\n" if inside else f"<{tag}{words}/>\n"
 
 
-def _declaration(name: str, default: Value | None) -> str:
+def _declaration(name: str, default: Value | None, *, is_set: bool) -> str:
     if default is None:
         return f"<arg name={quoteattr(name)}/>\n"
-    return f"<arg name={quoteattr(name)} default={quoteattr(text_of(default))}/>\n"
+    how = "value" if is_set else "default"
+    return f"<arg name={quoteattr(name)} {how}={quoteattr(text_of(default))}/>\n"
 
 
 def _action(action: Action, system: System, names: FileNames) -> str:
