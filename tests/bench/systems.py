@@ -2,6 +2,7 @@
 
     python tests/bench/systems.py --count 500 --seed 1
     python tests/bench/systems.py --count 500 --switch description
+    python tests/bench/systems.py --count 50 --only "split=spawners apart" top=xml
     python tests/bench/systems.py --keep 17 FOLDER
     python tests/bench/systems.py --shrink 17
 
@@ -19,7 +20,7 @@ HERE = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 sys.modules.pop("systems", None)  # this file has the name of the package
 
-from systems.campaign import Tried, all_tried, positions, shrunk, table, tried, ways, workspace_of  # noqa: E402
+from systems.campaign import Tried, all_tried, positions, shrunk, table, tried_with, ways, with_only, workspace_of  # noqa: E402
 
 
 def main() -> int:
@@ -28,18 +29,26 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1, help="the first seed")
     parser.add_argument("--switch", help="show the failures of this switch only, with a line for each")
+    parser.add_argument("--only", nargs="+", metavar="SWITCH=POSITION", help="all other switches are plain")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--keep", nargs=2, metavar=("SEED", "FOLDER"), help="write one workspace into a folder")
     parser.add_argument("--shrink", type=int, metavar="SEED", help="find the switches that one system fails by")
     given = parser.parse_args()
     if given.keep:
-        return _keep(int(given.keep[0]), Path(given.keep[1]))
+        return _keep(int(given.keep[0]), Path(given.keep[1]), _wanted(given.only))
     if given.shrink is not None:
         return _shrink(given.shrink)
-    results = list(all_tried(range(given.seed, given.seed + given.count), given.processes))
+    seeds = range(given.seed, given.seed + given.count)
+    wanted = _wanted(given.only)
+    results = list(all_tried(seeds, given.processes) if wanted is None else with_only(seeds, wanted))
     _say(_summary(results))
     _say(_by_switch(results, given.switch) if given.switch else _failures(results))
     return int(not all(found.is_right for found in results))
+
+
+def _wanted(words: Sequence[str] | None) -> dict[str, str] | None:
+    """The positions that are named, if any is."""
+    return None if words is None else {name: position for name, _, position in (word.partition("=") for word in words)}
 
 
 def _say(lines: Iterable[str]) -> None:
@@ -85,10 +94,10 @@ def _by_switch(results: Sequence[Tried], name: str) -> Iterable[str]:
             yield f"{found.seed:5} {position:20} {'; '.join([*ways(found), found.crash])}"
 
 
-def _keep(seed: int, folder: Path) -> int:
-    workspace = workspace_of(seed)
+def _keep(seed: int, folder: Path, wanted: dict[str, str] | None) -> int:
+    workspace = workspace_of(seed, wanted)
     workspace.write(folder)
-    _say(_told(tried(seed)))
+    _say(_told(tried_with(seed, workspace.idioms)))
     return 0
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from multiprocessing import get_context
 from typing import NamedTuple
@@ -35,10 +35,10 @@ class Tried(NamedTuple):
         return self.verdict.is_right and not self.crash
 
 
-def workspace_of(seed: int) -> Workspace:
-    """Return the workspace of a seed."""
+def workspace_of(seed: int, wanted: Idioms | None = None) -> Workspace:
+    """Return the workspace of a seed, in its own idioms, or in wanted ones with all other switches plain."""
     system = draw(seed)
-    return render(system, drawn(system))
+    return render(system, drawn(system) if wanted is None else settled(system, wanted))
 
 
 @cache
@@ -56,6 +56,14 @@ def _prepare() -> None:
 def tried(seed: int) -> Tried:
     """Judge what urdfctl says of the workspace of a seed."""
     return tried_with(seed, drawn(draw(seed)))
+
+
+def with_only(seeds: Iterable[int], wanted: Idioms) -> Iterator[Tried]:
+    """Judge the systems of those seeds that some positions are possible for, with all other switches plain."""
+    for seed in seeds:
+        idioms = settled(draw(seed), wanted)
+        if all(idioms[name] == position for name, position in wanted.items()):
+            yield tried_with(seed, idioms)
 
 
 def tried_with(seed: int, idioms: Idioms) -> Tried:
