@@ -248,8 +248,10 @@ def param_file(system: System, idioms: Idioms, _position: str) -> bool:
     return ros2(system, idioms, "") and possible and not _is_section_wrong(system)
 
 
-def around(system: System, idioms: Idioms, _position: str) -> bool:
-    """Another file around one that starts everything."""
+def around(system: System, idioms: Idioms, position: str) -> bool:
+    """Another file around one that starts everything; one that is given any file does not know its arguments."""
+    if position == "handed on" and idioms["address"] == "required":
+        return False
     return not system.moveit and idioms["split"] == "one start"
 
 

@@ -13,7 +13,8 @@ def add_around(plan: Plan) -> None:
     if form == "nothing":
         return
     (start,) = plan.starts
-    included = Include(start.package, start.stem)
+    needed = tuple((name, default) for name, default in start.declared if default is None)
+    included = Include(start.package, start.stem, tuple((name, (Arg(name),)) for name, _ in needed))
     if form == "handed on":
         launcher = _launcher(plan)
         parts = ("launch", file_name(plan, start))
@@ -22,7 +23,7 @@ def add_around(plan: Plan) -> None:
         plan.files.append(launcher)
     actions: tuple[Action, ...] = (included, _rviz(plan)) if form == "rviz" else (included,)
     stem = pick(plan.system, "around", ("demo", "everything", "complete", "start_all"))
-    outer = LaunchFile(plan.places.bringup, stem, plan.language("top"), actions)
+    outer = LaunchFile(plan.places.bringup, stem, plan.language("top"), actions, needed)
     plan.files.insert(0, outer)
     plan.starts.insert(0, outer)
 
