@@ -10,14 +10,14 @@ from urdfctl.load.inline_parameters import inline_tree
 from urdfctl.model.controllers import Controllers, FileReference, MoveItList
 from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.controllers.controller_forms import form_of
-from urdfctl.model.launch import InlineParameters, Launch, ParameterLoad
+from urdfctl.model.launch import InlineParameters, Launch, ParameterLoad, Rewriting
 from urdfctl.model.robot import Robot
 from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xml.dom import Document
-from urdfctl.source.yaml.replacing import with_replacements
+from urdfctl.source.yaml.replacing import below, with_replacements, with_values
 from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlFile, read_yaml
 from urdfctl.startup.records import NamedTuple
 
@@ -130,6 +130,7 @@ class _ControllerFileReader:
         self.is_started = is_started
         self.whole = True
         self._trees: dict[str, YamlFile] = {}
+        self._rewritten_files: dict[tuple[str, Rewriting], YamlFile] = {}
         self._loaded: list[Loaded] = []
         self._references: list[FileReference] = []
         self._problems: list[Problem] = []
@@ -191,7 +192,15 @@ class _ControllerFileReader:
             exists = None  # its path needs an argument
         self._references.append(load.file._replace(exists=exists))
         if tree is not None and not (load.in_node and form_of(tree) is None):
-            self._loaded.append(Loaded(with_replacements(tree, load.replaced), load.namespace or "", of_other))
+            self._loaded.append(Loaded(self._rewritten(tree, load.rewriting), load.namespace or "", of_other))
+
+    def _rewritten(self, tree: YamlFile, how: Rewriting) -> YamlFile:
+        """A rewritten file: the same one for all nodes that get it so."""
+        key = tree.source.path, how
+        if key not in self._rewritten_files:
+            text = with_replacements(tree, how.texts)
+            self._rewritten_files[key] = below(with_values(text, how.values), how.root)
+        return self._rewritten_files[key]
 
     def contained(self, inline: InlineParameters) -> None:
         """Add parameters that a launch file contains; those that depend on a condition may be missing."""

@@ -418,7 +418,7 @@ def test_a_file_whose_texts_are_replaced_is_loaded() -> None:
                                        parameters=[ParameterFile(file, allow_substs=True)])])
         """)
     (load,) = made.loads
-    assert (load.file.path, load.replaced) == ("/p/c.yaml", (("<namespace>/", "a/"),))
+    assert (load.file.path, load.rewriting.texts) == ("/p/c.yaml", (("<namespace>/", "a/"),))
 
 
 def test_xacro_that_is_parsed_and_processed_is_a_description() -> None:

@@ -46,7 +46,7 @@ def _values(packages: MigratedPackages) -> dict[str, dict[str, set[str]]]:
     for load in (load for launch in launches if launch is not None and launch.ros == 1 for load in launch.loads):
         if load.substituted and load.file.path and is_file(load.file.path):
             of_file = found.setdefault(os.path.realpath(load.file.path), {})
-            for text, value in load.replaced:
+            for text, value in load.rewriting.texts:
                 of_file.setdefault(text, set()).add(value)
     return found
 

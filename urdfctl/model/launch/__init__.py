@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.model.launch.launch import (
+    UNCHANGED,
     Description,
     InlineParameters,
     Launch,
@@ -10,6 +11,7 @@ from urdfctl.model.launch.launch import (
     Node,
     ParameterLoad,
     ProgramOption,
+    Rewriting,
     Simulation,
     Spawn,
     Word,
@@ -18,6 +20,7 @@ from urdfctl.model.launch.launch import (
 from urdfctl.model.launch.package import Package
 
 __all__ = [
+    "UNCHANGED",
     "Description",
     "InlineParameters",
     "Launch",
@@ -26,6 +29,7 @@ __all__ = [
     "Package",
     "ParameterLoad",
     "ProgramOption",
+    "Rewriting",
     "Simulation",
     "Spawn",
     "Word",

@@ -16,6 +16,7 @@ from urdfctl.model.launch.launch import (
     Node,
     ParameterLoad,
     ProgramOption,
+    Rewriting,
     Simulation,
     Spawn,
     Word,
@@ -287,7 +288,7 @@ class _LaunchBuilder:
         if texts.truth(element.attrs.get("subst_value", "")):
             known = (pair for pair in scope.arguments.items() if if_known(pair[1]) is not None)
             replaced = tuple((f"$(arg {name})", value) for name, value in islice(known, _MOST_REPLACED))
-            self.loads[-1] = self.loads[-1]._replace(replaced=replaced)
+            self.loads[-1] = self.loads[-1]._replace(rewriting=Rewriting(texts=replaced))
         if texts.truth(element.attrs.get("subst_value", "false")) is not False:
             self.loads[-1] = self.loads[-1]._replace(substituted=True)
 

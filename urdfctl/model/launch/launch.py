@@ -78,6 +78,22 @@ class Description(NamedTuple):
         return bool(self.file.exists) and self.arguments is not None
 
 
+class Rewriting(NamedTuple):
+    """How a launch file rewrites a parameter file before a node gets it.
+
+    texts: texts that are replaced anywhere (`ReplaceString`, `$(var ...)`), with what replaces them.
+    values: values by their keys (`RewrittenYaml`).
+    root: the key that everything is put below; empty if there is none.
+    """
+
+    texts: tuple[tuple[str, str], ...] = ()
+    values: tuple[tuple[str, str], ...] = ()
+    root: str = ""
+
+
+UNCHANGED = Rewriting()
+
+
 class ParameterLoad(NamedTuple):
     """A YAML file whose parameters are loaded.
 
@@ -85,7 +101,7 @@ class ParameterLoad(NamedTuple):
     in_node: ROS 1: the namespace is a node's own name.
     node: ROS 2: executable of the node that gets the file.
     of: ROS 2: namespace of that node.
-    replaced: the texts in the file that the launch file replaces, with what replaces them.
+    rewriting: how the launch file rewrites the file.
     substituted: ROS 1: whether `$(...)` in the file is evaluated.
     """
 
@@ -96,7 +112,7 @@ class ParameterLoad(NamedTuple):
     in_node: bool = False
     node: str | None = None
     of: str | None = None
-    replaced: tuple[tuple[str, str], ...] = ()
+    rewriting: Rewriting = UNCHANGED
     substituted: bool = False
 
 

@@ -46,7 +46,7 @@ def text_not_expanded(project: Project) -> Iterator[Finding]:
         yield from _without_launch(project)
         return
     loads = launch.loads if launch else ()
-    evaluated = {load.file.path for load in loads if load.substituted or load.replaced}
+    evaluated = {load.file.path for load in loads if load.substituted or load.rewriting.texts}
     loaded = {load.file.path: load.at for load in loads if load.sure}
     read = _read(project)
     for fault in controllers_in(project).faults:

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable
 
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.launch import Description, LaunchedFile, Node, ParameterLoad, Spawn, Word
+from urdfctl.model.launch import UNCHANGED, Description, LaunchedFile, Node, ParameterLoad, Rewriting, Spawn, Word
 from urdfctl.model.launch.ros2.texts import Content
 from urdfctl.model.moveit import MoveItFiles
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -47,15 +47,15 @@ class LaunchFacts:
         return reference
 
     def load(
-        self, file: Word, node: str, *, sure: bool, of: str | None, replaced: tuple[tuple[str, str], ...] = ()
+        self, file: Word, node: str, *, sure: bool, of: str | None, rewriting: Rewriting = UNCHANGED
     ) -> FileReference:
         """Add a parameter file of a controller manager or a spawner, and return the reference to it.
 
         of: the node's namespace; None if unknown.
-        replaced: the texts that the launch file replaces in the file, with what replaces them.
+        rewriting: how the launch file rewrites the file.
         """
         reference = self.reference(file.text, file.at, "parameters", sure=sure)
-        self.loads.append(ParameterLoad(reference, "", file.at, sure, node=node, of=of, replaced=replaced))
+        self.loads.append(ParameterLoad(reference, "", file.at, sure, node=node, of=of, rewriting=rewriting))
         return reference
 
     def described(self, content: Content, node: str, namespace: str | None, *, sure: bool) -> None:

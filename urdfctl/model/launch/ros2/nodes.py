@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 
-from urdfctl.model.launch import Node, Spawn, Word, joined
+from urdfctl.model.launch import UNCHANGED, Node, Rewriting, Spawn, Word, joined
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import builder_of
 from urdfctl.model.launch.ros2.parameters import DESCRIBED, MANAGERS, NodeParameters
 from urdfctl.model.launch.ros2.spawner import SpawnerArguments, command_arguments, manager_of, spawner_arguments
-from urdfctl.model.launch.ros2.texts import Content, Texts
+from urdfctl.model.launch.ros2.texts import Content, Texts, rewriting_of
 from urdfctl.source.launch.terms import Called, Constant, Items, OneOf, Perhaps, Table, Term, UnknownTerm
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
@@ -29,6 +29,7 @@ class Nodes:
     def __init__(self, facts: LaunchFacts, texts: Texts) -> None:
         self.facts = facts
         self.texts = texts
+        self._rewritings: dict[tuple[str, int], Rewriting] = {}
 
     # -- nodes -------------------------------------------------------------------------------------------------------
 
@@ -107,7 +108,16 @@ class Nodes:
         for given in parsed.values("-n", "--namespace"):
             namespace = joined("", given.text)
         manager, manager_namespace = manager_of(parsed.manager, namespace)
-        references = tuple(self.facts.load(word, program.text, sure=sure, of=if_known(namespace)) for word in files)
+        references = tuple(
+            self.facts.load(
+                word,
+                program.text,
+                sure=sure,
+                of=if_known(namespace),
+                rewriting=self._rewritings.get((word.text, word.at.start), UNCHANGED),
+            )
+            for word in files
+        )
         names = tuple((word.text, word.at) for word in parsed.names)
         return Spawn(
             names=names,
@@ -169,6 +179,7 @@ class Nodes:
             folder = builder.folder if builder else UNKNOWN
             controllers = Word(f"{folder}/config/ros2_controllers.yaml", term.at)
             self.facts.load(controllers, MANAGERS[0], sure=sure, of=namespace)
+            self.facts.nodes += _of_demo(controllers, namespace, sure=sure)
 
     # -- commands ----------------------------------------------------------------------------------------------------
 
@@ -212,8 +223,16 @@ class Nodes:
             if isinstance(value, Perhaps) or (isinstance(value, OneOf) and not _one_word(value)):
                 complete = False
             else:
-                words.append(Word(self.texts.of(value), value.at))
+                words.append(self._written(value))
         return tuple(words), complete
+
+    def _written(self, value: Term) -> Word:
+        """The text of a term; how it rewrites a file is remembered."""
+        word = Word(self.texts.of(value), value.at)
+        rewriting = rewriting_of(value, self.texts)
+        if rewriting is not UNCHANGED:
+            self._rewritings[word.text, word.at.start] = rewriting
+        return word
 
     def _remaps(self, term: Term | None) -> Iterator[tuple[str, str]]:
         for pair in term.values if isinstance(term, Items) else ():
@@ -223,8 +242,8 @@ class Nodes:
     def _files(self, term: Term | None) -> Iterator[Word]:
         """The parameter files among a node's `parameters`."""
         for value in term.values if isinstance(term, Items) else ():
-            if isinstance(value, (Constant, Called)) and (text := self.texts.of(value)):
-                yield Word(text, value.at)
+            if isinstance(value, (Constant, Called)) and self.texts.of(value):
+                yield self._written(value)
 
     def worlds(self, given: Table | None, texts: Texts, *, sure: bool) -> None:
         """Add the world files in the arguments of a simulator."""
@@ -246,6 +265,27 @@ class Nodes:
                 self.facts.described(Content(word.text, (), word.at), executable, namespace, sure=sure)
             elif word.text.endswith(_SUFFIXES) and os.path.isabs(word.text):
                 self.facts.reference(word.text, word.at, "argument", sure=sure)
+
+
+def _of_demo(controllers: Word, namespace: str | None, *, sure: bool) -> Iterator[Node]:
+    """Yield the nodes of MoveIt's demo that have to do with controllers (moveit_configs_utils, launches.py).
+
+    The manager gets the description as a parameter in humble, by a remapping in jazzy.
+    """
+    at = controllers.at
+    publisher = "robot_state_publisher"
+    described = (Word("robot_description", at),)
+    yield Node(Word(publisher, at), Word(publisher, at), publisher, namespace, at, parameters=described, sure=sure)
+    yield Node(
+        package=Word("controller_manager", at),
+        executable=Word(MANAGERS[0], at),
+        name=None,
+        namespace=namespace,
+        at=at,
+        remaps=(("~/robot_description", "/robot_description"),),
+        sure=sure,
+        files=(controllers,),
+    )
 
 
 def _given(term: Called, keyword: str) -> Term | None:

@@ -8,7 +8,7 @@ from urdfctl.model.launch import Word
 from urdfctl.model.launch.ros2.descriptions import content_of, is_of_other_node
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import builder_of, files_of_table
-from urdfctl.model.launch.ros2.texts import Content, Texts, replaced_by
+from urdfctl.model.launch.ros2.texts import Content, Texts, rewriting_of
 from urdfctl.source.launch.terms import Called, Constant, Items, Member, OneOf, Perhaps, Table, Term
 from urdfctl.source.opaque import UNKNOWN
 
@@ -119,8 +119,10 @@ class NodeParameters:
             return
         self.files.append(Word(text, term.at))
         if re.search(_OF_MANAGERS, self.executable):
-            replaced = replaced_by(term, self.texts)
-            self.facts.load(Word(text, term.at), self.executable, sure=self.sure, of=self.namespace, replaced=replaced)
+            rewriting = rewriting_of(term, self.texts)
+            self.facts.load(
+                Word(text, term.at), self.executable, sure=self.sure, of=self.namespace, rewriting=rewriting
+            )
         elif text:
             self.facts.reference(text, term.at, "parameters", sure=self.sure)
 

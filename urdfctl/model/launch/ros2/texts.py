@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Mapping
 
+from urdfctl.model.launch import UNCHANGED, Rewriting
 from urdfctl.source.launch.python import evaluated
 from urdfctl.source.launch.terms import Called, Constant, Context, Items, Table, Term, outside
 from urdfctl.source.lengths import MOST_CHARACTERS, until_too_long
@@ -258,18 +259,29 @@ _PERFORMED: dict[str, Callable[[Texts, Called], str]] = {
 }
 
 
-def replaced_by(term: Term | None, texts: Texts) -> tuple[tuple[str, str], ...]:
-    """Return the texts that a launch file replaces in a parameter file, with what replaces them."""
+_REWRITING = {"ReplaceString": "replacements", "RewrittenYaml": "param_rewrites"}
+"""The substitutions that rewrite a file, with the keyword that says what is rewritten."""
+
+
+def rewriting_of(term: Term | None, texts: Texts) -> Rewriting:
+    """Return how a launch file rewrites a parameter file (nav2_common, replace_string.py and rewritten_yaml.py)."""
     if not isinstance(term, Called):
-        return ()
+        return UNCHANGED
     if term.short == "ParameterFile":
-        inner = replaced_by(term.given("param_file", 0), texts)
+        inner = rewriting_of(term.given("param_file", 0), texts)
         if not texts.truth(term.given("allow_substs", 1) or Constant("false", term.at)):
             return inner
         settings = ((name, value) for name, value in texts.scope.settings.items() if UNKNOWN not in value)
-        return (*inner, *((f"$(var {name})", value) for name, value in settings))
-    table = table_of(term.given("replacements", 1)) if term.short == "ReplaceString" else None
-    return tuple((old, texts.of(new)) for old, new in table.entries.items()) if table else ()
+        return inner._replace(texts=(*inner.texts, *((f"$(var {name})", value) for name, value in settings)))
+    if term.short not in _REWRITING:
+        return UNCHANGED
+    inner = rewriting_of(term.given("source_file", 0), texts)
+    table = table_of(term.given(_REWRITING[term.short], 1))
+    pairs = tuple((old, texts.of(new)) for old, new in table.entries.items()) if table else ()
+    if term.short == "ReplaceString":
+        return inner._replace(texts=(*inner.texts, *pairs))
+    root = term.given("root_key", 2)
+    return inner._replace(values=(*inner.values, *pairs), root=texts.of(root) if root is not None else inner.root)
 
 
 def table_of(term: Term | None) -> Table | None:
