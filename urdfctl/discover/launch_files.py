@@ -11,7 +11,10 @@ from urdfctl.discover.walk import LAUNCHES
 
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _INCLUDE = rb"(?s)<include\s[^<>]*?file\s*=\s*[\"']([^\"']+)[\"']"
-_NAMED = rb"[\"'/]([\w.-]+[._]launch\.(?:py|xml|ya?ml))[\"']|file:[ \t]*\S{0,300}/([\w.-]{1,100}\.launch\.\w{1,5})"
+_NAMED = (
+    rb"[\"'/]([\w.-]+[._]launch\.(?:py|xml|ya?ml))[\"']"
+    rb"|file:[^\n#]{0,300}?/([\w.-]{1,100}[._]launch\.(?:py|xml|ya?ml))\b"
+)
 _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']control[\"']"
 _DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
 _PLANNING = rb"\bmoveit_ros_move_group\b|\bgenerate_(?:demo|move_group|rsp|spawn_controllers)_launch\b"

@@ -10,7 +10,10 @@ from urdfctl.source.disk.gitignore import GitIgnore
 from urdfctl.source.disk.shown import open_text
 
 DESCRIPTIONS = (".urdf", ".xacro")
-LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py", ".launch.yaml", ".launch.yml")
+LAUNCHES = (
+    *(".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py"),
+    *(".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml"),
+)
 _LOOKED_AT = (*DESCRIPTIONS, *LAUNCHES, ".yaml", ".yml")
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__"})
 IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})

@@ -1,16 +1,17 @@
-"""Join launch files that are started beside each other: one starts a robot, another one its controllers.
+"""Join launch files that are started beside each other: one starts robots, another one their controllers.
 
-A launch file that loads or spawns controllers, and that starts no robot, belongs to a robot with the joints that these
-controllers command, of the same generation of ROS; one that only spawns controllers, to the start that declares them.
-Its own package comes first, then the others of the run.
+A launch file that loads or spawns controllers, and that starts no robot, belongs to a start of robots with the joints
+that these controllers command, of the same generation of ROS; one that only spawns controllers, to the start that
+declares them. Its own package comes first, then the others of the run.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from itertools import islice
 
+from urdfctl.diagnostic import Diagnostic
 from urdfctl.discover.robots import discover_files
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import LaunchStart, Target
@@ -20,27 +21,59 @@ from urdfctl.source.workspaces.packages import package_around
 from urdfctl.startup.records import NamedTuple
 
 Pair = tuple[Target, TargetResult]
+LintPairs = Callable[[list[Target]], Iterable[Pair]]
 _MOST_STARTS = 3
-"""Starts of the same robot with which a launch file is joined."""
+"""Starts beside which a launch file is checked."""
 _MOST_NEAR = 24
 """Launch files, and descriptions, that may start the robot of a launch file that the user names."""
 
 
+class Start(NamedTuple):
+    """The robots that a launch file starts; or a description that nobody starts."""
+
+    robots: tuple[Pair, ...]
+
+    @property
+    def first(self) -> TargetResult:
+        """The result of the first robot."""
+        return self.robots[0][1]
+
+    @property
+    def joints(self) -> set[str]:
+        """The joints of all robots."""
+        return {name for _, result in self.robots for name in result.joining.joints}
+
+    @property
+    def declared(self) -> set[str]:
+        """The controllers that are declared for the robots, without namespaces."""
+        return {_last(name) for _, result in self.robots for name in result.joining.declared}
+
+
 class Join(NamedTuple):
-    """A launch file without a robot, and the starts beside which it may be started."""
+    """Launch files without a robot that are started together, and the starts beside which they may be started."""
 
-    lonely: Pair
-    starts: tuple[Pair, ...]
+    lonely: tuple[Pair, ...]
+    starts: tuple[Start, ...]
 
-    def targets(self) -> list[Target]:
-        """Return, for each start, what it and the launch file start together."""
-        path, arguments = self.lonely[0].path, self.lonely[0].arguments
-        return [
-            target._replace(beside=(*target.beside, LaunchStart(path, arguments)))
-            if result.launch
-            else target._replace(launch=path)
-            for target, result in self.starts
-        ]
+    def targets(self) -> Iterator[Target]:
+        """Yield, for each robot of each start, what the start and the launch files start together."""
+        beside = tuple(LaunchStart(target.path, target.arguments) for target, _ in self.lonely)
+        for start in self.starts:
+            for target, result in start.robots:
+                first = () if result.launch else beside[:1]
+                given = target._replace(launch=first[0].path) if first else target
+                yield given._replace(beside=(*target.beside, *beside[len(first) :]))
+
+
+class Joined(NamedTuple):
+    """What was joined.
+
+    results: the targets with what is started beside them.
+    replaced: the identities of the results that these stand for: of starts, and of launch files without a robot.
+    """
+
+    results: tuple[Pair, ...] = ()
+    replaced: frozenset[int] = frozenset()
 
 
 def is_lonely(result: TargetResult) -> bool:
@@ -58,37 +91,94 @@ def targets_near(path: str) -> list[Target]:
     return [*map(Target, islice(launches, _MOST_NEAR)), *map(Target, files.candidates[:_MOST_NEAR])]
 
 
-def joins(lonely: Iterable[Pair], starts: Sequence[Pair], wanted: Collection[int]) -> list[Join]:
-    """Return each launch file without a robot for which there are starts beside which it may be started.
+def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs) -> Joined:
+    """Return launch files without a robot, joined with the starts beside which they are started.
 
-    wanted: as in `joined`.
+    A launch file that spawns what another one loads is joined with the result of that.
+
+    every: starts, and launch files without a robot.
+    wanted: the identities of the results of which one must be in a join.
     """
-    robots = [pair for pair in starts if _is_robot(pair[1])]
-    found = []
+    pairs = list({id(pair[1]): pair for pair in every}.values())
+    lonely = [pair for pair in pairs if is_lonely(pair[1])]
+    if not lonely:
+        return Joined()
+    loading = [pair for pair in lonely if pair[1].joining.claimed]
+    first = _joined_once(loading, _starts(pairs), wanted, lint)
+    left = [pair for pair in lonely if id(pair[1]) not in first.replaced]
+    now = [pair for pair in pairs if id(pair[1]) not in first.replaced]
+    made = {id(result) for _, result in first.results}
+    second = _joined_once(left, _starts([*first.results, *now]), made.union(wanted), lint)
+    kept = [pair for pair in first.results if id(pair[1]) not in second.replaced]
+    return Joined((*kept, *second.results), first.replaced | second.replaced)
+
+
+def _starts(pairs: Sequence[Pair]) -> list[Start]:
+    """What starts robots: launch files with all of theirs, and descriptions."""
+    found: dict[object, list[Pair]] = {}
+    for target, result in pairs:
+        if (result.links or 0) > 1 and not result.library:
+            beside = result.bringup.beside if result.bringup else ()
+            arguments = result.bringup.arguments if result.bringup else result.arguments
+            found.setdefault((result.launch or result.path, arguments, beside), []).append((target, result))
+    return [Start(tuple(robots)) for robots in found.values()]
+
+
+# -- which belong together ---------------------------------------------------------------------------------------------
+
+
+def _joins(lonely: Sequence[Pair], starts: Sequence[Start], wanted: Collection[int]) -> list[Join]:
+    """The launch files without a robot for which there are starts, those together that do not exclude each other."""
+    found: dict[tuple[int, ...], list[list[Pair]]] = {}
+    by_key: dict[tuple[int, ...], tuple[Start, ...]] = {}
     for pair in lonely:
-        fitting = _fitting(pair[1], robots)
+        fitting = _fitting(pair[1], starts)
         if id(pair[1]) not in wanted:
-            fitting = [start for start in fitting if id(start[1]) in wanted]
-        if fitting:
-            found.append(Join(pair, tuple(fitting)))
-    return found
+            fitting = [start for start in fitting if any(id(result) in wanted for _, result in start.robots)]
+        if not fitting:
+            continue
+        key = tuple(id(start.first) for start in fitting)
+        by_key[key] = tuple(fitting)
+        groups = found.setdefault(key, [])
+        group = next((group for group in groups if not any(_exclude(pair[1], one) for _, one in group)), None)
+        if group is None:
+            groups.append(group := [])
+        group.append(pair)
+    return [Join(tuple(group), by_key[key]) for key, groups in found.items() for group in groups]
 
 
-def _is_robot(result: TargetResult) -> bool:
-    return (result.links or 0) > 1 and not result.library
+def _exclude(one: TargetResult, other: TargetResult) -> bool:
+    """Whether two launch files are alternatives: they declare or spawn the same controllers, or command the same
+    joints."""
+    return any(
+        set(first) & set(second)
+        for first, second in (
+            (one.joining.claimed, other.joining.claimed),
+            (one.joining.declared, other.joining.declared),
+            (_spawned(one), _spawned(other)),
+        )
+    )
 
 
-def _fitting(lonely: TargetResult, robots: Sequence[Pair]) -> list[Pair]:
-    """The starts that a launch file is started beside: with the same robot, the best known ones."""
-    same = [pair for pair in robots if None in (pair[1].ros, lonely.ros) or pair[1].ros == lonely.ros]
-    own = [pair for pair in same if _package(pair[1]) == _package(lonely)]
+def _spawned(result: TargetResult) -> tuple[str, ...]:
+    return result.bringup.spawned if result.bringup else ()
+
+
+def _last(name: str) -> str:
+    return name.rpartition("/")[2]
+
+
+def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
+    """The starts beside which a launch file is started, the best known ones."""
+    same = [start for start in starts if None in (start.first.ros, lonely.ros) or start.first.ros == lonely.ros]
+    own = [start for start in same if _package(start.first) == _package(lonely)]
     fits = _has_joints if lonely.joining.claimed else _declares
     for near in (own, same):
-        whole = [pair for pair in near if fits(lonely, pair[1])]
+        whole = [start for start in near if fits(lonely, start)]
         if whole:
             return _best(whole)
-    meant = [pair for pair in own if _may_be_meant(lonely, pair[1])] if len({pair[1].path for pair in own}) == 1 else []
-    return _best(meant) if meant else []
+    paths = {frozenset(result.path for _, result in start.robots) for start in own}
+    return _best([start for start in own if _may_be_meant(lonely, start)]) if len(paths) == 1 else []
 
 
 def _package(result: TargetResult) -> str:
@@ -97,33 +187,28 @@ def _package(result: TargetResult) -> str:
     return package_around(folder) or folder
 
 
-def _has_joints(lonely: TargetResult, robot: TargetResult) -> bool:
-    return set(lonely.joining.claimed) <= set(robot.joining.joints)
+def _has_joints(lonely: TargetResult, start: Start) -> bool:
+    return {joint for _, joint in lonely.joining.claimed} <= start.joints
 
 
-def _declares(lonely: TargetResult, start: TargetResult) -> bool:
-    spawned = _spawned(lonely)
-    return bool(spawned) and spawned <= {*start.joining.declared, *lonely.joining.declared}
+def _declares(lonely: TargetResult, start: Start) -> bool:
+    spawned = set(map(_last, _spawned(lonely)))
+    return bool(spawned) and spawned <= {*start.declared, *map(_last, lonely.joining.declared)}
 
 
-def _spawned(result: TargetResult) -> set[str]:
-    return {name.rpartition("/")[2] for name in (result.bringup.spawned if result.bringup else ())}
-
-
-def _may_be_meant(lonely: TargetResult, robot: TargetResult) -> bool:
+def _may_be_meant(lonely: TargetResult, start: Start) -> bool:
     """Whether the only robot of a package is meant, though it lacks something: some names fit, or all nearly do."""
-    wanted, there = set(lonely.joining.claimed), robot.joining.joints
+    wanted, there = {joint for _, joint in lonely.joining.claimed}, start.joints
     if not wanted:
-        wanted, there = _spawned(lonely), robot.joining.declared
-    known = wanted & set(there)
-    return bool(known) or (bool(wanted) and all(nearest(name, there) for name in wanted))
+        wanted, there = set(map(_last, _spawned(lonely))), start.declared
+    return bool(wanted & there) or (bool(wanted) and all(nearest(name, there) for name in wanted))
 
 
-def _best(fitting: Sequence[Pair]) -> list[Pair]:
-    """Those that launch files start, with a manager or a simulator if any has one; of one robot, if all are."""
+def _best(fitting: Sequence[Start]) -> list[Start]:
+    """Those that launch files start, if any does, with a manager or a simulator, if any has one."""
     best = list(fitting)
     for is_better in (_is_launched, _manages):
-        best = [pair for pair in best if is_better(pair[1])] or best
+        best = [start for start in best if is_better(start.first)] or best
     return best[:_MOST_STARTS]
 
 
@@ -135,64 +220,37 @@ def _manages(result: TargetResult) -> bool:
     return result.joining.manages
 
 
-class Joined(NamedTuple):
-    """What was joined.
-
-    results: the targets with what is started beside them.
-    replaced: the identities of the results that these stand for: of starts, and of launch files without a robot.
-    """
-
-    results: tuple[Pair, ...] = ()
-    replaced: frozenset[int] = frozenset()
+# -- what they show together -------------------------------------------------------------------------------------------
 
 
-def joined(every: Iterable[Pair], wanted: Collection[int], lint: Callable[[list[Target]], Iterable[Pair]]) -> Joined:
-    """Return launch files without a robot, joined with the starts beside which they are started.
-
-    A launch file that spawns what another one loads is joined with the result of that.
-
-    every: starts, and launch files without a robot.
-    wanted: the identities of the results of which one must be in a join.
-    """
-    starts = list({id(pair[1]): pair for pair in every}.values())
-    lonely = [pair for pair in starts if is_lonely(pair[1])]
-    loading = [pair for pair in lonely if pair[1].joining.claimed]
-    first = _joined_once(joins(loading, starts, wanted), lint)
-    left = [pair for pair in lonely if id(pair[1]) not in first.replaced]
-    now = [pair for pair in starts if id(pair[1]) not in first.replaced]
-    made = {id(result) for _, result in first.results}
-    second = _joined_once(joins(left, [*first.results, *now], made.union(wanted)), lint)
-    kept = [pair for pair in first.results if id(pair[1]) not in second.replaced]
-    return Joined((*kept, *second.results), first.replaced | second.replaced)
-
-
-def _joined_once(made: Sequence[Join], lint: Callable[[list[Target]], Iterable[Pair]]) -> Joined:
+def _joined_once(lonely: Sequence[Pair], starts: Sequence[Start], wanted: Collection[int], lint: LintPairs) -> Joined:
+    made = _joins(lonely, starts, wanted)
     if not made:
         return Joined()
     linted = iter(list(lint([target for join in made for target in join.targets()])))
     results: list[Pair] = []
     replaced: set[int] = set()
     for join in made:
-        together = [next(linted) for _ in join.starts]
+        together = [Start(tuple(islice(linted, len(start.robots)))) for start in join.starts]
         results += _certain(join, together)
-        replaced |= {id(result) for _, result in (join.lonely, *join.starts)}
+        replaced |= {id(result) for _, result in join.lonely}
+        replaced |= {id(result) for start in join.starts for _, result in start.robots}
     return Joined(tuple(results), frozenset(replaced))
 
 
-def _certain(join: Join, together: Sequence[Pair]) -> list[Pair]:
+def _certain(join: Join, together: Sequence[Start]) -> Iterator[Pair]:
     """The results without those findings that hold only for some of several starts."""
-    in_all = set.intersection(*(_keys(result) for _, result in together))
-    of_starts = [_keys(start) for _, start in join.starts]
-    return [
-        (target, _only(result, in_all | of_start))
-        for (target, result), of_start in zip(together, of_starts, strict=True)
-    ]
+    in_all = set.intersection(*(_keys(start) for start in together))
+    for before, after in zip(join.starts, together, strict=True):
+        keys = in_all | _keys(before)
+        for target, result in after.robots:
+            kept = [finding for finding in result.outcome.diagnostics if _key(finding) in keys]
+            yield target, result._replace(outcome=result.outcome._replace(diagnostics=kept))
 
 
-def _keys(result: TargetResult) -> set[tuple[str, str, int]]:
-    return {(finding.code, finding.at.file, finding.at.start) for finding in result.outcome.diagnostics}
+def _keys(start: Start) -> set[tuple[str, str, int]]:
+    return {_key(finding) for _, result in start.robots for finding in result.outcome.diagnostics}
 
 
-def _only(result: TargetResult, keys: set[tuple[str, str, int]]) -> TargetResult:
-    kept = [one for one in result.outcome.diagnostics if (one.code, one.at.file, one.at.start) in keys]
-    return result._replace(outcome=result.outcome._replace(diagnostics=kept))
+def _key(finding: Diagnostic) -> tuple[str, str, int]:
+    return finding.code, finding.at.file, finding.at.start

@@ -65,7 +65,8 @@ class PlannedTarget(NamedTuple):
             return bool(self.read(result))
         if self.origin is TargetOrigin.LAUNCHED:
             findings = result.outcome.diagnostics
-            return bool(result.controllers) or result.links == 0 or any(_is_own(finding) for finding in findings)
+            is_controlled = result.controllers or (result.bringup and result.bringup.spawned and result.links)
+            return bool(is_controlled) or result.links == 0 or any(_is_own(finding) for finding in findings)
         return True
 
     def read(self, result: TargetResult) -> set[str]:

@@ -13,20 +13,21 @@ class JoinFacts(NamedTuple):
     """Facts of a target by which it is joined with what is started beside it.
 
     joints: the names of the robot's joints.
-    claimed: without a robot: the joints that its controllers command.
-    declared: the controllers that its parameter files declare, without namespaces.
+    claimed: without a robot: the joints that its controllers command, each with the namespace of its manager.
+    declared: the controllers that its parameter files declare, with their namespaces if known.
     manages: whether it starts a simulator, or a controller manager.
     """
 
     joints: tuple[str, ...] = ()
-    claimed: tuple[str, ...] = ()
+    claimed: tuple[tuple[str, str], ...] = ()
     declared: tuple[str, ...] = ()
     manages: bool = False
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> JoinFacts:
         """Return the facts that `_asdict` and JSON made `data` from."""
-        lists = {name: tuple(data[name]) for name in ("joints", "claimed", "declared")}
+        claimed = tuple((namespace, joint) for namespace, joint in data["claimed"])
+        lists = {"joints": tuple(data["joints"]), "declared": tuple(data["declared"]), "claimed": claimed}
         return cls(**{**data, **lists})
 
 
@@ -37,13 +38,13 @@ def join_facts(project: Project) -> JoinFacts:
     return JoinFacts(
         joints=tuple(name for name in project.robot.joint_names if name) if project.robot else (),
         claimed=_claimed(project) if project.robot is None and launch is not None and controllers else (),
-        declared=tuple(each.name for each in controllers if each.declared_at is not None),
+        declared=tuple(each.full_name for each in controllers if each.declared_at is not None),
         manages=launch is not None
         and (bool(launch.simulations) or any(node.executable.text == "ros2_control_node" for node in launch.nodes)),
     )
 
 
-def _claimed(project: Project) -> tuple[str, ...]:
+def _claimed(project: Project) -> tuple[tuple[str, str], ...]:
     """The joints that the controllers of a project command, as far as their types are known."""
     if not project.distros:
         return ()
@@ -51,5 +52,7 @@ def _claimed(project: Project) -> tuple[str, ...]:
 
     controllers = session_of(project, project.distros[-1]).controllers
     names = {each.name for each in controllers}
-    claimed = dict.fromkeys(claim.component for each in controllers for claim in each.claims.command)
-    return tuple(name for name in claimed if UNKNOWN not in name and name not in names)
+    claimed = dict.fromkeys(
+        (each.controller.namespace or "", claim.component) for each in controllers for claim in each.claims.command
+    )
+    return tuple((space, joint) for space, joint in claimed if UNKNOWN not in joint and joint not in names)

@@ -15,7 +15,16 @@ from urdfctl.source.span import Place, SourceText
 
 MAX_BYTES = 16 << 20
 _NONE: Mapping[str, bytes] = MappingProxyType({})
-_LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.yaml", ".launch.yml", "_launch.yaml", ".py")
+_LAUNCHES = (
+    ".launch",
+    ".launch.xml",
+    "_launch.xml",
+    ".launch.yaml",
+    ".launch.yml",
+    "_launch.yaml",
+    "_launch.yml",
+    ".py",
+)
 _YAML = (".yaml", ".yml")
 
 
