@@ -172,6 +172,7 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     """The starts beside which a launch file is started, the best known ones."""
     same = [start for start in starts if None in (start.first.ros, lonely.ros) or start.first.ros == lonely.ros]
     own = [start for start in same if _package(start.first) == _package(lonely)]
+    own = [start for start in own if start.first.launch is not None] or own
     fits = _has_joints if lonely.joining.claimed else _declares
     for near in (own, same):
         whole = [start for start in near if fits(lonely, start)]
@@ -201,6 +202,8 @@ def _may_be_meant(lonely: TargetResult, start: Start) -> bool:
     wanted, there = {joint for _, joint in lonely.joining.claimed}, start.joints
     if not wanted:
         wanted, there = set(map(_last, _spawned(lonely))), start.declared
+        if not there and not lonely.joining.declared:
+            return True
     return bool(wanted & there) or (bool(wanted) and all(nearest(name, there) for name in wanted))
 
 

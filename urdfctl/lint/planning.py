@@ -65,8 +65,7 @@ class PlannedTarget(NamedTuple):
             return bool(self.read(result))
         if self.origin is TargetOrigin.LAUNCHED:
             findings = result.outcome.diagnostics
-            is_controlled = result.controllers or (result.bringup and result.bringup.spawned and result.links)
-            return bool(is_controlled) or result.links == 0 or any(_is_own(finding) for finding in findings)
+            return result.is_controlled or result.links == 0 or any(_is_own(finding) for finding in findings)
         return True
 
     def read(self, result: TargetResult) -> set[str]:

@@ -94,6 +94,11 @@ class TargetResult(NamedTuple):
     idle: int = 0
     joining: JoinFacts = JoinFacts()
 
+    @property
+    def is_controlled(self) -> bool:
+        """Whether files declare controllers for it, or a launch file spawns some for its robot."""
+        return bool(self.controllers) or bool(self.links and self.bringup and self.bringup.spawned)
+
 
 class Report(NamedTuple):
     """What a run found: the robots it looked at (and controllers' files and launch files named alone), the findings in

@@ -298,11 +298,7 @@ def _is_silent(entry: PlannedTarget, result: TargetResult) -> bool:
 
 def _not_launched(plan: Sequence[PlannedTarget], launched: LaunchedTargets) -> list[PlannedTarget]:
     """The targets of a plan that are left when its launch files are linted, with what these say of them."""
-    known = {
-        (result.path, result.arguments)
-        for _, (_, result) in launched
-        if result.controllers or (result.bringup and result.bringup.spawned)
-    }
+    known = {(result.path, result.arguments) for _, (_, result) in launched if result.is_controlled}
     left = [entry for entry in plan if not entry.is_launched and not is_launched_already(entry, known)]
     return with_bringups(left, [(entry, result) for entry, (_, result) in launched])
 

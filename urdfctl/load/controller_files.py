@@ -10,7 +10,7 @@ from urdfctl.load.inline_parameters import inline_tree
 from urdfctl.model.controllers import Controllers, FileReference, MoveItList
 from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.controllers.controller_forms import form_of
-from urdfctl.model.launch import InlineParameters, Launch, ParameterLoad, Rewriting
+from urdfctl.model.launch import GivenParameters, InlineParameters, Launch, ParameterLoad, Rewriting
 from urdfctl.model.robot import Robot
 from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.opaque import UNKNOWN
@@ -80,6 +80,8 @@ def read_controllers(
             reader.load(load, of_other=launch is not None and launch.is_of_other_node(load))
     for inline in launch.inline if launch else ():
         reader.contained(inline)
+    for given in launch.given if launch else ():
+        reader.given(given)
     if loads and not any(load.sure for load in loads):
         reader.possible(loads)
     for path in map(os.path.abspath, paths):
@@ -145,7 +147,7 @@ class _ControllerFileReader:
             whole=self.whole,
             moveit_lists=tuple(self._moveit_lists()),
         )
-        has_file = any(not loaded.inline for loaded in result.files)
+        has_file = any(not loaded.inline or form_of(loaded.yaml) is not None for loaded in result.files)
         return result if has_file or result.references or result.problems or not self.whole else None
 
     def _moveit_lists(self) -> Iterator[MoveItList]:
@@ -210,6 +212,14 @@ class _ControllerFileReader:
         tree = inline_tree(inline)
         if tree.readable:
             self._loaded.append(Loaded(tree, inline.namespace, inline=True))
+
+    def given(self, given: GivenParameters) -> None:
+        """Add parameters that a launch file gives a controller manager in a dict."""
+        if given.sure:
+            tree = YamlFile(given.at.source, (given.document,), (), ())
+            self._loaded.append(Loaded(tree, inline=True))
+        else:
+            self.whole = False
 
     def possible(self, loads: Several[ParameterLoad]) -> None:
         """The only file that a launch file may load, if there is no other; it is not known whether it is loaded."""

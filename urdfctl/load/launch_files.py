@@ -294,7 +294,7 @@ class _LaunchFileReader:
 
     def locate(self, path: str) -> tuple[str, bool | None]:
         """Return the source of an installed file, and whether it exists; None if that cannot be checked."""
-        source = self.packages.source_of(path)
+        source = self.packages.source_of(os.path.normpath(path) if os.pardir in path else path)
         if not self.files.may_read(source):
             return source, None
         return source, is_file(source) or (None if self.packages.may_be_made(source) else False)

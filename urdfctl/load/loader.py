@@ -377,7 +377,7 @@ def _controller_files(
 ) -> ControllerFiles | None:
     """Return the robot's controller files. YAML is imported only if there may be any."""
     is_named = any(plugin.setting("parameters") for plugin in (robot.plugins if robot else ()))
-    if not paths and not is_named and not (launch and launch.loads):
+    if not paths and not is_named and not (launch and (launch.loads or launch.inline or launch.given)):
         return None
     from urdfctl.load.controller_files import read_controllers
 

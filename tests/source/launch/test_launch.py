@@ -163,8 +163,8 @@ def test_of_two_robots_each_has_what_is_in_its_namespace() -> None:
     assert len(launch(described("r") + arm).among(made.robots[0]).loads) == 1
 
 
-def test_two_descriptions_of_one_namespace_are_no_one_robot() -> None:
-    assert launch(described("r") + described("s")).description is None
+def test_of_two_descriptions_of_one_namespace_the_one_that_is_set_last_is_the_robot() -> None:
+    assert robots(described("r") + described("s")) == [("/p/s.urdf", "")]
 
 
 def test_what_may_be_included_is_worth_checking_on_its_own() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from urdfctl.model.launch.launch import (
     UNCHANGED,
     Description,
+    GivenParameters,
     InlineParameters,
     Launch,
     LaunchedFile,
@@ -22,6 +23,7 @@ from urdfctl.model.launch.package import Package
 __all__ = [
     "UNCHANGED",
     "Description",
+    "GivenParameters",
     "InlineParameters",
     "Launch",
     "LaunchedFile",

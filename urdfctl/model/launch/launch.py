@@ -15,6 +15,7 @@ from urdfctl.startup.records import NamedTuple
 if TYPE_CHECKING:
     from urdfctl.model.controllers import FileReference
     from urdfctl.model.moveit import MoveItFiles
+    from urdfctl.source.yaml.tree import Mapping
 
 # Fields of the same meaning in all classes:
 # sure: False if it depends on an unknown condition.
@@ -28,7 +29,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 """The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
-    *("inline", "misspelt", "moveit"),
+    *("inline", "given", "misspelt", "moveit"),
 )
 """What launch files add to each other if they are started beside each other."""
 
@@ -126,6 +127,18 @@ class InlineParameters(NamedTuple):
 
     namespace: str
     name: str
+    at: Place
+    sure: bool = True
+
+
+class GivenParameters(NamedTuple):
+    """Parameters that a ROS 2 launch file gives a controller manager in a dict.
+
+    document: as launch writes them for the node.
+    at: the dict.
+    """
+
+    document: Mapping
     at: Place
     sure: bool = True
 
@@ -242,6 +255,7 @@ class Launch(NamedTuple):
     inline: ROS 1: the parameters that it contains.
     misspelt: the packages that it names and that do not exist, each with the package that was probably meant.
     moveit: the files that it gives to MoveIt.
+    given: ROS 2: the parameters in dicts.
     others: the descriptions of its other robots, if only what belongs to one is kept.
     """
 
@@ -262,6 +276,7 @@ class Launch(NamedTuple):
     inline: tuple[InlineParameters, ...] = ()
     misspelt: tuple[tuple[Word, str], ...] = ()
     moveit: tuple[MoveItFiles, ...] = ()
+    given: tuple[GivenParameters, ...] = ()
     others: tuple[Description, ...] = ()
 
     @property

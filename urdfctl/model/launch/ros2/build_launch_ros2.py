@@ -121,6 +121,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         references=tuple(facts.references.values()),
         arguments=tuple(walk.arguments.items()),
         moveit=tuple(facts.moveit),
+        given=tuple(facts.given),
     )
 
 

@@ -6,7 +6,17 @@ import os
 from collections.abc import Callable
 
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.launch import UNCHANGED, Description, LaunchedFile, Node, ParameterLoad, Rewriting, Spawn, Word
+from urdfctl.model.launch import (
+    UNCHANGED,
+    Description,
+    GivenParameters,
+    LaunchedFile,
+    Node,
+    ParameterLoad,
+    Rewriting,
+    Spawn,
+    Word,
+)
 from urdfctl.model.launch.ros2.texts import Content
 from urdfctl.model.moveit import MoveItFiles
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -28,6 +38,7 @@ class LaunchFacts:
         self.nodes: list[Node] = []
         self.references: dict[tuple[str, int], LaunchedFile] = {}
         self.moveit: list[MoveItFiles] = []
+        self.given: list[GivenParameters] = []
         self.altered = False
         """Whether an action changes the parameters or remappings of all following nodes."""
 

@@ -50,6 +50,7 @@ class Nodes:
             texts=self.texts,
             namespace=namespace,
             sure=sure,
+            name=name,
         )
         remaps = tuple(self._remaps(term.keywords.get("remappings")))
         self.facts.nodes.append(

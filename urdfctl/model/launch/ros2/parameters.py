@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 
-from urdfctl.model.launch import Word
+from urdfctl.model.launch import GivenParameters, Word, joined
 from urdfctl.model.launch.ros2.descriptions import content_of, is_of_other_node
 from urdfctl.model.launch.ros2.facts import LaunchFacts
+from urdfctl.model.launch.ros2.given import section_of
 from urdfctl.model.launch.ros2.moveit import builder_of, files_of_table
 from urdfctl.model.launch.ros2.texts import Content, Texts, rewriting_of
 from urdfctl.source.launch.terms import Called, Constant, Items, Member, OneOf, Perhaps, Table, Term
@@ -39,12 +40,14 @@ class NodeParameters:
         texts: Texts,
         namespace: str | None,
         sure: bool,
+        name: str | None = None,
     ) -> None:
         self.facts = facts
         self.texts = texts
         self.executable = executable
         self.namespace = namespace
         self.sure = sure
+        self.name = name
         self.names: list[Word] = []
         self.values: dict[str, str] = {}
         self.files: list[Word] = []
@@ -85,6 +88,10 @@ class NodeParameters:
                 self.values[name] = text
             if name == _DESCRIPTION:
                 self._description(value)
+        if self.executable in MANAGERS and self.namespace is not None and table.entries.keys() - {_DESCRIPTION}:
+            node = joined(self.namespace, self.name) if self.name else "/**"
+            document = section_of(table, node, self.texts)
+            self.facts.given.append(GivenParameters(document, table.at, self.sure))
         read = lambda term: content_of(term, self.texts, lambda _: False)  # noqa: E731 (one use)
         files = files_of_table(table, table.at, read, self.facts.locate)
         if files is not None:
