@@ -282,14 +282,11 @@ def test_the_only_robot_and_the_only_controller_file_of_a_package_belong_togethe
     assert targets(folder, ".") == [("arm.xacro", {}, ["controllers.yaml"])]
 
 
-def test_what_depends_on_that_is_a_warning_that_says_so(folder: Folder) -> None:
+def test_what_depends_on_that_is_an_error(folder: Folder) -> None:
     package(folder)
     report = json.loads(folder.run("lint", ".", "--distro", "jazzy", "--format", "json").stdout)
     [found] = [finding for finding in report["findings"] if finding["code"] == "UC450"]
-    assert found["severity"] == "warning"
-    assert found["notes"][-1]["message"] == (
-        "no file says that this robot and controller file belong together; the package has no others"
-    )
+    assert found["severity"] == "error"
 
 
 def test_an_error_of_the_controller_file_itself_stays_one(folder: Folder) -> None:

@@ -16,13 +16,14 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.errors import UserError
 from urdfctl.lint import merging, planning
-from urdfctl.lint.elimination import as_started, pairs_by_elimination
+from urdfctl.lint.elimination import pairs_by_elimination
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.job import launch_variants, lint_all
 from urdfctl.lint.joining import Joined, is_lonely, joined, targets_near
 from urdfctl.lint.planning import Arguments, PlannedTarget, TargetOrigin, is_launched_already, of_shard, with_bringups
 from urdfctl.lint.results import Report, TargetResult
 from urdfctl.lint.selection import Selection
+from urdfctl.lint.weakening import as_started, as_unused, as_used
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.names import did_you_mean
@@ -265,9 +266,10 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
     reported = _paired(reported, _unread(files.controllers_candidates, reported), linted)
     unused = [Target(path, fragment=True) for path in files.unread(_files_read(reported))]
     unused += _unread(files.controllers_candidates, reported)
+    reported = as_used(reported, _named(files))
     launch_paths = {os.path.abspath(path) for path in (*files.launch_candidates, *files.around)}
     robots = [result for _, result in reported if result.path not in launch_paths]
-    run = LintRun(robots, [*reported, *linted(unused)], tuple(silent), tuple(files.despite))
+    run = LintRun(robots, [*reported, *as_unused(linted(unused))], tuple(silent), tuple(files.despite))
     return _without_generated(run, files)
 
 
@@ -280,6 +282,11 @@ def _together(started: LaunchedTargets, reported: LintedTargets, linted: LintTar
     named = [target.path for target, result in reported if is_lonely(result) and id(result) not in known]
     near = list(dict.fromkeys(target for path in named for target in targets_near(path)))
     return joined([*launched, *reported, *(linted(near) if near else ())], wanted, linted)
+
+
+def _named(files: DiscoveredFiles) -> set[str]:
+    """The paths of the files that the user names."""
+    return {os.path.abspath(path) for path in (*files.robots, *files.controllers, *files.launches)}
 
 
 def _is_alone(pair: tuple[Target, TargetResult]) -> bool:

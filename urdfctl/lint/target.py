@@ -94,7 +94,7 @@ def _outcome(project: Project, run: Run) -> Outcome:
     evidence = project.evidence and without_prose(project.evidence)
     if not evidence or evidence.distros == project.distros or evidence.ros != project.ros or not outcome.has_errors:
         return outcome
-    from urdfctl.lint.elimination import OF_PROSE, weakened
+    from urdfctl.lint.weakening import OF_PROSE, weakened
 
     without = run(project._replace(distro=evidence.distro, distros=evidence.distros, evidence=evidence))
     return weakened(outcome, [without.only_errors()], OF_PROSE)
@@ -102,7 +102,7 @@ def _outcome(project: Project, run: Run) -> Outcome:
 
 def _guessed(project: Project, run: Run) -> Outcome:
     """The outcome of a launch file whose arguments are guessed: only the robot alone can have errors."""
-    from urdfctl.lint.elimination import GUESSED, weakened
+    from urdfctl.lint.weakening import GUESSED, weakened
 
     alone = run(project._replace(controllers=None, started=None, launch=None))
     return weakened(run(project), [alone], GUESSED)
@@ -110,15 +110,13 @@ def _guessed(project: Project, run: Run) -> Outcome:
 
 def _by_elimination(loaded: LoadedTarget, run: Run) -> tuple[Project, Outcome]:
     """The project and its outcome; without the controllers if they share no joint with the robot."""
-    from urdfctl.lint.elimination import shares_joints, weakened
+    from urdfctl.lint.elimination import shares_joints
 
     project = loaded.project
+    if shares_joints(project, loaded.sources):
+        return project, run(project)
     without = project._replace(controllers=None, started=None)
-    alone = run(without)
-    if not shares_joints(project, loaded.sources):
-        return without, alone
-    together = run(project)
-    return project, weakened(together, [alone, run(project._replace(robot=None), reached=_everywhere)])
+    return without, run(without)
 
 
 def _everywhere(_: SourceSpan) -> bool:

@@ -268,7 +268,7 @@ class Loader:
         listed, absent = _listed_joints(path, files), absent_sources(described.packages, files)
         todos = self._todos(sources, described.packages)
         project = project._replace(influence=described.influence, listed=listed, absent=absent, todos=todos)
-        project = project._replace(moveit=moveit)
+        project = project._replace(moveit=moveit, together=bool(controllers))
         return self._completed(project, evidence, controller_files, launch)
 
     def _todos(self, sources: Sequence[SourceText], packages: Packages) -> tuple[tuple[str, Place], ...]:

@@ -105,6 +105,8 @@ class Project(NamedTuple):
     influence: returns the YAML files and the arguments that the values at a place depend on.
     in_order: whether the order of `started` is known.
     listed: the joints that the package lists for drivers of industrial robots.
+    together: whether robot and controller files belong together because they are named together, or nothing else is
+        there.
     evidence: everything that indicates the distro; None if nobody looked.
     own: the types that packages of the workspace define themselves, if the catalogue does not have some type.
     absent: the files and folders that the package's CMakeLists.txt installs and that do not exist.
@@ -129,6 +131,7 @@ class Project(NamedTuple):
     influence: Callable[[Place], Influence] = no_influence
     in_order: bool = False
     listed: tuple[tuple[str, Place], ...] = ()
+    together: bool = False
     evidence: Evidence | None = None
     own: OwnTypes = NO_OWN_TYPES
     absent: tuple[tuple[str, Place], ...] = ()

@@ -92,10 +92,11 @@ def hardware_in(project: Project, robot: Robot) -> dict[str, OfferedHardware]:
 def severity_of(project: Project, hardware: OfferedHardware, *, meant: bool, others: bool) -> Severity:
     """Return the severity of a wrong joint name.
 
-    If it is unknown which controllers are started, the controller may be for another robot. This is less likely if the
-    name resembles a joint of the robot (`meant`), or if the robot has `others` of the list.
+    If it is unknown which controllers are started, the controller may be for another robot, unless its file is named
+    with this one. This is less likely if the name resembles a joint of the robot (`meant`), or if the robot has
+    `others` of the list.
     """
-    if project.started is None and not (meant and others):
+    if project.started is None and not project.together and not (meant and others):
         return Severity.WARNING if meant or others else Severity.INFO
     return Severity.ERROR if hardware.known and not hardware.open else Severity.WARNING
 

@@ -1,0 +1,111 @@
+"""Findings that are warnings at most: what they are about is not started as it is linted, or hardly known."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Iterable, Sequence
+
+from urdfctl.diagnostic import Diagnostic, Remark, Severity
+from urdfctl.lint.planning import PlannedTarget, TargetOrigin
+from urdfctl.lint.results import Outcome, TargetResult
+from urdfctl.load.target import Target
+
+Pair = tuple[Target, TargetResult]
+GUESSED = "the launch file needs arguments; their values are guessed from the files that exist"
+UNSTARTED = "only without xacro arguments; every launch file that starts this robot gives it some"
+ASIDE = "the folder '{}' is not what the repository starts"
+UNUSED = "no robot uses this file"
+OTHER_ROBOT = "only for a robot that no launch file starts; the file also serves one that is started"
+OF_PROSE = "only in the distro that the prose of a README names; set `distro` in urdfctl.toml if it is right"
+
+
+def weakened(together: Outcome, apart: Iterable[Outcome], why: str) -> Outcome:
+    """Return an outcome in which what its parts do not show apart is a warning at most, with a note that says why."""
+    known = {_key(diagnostic) for outcome in apart for diagnostic in outcome.diagnostics}
+    return together._replace(
+        diagnostics=[
+            diagnostic if _key(diagnostic) in known else _weakened(diagnostic, why)
+            for diagnostic in together.diagnostics
+        ]
+    )
+
+
+def is_weakened(diagnostic: Diagnostic) -> bool:
+    """Return whether `weakened` made a diagnostic less severe."""
+    return any(note.message in (GUESSED, UNSTARTED, OF_PROSE) for note in diagnostic.notes)
+
+
+def _weakened(diagnostic: Diagnostic, why: str) -> Diagnostic:
+    note = Remark(why)
+    severity = Severity.WARNING if diagnostic.severity is Severity.ERROR else diagnostic.severity
+    return diagnostic._replace(severity=severity, notes=(*diagnostic.notes, note))
+
+
+def _key(diagnostic: Diagnostic) -> tuple[str, str, int, int]:
+    return diagnostic.code, diagnostic.at.file, diagnostic.at.start, diagnostic.at.end
+
+
+def as_started(entry: PlannedTarget, result: TargetResult, launched: Iterable[TargetResult]) -> TargetResult:
+    """Return the result of a description; its own findings are warnings at most if nobody starts it like that.
+
+    This is so for a description in a folder that is linted with the defaults of its arguments, if all launch files that
+    start it give it arguments. What is found there too keeps its severity.
+    """
+    starts = [each for each in launched if each.path == result.path] if _is_with_defaults(entry) else []
+    if not starts or not all(each.arguments for each in starts):
+        return result
+    return result._replace(outcome=weakened(result.outcome, [each.outcome for each in starts], UNSTARTED))
+
+
+def _is_with_defaults(entry: PlannedTarget) -> bool:
+    target = entry.target
+    settings: Sequence[object] = (target.arguments, target.controllers, target.launch)
+    return entry.origin is TargetOrigin.FOUND and not any(settings)
+
+
+_ASIDE = frozenset(
+    "test tests testing third_party thirdparty 3rdparty external extern vendor vendored deprecated archive backup "
+    "backups attic".split()
+)
+
+
+def folder_aside(path: str) -> str | None:
+    """Return the folder of tests, copies of others or backups that a file is in, below the current folder."""
+    parts = os.path.relpath(path).split(os.sep)[:-1]
+    return next((part for part in parts if part.lower() in _ASIDE), None)
+
+
+def as_used(pairs: Iterable[Pair], named: Collection[str]) -> list[Pair]:
+    """Return targets in which the findings of what is not started are warnings at most.
+
+    That is what lies in folders of tests and copies; and what holds in a file of a started robot only for one that
+    nothing starts.
+
+    named: the paths that the user names: what is found there keeps its severity.
+    """
+    pairs = list(pairs)
+    shared: dict[str, list[Outcome]] = {}
+    for _, result in pairs:
+        for file in result.files if result.launch else ():
+            shared.setdefault(file, []).append(result.outcome)
+    return [
+        (target, result if result.path in named or result.launch in named else _as_used(result, shared))
+        for target, result in pairs
+    ]
+
+
+def _as_used(result: TargetResult, shared: dict[str, list[Outcome]]) -> TargetResult:
+    outcome = result.outcome
+    folder = folder_aside(result.launch or result.path)
+    if folder is not None:
+        outcome = weakened(outcome, [], ASIDE.format(folder))
+    elif result.launch is None and outcome.has_errors:
+        started = {id(one): one for finding in outcome.diagnostics for one in shared.get(finding.at.file, ())}
+        others = [finding for finding in outcome.diagnostics if finding.at.file not in shared]
+        outcome = weakened(outcome, [*started.values(), Outcome(others, [])], OTHER_ROBOT)
+    return result._replace(outcome=outcome)
+
+
+def as_unused(pairs: Iterable[Pair]) -> list[Pair]:
+    """Return targets that no robot uses, with warnings at most."""
+    return [(target, result._replace(outcome=weakened(result.outcome, [], UNUSED))) for target, result in pairs]
