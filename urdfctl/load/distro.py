@@ -62,7 +62,7 @@ class Beside(NamedTuple):
 def detect_distro(robot: Robot | None, beside: Beside, settings: Settings) -> Evidence:
     """Return the distro that the settings name, or `$ROS_DISTRO`, or otherwise the distros that most of the files
     indicate; and the simulator."""
-    simulator, simulator_from = _simulator(robot, settings)
+    simulator, simulator_from = _simulator(robot, beside.launch, settings)
     return _distro(robot, beside, settings)._replace(simulator=simulator, simulator_from=simulator_from)
 
 
@@ -132,10 +132,16 @@ def _narrowed(family: tuple[str, ...], items: Sequence[EvidenceItem]) -> tuple[s
     return tuple(distro for distro in family if support[distro] == max(support.values()))
 
 
-def _simulator(robot: Robot | None, settings: Settings) -> tuple[str | None, str | None]:
-    """Return the simulator in the settings, or the one that all plugins are made for, and where it comes from."""
+def _simulator(robot: Robot | None, launch: Launch | None, settings: Settings) -> tuple[str | None, str | None]:
+    """Return the simulator in the settings, the one that the launch file starts, or the one that all plugins are made
+    for, and where it comes from. A launch file that starts a controller manager and no simulator loads no plugin."""
     if settings.simulator:
         return settings.simulator, settings.simulator_from or "--simulator"
+    launched = {simulation.simulator for simulation in launch.simulations if simulation.sure} if launch else set()
+    if len(launched) == 1:
+        return launched.pop(), "the launch file"
+    if launch is not None and launch.runs_without_simulator:
+        return None, None
     plugins = {simulator: name for name, simulator in _simulators_of(robot)}
     if len(plugins) != 1:
         return None, None

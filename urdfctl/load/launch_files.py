@@ -7,7 +7,6 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch import InlineParameters, Launch, LaunchedFile, Word
 from urdfctl.model.launch.build_launch import is_of_ros2, launch_of
 from urdfctl.model.launch.package import package_around
@@ -112,17 +111,7 @@ def _without_needed(launch: Launch, arguments: Mapping[str, str], reader: _Launc
     other = reader.launch(arguments, blank=UNKNOWN) if missing and reader.has_blank else None
     if other is None:
         return launch
-    open_paths = missing - {one.file.path for one in other.references}
-
-    def blurred(file: FileReference) -> FileReference:
-        return file._replace(exists=None) if file.path in open_paths else file
-
-    return launch._replace(
-        references=tuple(one._replace(file=blurred(one.file)) for one in launch.references),
-        descriptions=tuple(one._replace(file=blurred(one.file)) for one in launch.descriptions),
-        loads=tuple(one._replace(file=blurred(one.file)) for one in launch.loads),
-        moveit=tuple(one._replace(semantic=one.semantic and blurred(one.semantic)) for one in launch.moveit),
-    )
+    return launch.with_open_files(missing - {one.file.path for one in other.references})
 
 
 class _LaunchFileReader:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
@@ -357,6 +357,19 @@ class Launch(NamedTuple):
             others=tuple(each for each in robots if each.namespace != robot.namespace),
             loads=tuple(load for load in self.loads if belongs(load.of if self.ros > 1 else load.namespace)),
             spawns=tuple(spawn for spawn in self.spawns if belongs(spawn.namespace)),
+        )
+
+    def with_open_files(self, paths: Collection[str | None]) -> Launch:
+        """Return the launch file, where it is not known whether some files exist."""
+
+        def opened(file: FileReference) -> FileReference:
+            return file._replace(exists=None) if file.path in paths else file
+
+        return self._replace(
+            references=tuple(one._replace(file=opened(one.file)) for one in self.references),
+            descriptions=tuple(one._replace(file=opened(one.file)) for one in self.descriptions),
+            loads=tuple(one._replace(file=opened(one.file)) for one in self.loads),
+            moveit=tuple(one._replace(semantic=one.semantic and opened(one.semantic)) for one in self.moveit),
         )
 
     def with_beside(self, others: Sequence[Launch]) -> Launch:

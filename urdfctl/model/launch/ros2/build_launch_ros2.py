@@ -108,7 +108,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
     facts = walk.facts
     order = {name: index for index, spawn in enumerate(facts.spawns) for name, _ in spawn.names}
     spawns = sorted(facts.spawns, key=lambda spawn: _turn(spawn, facts.spawns, order))
-    return Launch(
+    launch = Launch(
         path,
         2,
         tuple(facts.descriptions),
@@ -123,6 +123,9 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         moveit=tuple(facts.moveit),
         given=tuple(facts.given),
     )
+    missing = {one.file.path for one in launch.references if one.file.exists is False and one.file.path}
+    made = {path for path in missing if any(path in word for word in walk.words_of_programs)}
+    return launch.with_open_files(made) if made else launch
 
 
 def _turn(spawn: Spawn, spawns: list[Spawn], order: Mapping[str, int], depth: int = 0) -> int:
@@ -138,6 +141,8 @@ class _Walk:
         self.sources = sources
         self.facts = LaunchFacts(sources.locate)
         self.simulations: list[Simulation] = []
+        self.words_of_programs: list[str] = []
+        """The words of processes, which may write the files that they name."""
         self.arguments: dict[str, str | None] = {}
         self.complete = True
         self._includes = self._actions = 0
@@ -342,6 +347,7 @@ class _Walk:
         texts = [word.text for word in words]
         if not texts or not state.held:
             return
+        self.words_of_programs += texts
         self._simulates(commanded_simulation(texts, term.at, sure=state.sure))
         if texts[:2] == ["ros2", "launch"]:
             self.complete = False
