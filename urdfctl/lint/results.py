@@ -96,8 +96,9 @@ class TargetResult(NamedTuple):
 
     @property
     def is_controlled(self) -> bool:
-        """Whether files declare controllers for it, or a launch file spawns some for its robot."""
-        return bool(self.controllers) or bool(self.links and self.bringup and self.bringup.spawned)
+        """Whether files declare controllers for it, or a launch file spawns some for its robot, or simulates it."""
+        bringup = self.bringup
+        return bool(self.controllers) or bool(self.links and bringup and (bringup.spawned or bringup.simulators))
 
 
 class Report(NamedTuple):

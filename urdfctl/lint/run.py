@@ -266,7 +266,7 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
     reported = _paired(reported, _unread(files.controllers_candidates, reported), linted)
     unused = [Target(path, fragment=True) for path in files.unread(_files_read(reported))]
     unused += _unread(files.controllers_candidates, reported)
-    reported = as_used(reported, _named(files))
+    reported = as_used(reported, _named(files), starts)
     launch_paths = {os.path.abspath(path) for path in (*files.launch_candidates, *files.around)}
     robots = [result for _, result in reported if result.path not in launch_paths]
     run = LintRun(robots, [*reported, *as_unused(linted(unused))], tuple(silent), tuple(files.despite))

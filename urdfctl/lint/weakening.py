@@ -75,17 +75,18 @@ def folder_aside(path: str) -> str | None:
     return next((part for part in parts if part.lower() in _ASIDE), None)
 
 
-def as_used(pairs: Iterable[Pair], named: Collection[str]) -> list[Pair]:
+def as_used(pairs: Iterable[Pair], named: Collection[str], started: Iterable[TargetResult]) -> list[Pair]:
     """Return targets in which the findings of what is not started are warnings at most.
 
     That is what lies in folders of tests and copies; and what holds in a file of a started robot only for one that
     nothing starts.
 
     named: the paths that the user names: what is found there keeps its severity.
+    started: the results of all launch files.
     """
     pairs = list(pairs)
     shared: dict[str, list[Outcome]] = {}
-    for _, result in pairs:
+    for result in (*started, *(result for _, result in pairs)):
         for file in result.files if result.launch else ():
             shared.setdefault(file, []).append(result.outcome)
     return [
