@@ -91,24 +91,26 @@ def targets_near(path: str) -> list[Target]:
     return [*map(Target, islice(launches, _MOST_NEAR)), *map(Target, files.candidates[:_MOST_NEAR])]
 
 
-def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs) -> Joined:
+def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, alone: bool = False) -> Joined:
     """Return launch files without a robot, joined with the starts beside which they are started.
 
     A launch file that spawns what another one loads is joined with the result of that.
 
     every: starts, and launch files without a robot.
     wanted: the identities of the results of which one must be in a join.
+    alone: whether only joins with one start, of one robot, are wanted.
     """
     pairs = list({id(pair[1]): pair for pair in every}.values())
     lonely = [pair for pair in pairs if is_lonely(pair[1])]
     if not lonely:
         return Joined()
     loading = [pair for pair in lonely if pair[1].joining.claimed]
-    first = _joined_once(loading, _starts(pairs), wanted, lint)
+    first = _joined_once(_joins(loading, _starts(pairs), wanted, alone=alone), lint)
     left = [pair for pair in lonely if id(pair[1]) not in first.replaced]
     now = [pair for pair in pairs if id(pair[1]) not in first.replaced]
     made = {id(result) for _, result in first.results}
-    second = _joined_once(left, _starts([*first.results, *now]), made.union(wanted), lint)
+    joins = _joins(left, _starts([*first.results, *now]), made.union(wanted), alone=alone)
+    second = _joined_once(joins, lint)
     kept = [pair for pair in first.results if id(pair[1]) not in second.replaced]
     return Joined((*kept, *second.results), first.replaced | second.replaced)
 
@@ -127,7 +129,7 @@ def _starts(pairs: Sequence[Pair]) -> list[Start]:
 # -- which belong together ---------------------------------------------------------------------------------------------
 
 
-def _joins(lonely: Sequence[Pair], starts: Sequence[Start], wanted: Collection[int]) -> list[Join]:
+def _joins(lonely: Sequence[Pair], starts: Sequence[Start], wanted: Collection[int], *, alone: bool) -> list[Join]:
     """The launch files without a robot for which there are starts, those together that do not exclude each other."""
     found: dict[tuple[int, ...], list[list[Pair]]] = {}
     by_key: dict[tuple[int, ...], tuple[Start, ...]] = {}
@@ -135,7 +137,7 @@ def _joins(lonely: Sequence[Pair], starts: Sequence[Start], wanted: Collection[i
         fitting = _fitting(pair[1], starts)
         if id(pair[1]) not in wanted:
             fitting = [start for start in fitting if any(id(result) in wanted for _, result in start.robots)]
-        if not fitting:
+        if not fitting or (alone and (len(fitting) > 1 or len(fitting[0].robots) > 1)):
             continue
         key = tuple(id(start.first) for start in fitting)
         by_key[key] = tuple(fitting)
@@ -226,8 +228,7 @@ def _manages(result: TargetResult) -> bool:
 # -- what they show together -------------------------------------------------------------------------------------------
 
 
-def _joined_once(lonely: Sequence[Pair], starts: Sequence[Start], wanted: Collection[int], lint: LintPairs) -> Joined:
-    made = _joins(lonely, starts, wanted)
+def _joined_once(made: Sequence[Join], lint: LintPairs) -> Joined:
     if not made:
         return Joined()
     linted = iter(list(lint([target for join in made for target in join.targets()])))

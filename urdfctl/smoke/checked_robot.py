@@ -24,7 +24,6 @@ class CheckedRobot(NamedTuple):
     troubles: the findings so far.
     suppressed: the codes that comments suppress, by subject.
     misfits: the user's tasks that do not fit it.
-    fits: whether it has all joints that its controllers claim.
     not_started: the controllers that are most likely not started, each with the reason.
     """
 
@@ -34,7 +33,6 @@ class CheckedRobot(NamedTuple):
     troubles: tuple[Trouble, ...] = ()
     suppressed: Mapping[str, Sequence[str]] = {}
     misfits: tuple[Misfit, ...] = ()
-    fits: bool = False
     not_started: Mapping[str, str] = {}
 
     @classmethod
@@ -54,7 +52,6 @@ class CheckedRobot(NamedTuple):
             troubles=tuple(Trouble.from_json(fields) for fields in data["troubles"]),
             suppressed=data["suppressed"],
             misfits=tuple(Misfit(*misfit) for misfit in data["misfits"]),
-            fits=data["fits"],
             not_started=data["not_started"],
         )
 
@@ -70,6 +67,5 @@ class CheckedRobot(NamedTuple):
             "troubles": self.troubles,
             "suppressed": dict(self.suppressed),
             "misfits": self.misfits,
-            "fits": self.fits,
             "not_started": self.not_started,
         }

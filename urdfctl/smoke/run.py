@@ -5,6 +5,7 @@ A robot is loaded and judged in one limited worker, and moved in another, fresh 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import groupby
@@ -28,7 +29,7 @@ from urdfctl.names import enumerated
 from urdfctl.report.common import shown
 from urdfctl.run.limits import processors
 from urdfctl.smoke.checked_robot import CheckedRobot
-from urdfctl.smoke.pairing import has_joints_of_controllers, only_ones, pairs_to_try
+from urdfctl.smoke.pairing import with_joined
 from urdfctl.smoke.reports import SmokeReport, report_of
 from urdfctl.smoke.results import RobotResult
 from urdfctl.smoke.statics import check_statically
@@ -150,17 +151,18 @@ def plan(files: DiscoveredFiles, group: ConfiguredPaths, request: SmokeRequest) 
 def check(targets: Sequence[Target], settings: Sequence[Settings], request: SmokeRequest) -> list[CheckedRobot]:
     """Return targets, each loaded with its own settings and judged without an engine.
 
-    A launch file that spawns controllers without a robot has the only other robot that fits it.
+    A launch file that spawns controllers without a robot has the only start beside which it may be started.
     Raises UserError, with file and line, if the user's tasks do not fit a robot, or name what no robot has.
     """
     if request.engines:
         import urdfctl.smoke.robot_motion  # noqa: F401 (for all workers at once, before they fork)
     robots = list(_checked(targets, settings, request))
-    pairs = pairs_to_try(targets, [robot.result for robot in robots])
-    own = [settings[pair.position] for pair in pairs]
-    tried = list(_checked([pair.target for pair in pairs], own, request)) if pairs else []
-    for index, position in only_ones(pairs, [robot.fits for robot in tried]).items():
-        robots[index] = tried[position]._replace(result=tried[position].result._replace(paired=True))
+    of_path = {os.path.abspath(target.path): its for target, its in zip(targets, settings, strict=True)}
+
+    def check_more(more: list[Target]) -> Iterator[CheckedRobot]:
+        return _checked(more, [of_path[os.path.abspath(target.path)] for target in more], request)
+
+    robots = with_joined(targets, robots, check_more)
     _check_tasks(robots, request)
     return robots
 
@@ -211,7 +213,6 @@ def judge(seen: LintedTarget, loader: Loader, request: SmokeRequest) -> CheckedR
         result=static_check.result,
         plan=motion_plan,
         misfits=tuple(misfits(given, mechanism, static_check.tasks, names)) if given and mechanism else (),
-        fits=has_joints_of_controllers(seen.project),
     )
     if motion_plan is None:
         return robot
