@@ -125,6 +125,10 @@ _EXPANDED = ("process_file", "process_doc", "function", "module", "open")
 """How a description is made by Python itself."""
 
 
+WRAPPED = ("parameter_value", "find_executable")
+"""How a description is made as a parameter, not as a text."""
+
+
 def hardware(system: System, idioms: Idioms, _position: str) -> bool:
     """An argument chooses between a simulator and hardware."""
     one = system.generation == 2 and not system.moveit and not system.is_fleet
@@ -142,7 +146,7 @@ def model(system: System, idioms: Idioms, position: str) -> bool:
     """What is put into the simulator: by Gazebo's program for ROS 1 a file, by that for Gazebo Sim a text."""
     if position == "file":
         return system.generation == 1 and system.is_simulated and idioms["source"] in _TEXTS
-    wrapped = idioms["description"] in ("parameter_value", "find_executable")
+    wrapped = idioms["description"] in WRAPPED
     return system.simulator == GZ and has_python(system, idioms, "") and not wrapped
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from textwrap import indent
 
-from systems.possible import Idioms
+from systems.possible import WRAPPED, Idioms
 from systems.render.actions import (
     Action,
     After,
@@ -243,7 +243,7 @@ class _Writer:
                 items.append(self._file(parameter))
             elif isinstance(parameter.value, Description):
                 text = self._description(parameter.value)
-                if self.idioms["wrapped"] == "where used" and self.idioms["description"] != "parameter_value":
+                if self.idioms["wrapped"] == "where used" and self.idioms["description"] not in WRAPPED:
                     text = f"{self.values.use('ParameterValue')}({text}, value_type=str)"
                 plain.append(f'"{parameter.name}": {text}')
             else:

@@ -39,7 +39,7 @@ def _words(values: Values, spawned: Sequence[Spawn]) -> list[Value]:
 def _node(values: Values, namespace: Value, spawned: Sequence[Spawn]) -> Node:
     words = [*_words(values, spawned), *_options(values)]
     words += [] if spawned[0].active else [("--inactive",)]
-    label = f"{spawned[0].name}_spawner"
+    label = f"{_owner(values)}{spawned[0].name}_spawner"
     return Node("controller_manager", "spawner", "", namespace, (), tuple(words), label=label)
 
 
@@ -67,7 +67,12 @@ def _command(values: Values, spawn: Spawn) -> Execute:
     robot = values.robot
     if robot.namespace or robot.asked != "controller_manager":
         words += [("-c",), _manager(values)]
-    return Execute(tuple(words), f"load_{spawn.name}")
+    return Execute(tuple(words), f"load_{_owner(values)}{spawn.name}")
+
+
+def _owner(values: Values) -> str:
+    """What tells the processes of two robots apart."""
+    return f"{values.robot.name}_" if values.system.is_fleet else ""
 
 
 def _loop(values: Values, namespace: Value, style: str) -> list[Action]:
