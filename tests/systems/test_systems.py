@@ -15,6 +15,8 @@ from systems.campaign import Shares, all_tried, shares
 from systems.draw import draw
 from systems.idioms import SWITCHES, drawn, is_plain, settled
 from systems.render import Workspace, render
+from systems.render.places import places_of
+from systems.render.plan import planned
 
 SEEDS = range(200)
 
@@ -100,3 +102,13 @@ def test_what_is_expected_is_there() -> None:
         assert len(written.robots) == len(written.system.robots)
         for robot in written.robots:
             assert {robot.description, *robot.parameters} <= set(written.files), seed
+
+
+def test_files_of_a_package_have_different_names() -> None:
+    for seed in range(1000):
+        system = draw(seed)
+        if not system.moveit:
+            idioms = drawn(system)
+            files = planned(system, idioms, places_of(system, idioms)).files
+            names = [(file.package, file.stem) for file in files]
+            assert len(set(names)) == len(names), seed

@@ -61,7 +61,7 @@ def starts_of(system: System, idioms: Idioms) -> list[tuple[str, tuple[str, ...]
         "manager apart": [(first, roles[:1]), (last, roles[1:])],
         "three starts": [
             (first, roles[:1]),
-            (pick(system, "middle", ("load", "hardware")), roles[1:2]),
+            (pick(system, "middle", ("load", "drivers")), roles[1:2]),
             (last, roles[2:]),
         ],
     }
