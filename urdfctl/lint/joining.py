@@ -101,7 +101,9 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     alone: whether only joins with one start, of one robot, are wanted.
     """
     pairs = list({id(pair[1]): pair for pair in every}.values())
-    lonely = [pair for pair in pairs if is_lonely(pair[1])]
+    included = {path for _, result in pairs if result.bringup for path in result.bringup.includes}
+    inner = [result for _, result in pairs if is_lonely(result) and result.path in included]
+    lonely = [pair for pair in pairs if is_lonely(pair[1]) and pair[1].path not in included]
     if not lonely:
         return Joined()
     loading = [pair for pair in lonely if pair[1].joining.claimed]
@@ -112,7 +114,10 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     joins = _joins(left, _starts([*first.results, *now]), made.union(wanted), alone=alone)
     second = _joined_once(joins, lint)
     kept = [pair for pair in first.results if id(pair[1]) not in second.replaced]
-    return Joined((*kept, *second.results), first.replaced | second.replaced)
+    results = (*kept, *second.results)
+    within = {path for _, result in results if result.bringup for path in result.bringup.includes}
+    covered = {id(result) for result in inner if result.path in within}
+    return Joined(results, first.replaced | second.replaced | covered)
 
 
 def _starts(pairs: Sequence[Pair]) -> list[Start]:

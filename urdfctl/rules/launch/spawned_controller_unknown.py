@@ -64,7 +64,7 @@ def _is_all_known(project: Project, launch: Launch) -> bool:
     nodes = manager_nodes(launch)
     if not nodes and not any(True for _ in simulators_managers(project)):
         return False
-    return all(node.complete and all("type" not in word.text for word in node.parameters) for node in nodes)
+    return all(node.complete for node in nodes)
 
 
 def _is_meant(name: str, spawn: Spawn, controller: Controller) -> bool:
