@@ -7,6 +7,8 @@ from collections.abc import Collection, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
+from urdfctl.config.file import NAMES as CONFIG_NAMES
+from urdfctl.config.file import config_for
 from urdfctl.config.settings import ALL_STARTED, Settings
 from urdfctl.load.build_files import absent_sources
 from urdfctl.load.distro import Beside, detect_distro
@@ -21,7 +23,7 @@ from urdfctl.source.disk.gate import is_file, reading_within
 from urdfctl.source.opaque import is_known
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.todo import todos_in
-from urdfctl.source.workspaces.packages import PackageIndex, Packages
+from urdfctl.source.workspaces.packages import PackageIndex, Packages, package_around
 from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.xml.dom import Document, Element
@@ -96,6 +98,22 @@ class Loader:
 
     def _workspace(self, path: str) -> str:
         return workspace_of(path, self.settings.workspace)
+
+    def _settings_of_package(self, path: str) -> Settings:
+        """The settings, with the distro and the simulator of a configuration in the package of a file.
+
+        An option of the command line counts more, the configuration of the run less.
+        """
+        package = package_around(os.path.dirname(path))
+        if package is None or not any(is_file(os.path.join(package, name)) for name in CONFIG_NAMES):
+            return self.settings
+        config = config_for((package,), self.settings.workspace)
+        settings = self.settings
+        if config.distro and (settings.distro is None or settings.distro_from):
+            settings = settings._replace(distro=config.distro, distro_from=config.distro_from)
+        if config.simulator and (settings.simulator is None or settings.simulator_from):
+            settings = settings._replace(simulator=config.simulator, simulator_from=config.simulator_from)
+        return settings
 
     def index_for(self, path: str) -> PackageIndex:
         """Return the packages of the workspace that a file is in."""
@@ -224,7 +242,7 @@ class Loader:
             workspace=self._workspace(path),
             path=path,
         )
-        evidence = detect_distro(None, beside, self.settings)
+        evidence = detect_distro(None, beside, self._settings_of_package(path))
         problems = (
             *(launch_file.problems if launch_file else ()),
             *(controller_files.problems if controller_files else ()),
@@ -257,7 +275,7 @@ class Loader:
             workspace=self._workspace(path),
             path=path,
         )
-        evidence = detect_distro(robot, beside, self.settings)
+        evidence = detect_distro(robot, beside, self._settings_of_package(path))
         problems = (
             *expansion.problems,
             *(launch_file.problems if launch_file else ()),
