@@ -121,10 +121,10 @@ def test_an_argument_of_the_command_line_goes_over_the_configurations(folder: Fo
     assert found(folder, "kind:=revolute") == ([], 1)
 
 
-def test_with_no_path_only_the_configurations_robots_are_looked_at(folder: Folder) -> None:
+def test_with_no_path_the_same_is_looked_at_as_in_the_current_folder(folder: Folder) -> None:
     other = ARM.replace('default="revolute"', 'default="sideways"')
     folder.write({"urdfctl.toml": "[[robot]]\npath = 'arm.xacro'", "arm.xacro": ARM, "other.xacro": other})
-    assert found(folder) == ([], 1)
+    assert found(folder) == (["UC121"], 2)
     assert found(folder, ".") == (["UC121"], 2)
 
 
@@ -199,4 +199,4 @@ def test_smoke_tests_the_configurations_robots_too(folder: Folder) -> None:
     folder.write({"urdfctl.toml": "[[robot]]\npath = 'arm.xacro'\n", "arm.xacro": ARM, "other.xacro": ARM})
     ran = folder.run("smoke")
     assert ran.stdout.startswith("arm.xacro (")
-    assert "other.xacro" not in ran.stdout
+    assert "other.xacro (" in ran.stdout

@@ -158,7 +158,15 @@ def _classify(files: Sequence[str], found: DiscoveredFiles, excluded: Callable[[
 def roots(texts: Mapping[str, bytes]) -> list[str]:
     """Return the descriptions that no other one includes, in order. Loading shows whether they are robots."""
     included = {(tail, package) for path, text in texts.items() for tail, package in _included(path, text)}
-    return [path for path in texts if not any(is_match(path, tail, package) for tail, package in included)]
+    named = {package for _, package in included if package}
+    here = named & {_package_of(os.path.dirname(os.path.abspath(path))) for path in texts} if named else named
+
+    def is_included(path: str, tail: str, package: str) -> bool:
+        """A file outside of packages is not meant if the package is here."""
+        folder = os.path.dirname(os.path.abspath(path))
+        return is_match(path, tail, package) and not (package in here and _package_of(folder) is None)
+
+    return [path for path in texts if not any(is_included(path, tail, package) for tail, package in included)]
 
 
 def is_fragment(path: str, text: bytes, launches: Iterable[bytes]) -> bool:

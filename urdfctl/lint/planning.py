@@ -79,15 +79,18 @@ def _is_own(finding: Diagnostic) -> bool:
 
 
 def discovered(paths: Sequence[str], config: Config) -> DiscoveredFiles:
-    """Return the files that paths mean; without paths, the robots of the configuration if it has any."""
-    robots = [robot.path for robot in config.robots]
-    if robots and not paths:
-        files = DiscoveredFiles()
-        files.robots += dict.fromkeys(robots)
-        return files
+    """Return the files that paths mean, and the robots of the configuration in them; without paths, all its robots.
+
+    A robot of the configuration that is found anyway stays one that is found: what belongs to it is looked for.
+    """
     files = discover_files(paths, config.excludes)
     folders = tuple(os.path.abspath(path).rstrip(os.sep) + os.sep for path in paths if os.path.isdir(path))
-    files.robots += (path for path in dict.fromkeys(robots) if os.path.abspath(path).startswith(folders))
+    found = set(map(os.path.abspath, files.candidates))
+    for robot in config.robots:
+        path = os.path.abspath(robot.path)
+        is_meant = not paths or path.startswith(folders)
+        if is_meant and (path not in found or robot.controllers or robot.launches) and robot.path not in files.robots:
+            files.robots.append(robot.path)
     files.focus = _focus(paths, files, config)
     if files.focus:
         from urdfctl.discover.around import launch_files_around
