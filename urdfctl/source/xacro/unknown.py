@@ -16,6 +16,8 @@ from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.xacro.expressions.compiling import ForbiddenExpression
 from urdfctl.source.xml.dom import Element
 
+_PROPERTIES = ("xacro:property", "property")
+_MACROS = ("xacro:macro", "macro")
 _MOST_NESTED = 3
 """How often a macro may be open at the same time if the condition that ends its recursion may be unknown."""
 
@@ -76,6 +78,8 @@ class UnknownExpander(Expander):
         unknown = isinstance(value, Opaque) or (isinstance(value, str) and UNKNOWN in value)
         if unknown and condition is not None:  # without a condition the question is whether a property is a literal
             self.guessed = True
+            if self._guard is not None:
+                _forget_properties(self._guard)
             return self._guard is None or self._guard.tagName != "xacro:unless"
         return decide(value, condition)
 
@@ -122,6 +126,17 @@ class UnknownExpander(Expander):
     def _add(self, problem: Problem) -> None:
         if UNKNOWN not in problem.message:
             super()._add(problem)
+
+
+def _forget_properties(guard: Element) -> None:
+    """Make the properties unknown that are only set if an unknown condition holds."""
+    pending = guard.elements()
+    while pending:
+        element = pending.pop()
+        if element.tagName in _PROPERTIES and "value" in element.attrs:
+            element.attrs["value"] = UNKNOWN
+        elif element.tagName not in _MACROS:
+            pending += element.elements()
 
 
 class _Veiled(dict[str, Any]):
