@@ -31,6 +31,20 @@ _NAMES = ("joint", "wheel", "interface")
             ARM,
             controllers=CONTROLLERS.replace("joints: [shoulder, elbow]", 'joints: [«"${prefix}shoulder"», elbow]'),
         ),
+        {
+            "robot.urdf": "",
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: position_controllers/JointGroupPositionController}
+                    base: {type: diff_drive_controller/DiffDriveController}
+                arm:
+                  ros__parameters: {joints: [elbow], interface_name: «"${kind}"»}
+                base:
+                  ros__parameters: {left_wheel_names: [«"${side}wheel"»], right_wheel_names: [shoulder], base_frame_id: «"${side}base"»}
+            """,
+        },
     ],
     good=[SOUND],
 )
