@@ -20,7 +20,15 @@ _HOW = {"gz": "Add '-r' to gz_args", "gazebo-classic": "Set 'pause' to 'false'"}
     distros=ROS2,
     authority="gz sim --help: '-r: Run simulation on start'; ros2_control: 'Switch controller timed out after 5.000000 "
     "seconds!' (gz_ros2_control#421)",
-    bad=[launched(PUBLISHER, '\n      «<executable cmd="gz sim empty.sdf"/>»', BROADCASTER, ARM)],
+    bad=[
+        launched(PUBLISHER, '\n      «<executable cmd="gz sim empty.sdf"/>»', BROADCASTER, ARM),
+        launched(
+            PUBLISHER,
+            """
+      «<include file="$(find-pkg-share gazebo_ros)/launch/gazebo.launch.py">»<arg name="pause" value="true"/></include>""",
+            BROADCASTER,
+        ),
+    ],
     good=[SOUND],
 )
 def simulation_paused(project: Project) -> Iterator[Finding]:
