@@ -28,6 +28,17 @@ _READERS = ("robot_state_publisher", "ros2_control_node", "move_group", "rviz2")
                 "$(command 'xacro $(find-pkg-share arm)/arm.urdf')", "$(find-pkg-share arm)/arm.urdf"
             )
         ),
+        {
+            "arm.launch.xml": """
+                <launch>
+                  <node pkg="controller_manager" exec="ros2_control_node">
+                    <param name="«robot_description»" value="arm.urdf.xacro"/>
+                  </node>
+                  <node pkg="moveit_ros_move_group" exec="move_group"><param name="«robot_description»" value="arm.urdf"/></node>
+                  <node pkg="rviz2" exec="rviz2"><param name="«robot_description»" value="arm.sdf"/></node>
+                </launch>
+            """,
+        },
     ],
     good=[launched(PUBLISHER)],
 )
