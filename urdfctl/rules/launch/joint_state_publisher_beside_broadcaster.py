@@ -6,12 +6,19 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import is_spawner, publishers_of_states
-from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, MANIFEST, PUBLISHER, SOUND, launched
 
 _NODE = """
       «<node pkg="joint_state_publisher" exec="joint_state_publisher"/>»"""
 _NAMES = ("joint_state_broadcaster", "joint_state_controller")
 _TOPICS = ("joint_states", "/joint_states")
+
+
+def _renamed(topic: str) -> dict[str, str]:
+    node = f"""
+      <node pkg="joint_state_publisher" exec="joint_state_publisher"><remap from="{topic}" to="wanted"/></node>"""
+    manifest = MANIFEST.replace("</package>", "<exec_depend>joint_state_publisher</exec_depend></package>")
+    return {**launched(PUBLISHER, MANAGER, BROADCASTER, ARM, node), "package.xml": manifest}
 
 
 @rule(
@@ -20,8 +27,11 @@ _TOPICS = ("joint_states", "/joint_states")
     runtime="misbehaves",
     authority="joint_state_publisher: publishes joint_states of all joints, zero for joints without input; "
     "robot_state_publisher takes whatever comes on joint_states",
-    bad=[launched(PUBLISHER, MANAGER, BROADCASTER, ARM, _NODE)],
-    good=[SOUND],
+    bad=[
+        launched(PUBLISHER, MANAGER, BROADCASTER, ARM, _NODE),
+        launched(PUBLISHER, MANAGER, BROADCASTER.replace("state_broadcaster", "state_controller"), ARM, _NODE),
+    ],
+    good=[SOUND, _renamed("joint_states"), _renamed("/joint_states")],
 )
 def joint_state_publisher_beside_broadcaster(project: Project) -> Iterator[Finding]:
     """joint_state_publisher and the broadcaster both publish joint states.
