@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import ROS2, since
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced, severity_where
 from urdfctl.rules.launch.common import ROS_2, launch_of, spawners
-from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
 
 _GONE = {
     "spawner.py": (since("humble"), "spawner"),
@@ -27,7 +27,17 @@ _GONE = {
     options=("--distro=humble",),
     authority="ros2_control controller_manager/setup.cfg: console_scripts spawner, unspawner; galactic: ''spawner.py' is "
     "deprecated, please use 'spawner' (without .py extension)'; ros2controlcli: verbs of foxy",
-    bad=[launched(PUBLISHER, MANAGER, BROADCASTER.replace('"spawner"', '"«spawner.py»"'), ARM)],
+    bad=[
+        launched(PUBLISHER, MANAGER, BROADCASTER.replace('"spawner"', '"«spawner.py»"'), ARM),
+        launched(
+            PUBLISHER,
+            MANAGER,
+            spawner("arm_controller", "«unspawner.py»"),
+            """
+      <executable cmd="ros2 control «load_start_controller» joint_state_broadcaster"/>
+      <executable cmd="ros2 control «load_configure_controller» arm_controller"/>""",
+        ),
+    ],
     good=[SOUND],
 )
 def spawner_program_gone(project: Project) -> Iterator[Finding]:
