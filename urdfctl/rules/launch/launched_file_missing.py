@@ -27,6 +27,24 @@ _ARGUMENTS = {".rviz": "RViz configuration", ".vcg": "RViz configuration", ".wor
             BROADCASTER,
             spawner("arm_controller -p «$(find-pkg-share arm)/controler.yaml»"),
         ),
+        launched(
+            PUBLISHER.replace("$(command", "«$(command").replace("arm.urdf')", "model.urdf')»"),
+            """
+      <include file="«$(find-pkg-share arm)/spawn.launch.xml»"/>
+      <node pkg="rviz2" exec="rviz2" args="-d «$(find-pkg-share arm)/arm.rviz»"/>
+      <node pkg="ros_gz_sim" exec="create" args="-file «$(find-pkg-share arm)/arm.sdf»"/>""",
+        ),
+        {
+            "arm.launch": """
+                <launch>
+                  <include file="$(find gazebo_ros)/launch/empty_world.launch">
+                    <arg name="world_name" value="«$(find arm)/arm.world»"/>
+                  </include>
+                  <node name="rviz" pkg="rviz" type="rviz" args="«-d $(find arm)/arm.vcg»"/>
+                </launch>
+            """,
+            "package.xml": "<package><name>arm</name></package>",
+        },
     ],
     good=[SOUND],
 )
