@@ -18,6 +18,15 @@ _STATES = """
       <node pkg="joint_state_publisher" exec="joint_state_publisher"/>"""
 
 
+_MARKED = PUBLISHER.replace("<node pkg", "«<node pkg").replace('publisher">', 'publisher">»')
+_BESIDE = (
+    "robot_state_publisher joint_state_publisher joint_state_publisher_gui controller_manager tf2_ros xacro rqt_gui "
+    "rqt_joint_trajectory_controller rqt_robot_steering topic_tools ros_gz_bridge ros_ign_bridge ros_gz_image ros_gz_sim "
+    "ros_ign_gazebo gazebo_ros nav2_util twist_mux joy teleop_twist_joy slam_toolbox robot_localization"
+).split()
+"""Packages whose nodes contain no controller manager."""
+
+
 def _files(*nodes: str) -> dict[str, str]:
     files = launched(*nodes, robot="")
     more = "<exec_depend>rviz2</exec_depend><exec_depend>joint_state_publisher</exec_depend></package>"
@@ -35,7 +44,28 @@ def _files(*nodes: str) -> dict[str, str]:
     in_library=False,
     authority="robot_state_publisher: transforms of movable joints are published only for positions from joint_states; RViz: "
     "'No transform from [fore] to [base]'",
-    bad=[_files(PUBLISHER.replace("<node pkg", "«<node pkg").replace('publisher">', 'publisher">»'), _RVIZ)],
+    bad=[
+        _files(_MARKED, _RVIZ),
+        {
+            "arm.launch": """
+                <launch>
+                  <param name="robot_description" textfile="$(find arm)/arm.urdf"/>
+                  «<node name="publisher" pkg="robot_state_publisher" type="state_publisher"/>»
+                  <node name="rviz" pkg="rviz" type="rviz"/>
+                </launch>
+            """,
+            "arm.urdf": """
+                <link name="tool"/>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+                <link name="finger"/>
+                <joint name="slide" type="prismatic">
+                  <parent link="tool"/><child link="finger"/><limit lower="0" upper="1" effort="1" velocity="1"/>
+                </joint>
+            """,
+            "package.xml": "<package><name>arm</name></package>",
+        },
+        _files(_MARKED, _RVIZ, *(f'<node pkg="{package}" exec="any"/>' for package in _BESIDE)),
+    ],
     good=[_files(PUBLISHER, _RVIZ, _STATES)],
 )
 def joint_states_of_nobody(project: Project) -> Iterator[Finding]:
