@@ -17,6 +17,8 @@ from urdfctl.rules.launch.common import (
 )
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
 
+_FIRST = BROADCASTER.replace("joint_state_broadcaster", "«joint_state_broadcaster»")
+
 
 @rule(
     "UC605",
@@ -26,7 +28,10 @@ from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, lau
     distros=ROS2,
     whole_robot=True,
     authority="ros2_control spawner.py: 'waiting for service /controller_manager/list_controllers to become available...'",
-    bad=[launched(PUBLISHER, BROADCASTER.replace("joint_state_broadcaster", "«joint_state_broadcaster»"), ARM)],
+    bad=[
+        launched(PUBLISHER, _FIRST, ARM),
+        launched(PUBLISHER, _FIRST, ARM, '\n      <node pkg="rviz2" exec="rviz2"/>'),
+    ],
     good=[SOUND],
 )
 def spawner_without_manager(project: Project) -> Iterator[Finding]:
