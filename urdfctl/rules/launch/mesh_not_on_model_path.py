@@ -15,10 +15,11 @@ _VARIABLES = (b"MODEL_PATH", b"RESOURCE_PATH")
 _NAMES = {"gazebo-classic": ("Gazebo Classic", "GAZEBO_MODEL_PATH"), "gz": ("gz", "GZ_SIM_RESOURCE_PATH")}
 _PACKAGE = "package://"
 _EXPORT = '<export><gazebo_ros gazebo_model_path="${prefix}/.."/></export>'
-_INCLUDED = '<include file="$(find-pkg-share gazebo_ros)/launch/gazebo.launch.py"/>'
+_CLASSIC = '<include file="$(find-pkg-share gazebo_ros)/launch/gazebo.launch.py"/>'
+_GZ = '<include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"/>'
 
 
-def _files(mark: str, export: str) -> dict[str, str]:
+def _files(included: str, export: str = "") -> dict[str, str]:
     return {
         "arm.urdf": """
             <link name="tool">
@@ -29,7 +30,7 @@ def _files(mark: str, export: str) -> dict[str, str]:
         """,
         "arm.launch.xml": f"""
             <launch>
-              {mark.format(_INCLUDED)}{PUBLISHER}
+              {included}{PUBLISHER}
             </launch>
         """,
         "package.xml": f"""
@@ -37,6 +38,7 @@ def _files(mark: str, export: str) -> dict[str, str]:
               <name>arm</name>
               <exec_depend>gazebo_ros</exec_depend>
               <exec_depend>robot_state_publisher</exec_depend>
+              <exec_depend>ros_gz_sim</exec_depend>
               <exec_depend>xacro</exec_depend>
               {export}
             </package>
@@ -54,8 +56,12 @@ def _files(mark: str, export: str) -> dict[str, str]:
     authority="sdformat parser_urdf.cc: package:// becomes model://; gazebo_ros and ros_gz_sim scripts GazeboRosPaths: the model "
     "path is taken from <export><gazebo_ros gazebo_model_path=.../></export>; 'No mesh specified', 'Unable to find file "
     "with URI [model://arm/tool.stl]'",
-    bad=[_files("«{}»", "")],
-    good=[_files("{}", _EXPORT)],
+    bad=[_files(f"«{_CLASSIC}»"), _files(f"«{_GZ}»")],
+    good=[
+        _files(_CLASSIC, _EXPORT),
+        _files(f'<set_env name="GAZEBO_MODEL_PATH" value="$(find-pkg-share arm)/.."/>{_CLASSIC}'),
+        _files(f'<set_env name="GZ_SIM_RESOURCE_PATH" value="$(find-pkg-share arm)/.."/>{_GZ}'),
+    ],
 )
 def mesh_not_on_model_path(project: Project) -> Iterator[Finding]:
     """Gazebo does not find the meshes of a package.
