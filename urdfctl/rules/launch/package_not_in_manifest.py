@@ -38,6 +38,15 @@ _EVERYTHING = ("desktop", "desktop_full", "robot", "viz", "simulators", "moveit"
 _CONTROLLERS = ("ros_controllers", "ros2_controllers")
 
 
+def _using(packages: str, declared: str, root: str = '<package format="3">') -> dict[str, str]:
+    """Return the files of a package that depends on one package, and starts a node of each of some others."""
+    nodes = (f'<node pkg="{package}" exec="any"/>' for package in packages.split())
+    return {
+        "arm.launch.xml": f"<launch>{''.join(nodes)}</launch>",
+        "package.xml": f"{root}<name>arm</name><exec_depend>{declared}</exec_depend></package>",
+    }
+
+
 @rule(
     "UC614",
     runtime="works",
@@ -45,8 +54,37 @@ _CONTROLLERS = ("ros_controllers", "ros2_controllers")
     severity=Severity.WARNING,
     authority="REP 149: <exec_depend> declares what is needed at run time, and rosdep installs that; "
     "ament_index: 'package 'xacro' not found, searching: ...'",
-    bad=[{**SOUND, "package.xml": _LACKING}],
-    good=[SOUND],
+    bad=[
+        {**SOUND, "package.xml": _LACKING},
+        _using(
+            "xacro robot_state_publisher joint_state_publisher joint_state_publisher_gui controller_manager gazebo_ros "
+            "ros_gz_sim ros_ign_gazebo ros_gz_bridge gazebo_ros_control gazebo_ros2_control gz_ros2_control",
+            declared="rviz2",
+            root='«<package format="3">»',
+        ),
+    ],
+    good=[
+        SOUND,
+        _using("controller_manager", declared="ros2_control"),
+        _using("controller_manager", declared="ros_control"),
+        _using("controller_manager gazebo_ros", declared="gazebo_ros_control"),
+        _using("controller_manager gazebo_ros", declared="gazebo_ros2_control"),
+        _using("controller_manager", declared="gz_ros2_control"),
+        _using("controller_manager", declared="ign_ros2_control"),
+        _using("gazebo_ros", declared="gazebo_ros_pkgs"),
+        _using("ros_gz_sim ros_gz_bridge", declared="ros_gz"),
+        _using("joint_state_publisher", declared="joint_state_publisher_gui"),
+        _using("xacro", declared="joint_state_publisher"),
+        _using("robot_state_publisher joint_state_publisher joint_state_publisher_gui xacro", declared="urdf_launch"),
+        *(
+            _using("robot_state_publisher", declared=everything)
+            for everything in ("desktop", "desktop_full", "robot", "viz", "simulators", "moveit", "ros_base")
+        ),
+        *(
+            {**SOUND, "package.xml": MANIFEST.replace(">joint_trajectory_controller<", f">{controllers}<")}
+            for controllers in ("ros_controllers", "ros2_controllers")
+        ),
+    ],
 )
 def package_not_in_manifest(project: Project) -> Iterator[Finding]:
     """Package used by a launch file is missing in package.xml.
