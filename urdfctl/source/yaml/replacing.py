@@ -50,7 +50,7 @@ def below(file: YamlFile, root: str) -> YamlFile:
         return file
     documents = []
     for node in file.documents:
-        key = Scalar(root, "", None, node.source, node.start, node.start)
+        key = Scalar(text=root, style="", tag=None, source=node.source, start=node.start, end=node.start)
         documents.append(Mapping((YamlEntry(key, node),), None, node.source, node.start, node.end))
     return file._replace(documents=tuple(documents))
 

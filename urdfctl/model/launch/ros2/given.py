@@ -62,7 +62,7 @@ def _node(term: Term, texts: Texts, depth: int) -> Node:
 
 
 def _scalar(text: str, style: str, at: Place) -> Scalar:
-    return Scalar(text, style, None, at.source, at.start, _end(at))
+    return Scalar(text=text, style=style, tag=None, source=at.source, start=at.start, end=_end(at))
 
 
 def _end(at: Place) -> int:
