@@ -104,9 +104,7 @@ _NO_MANAGERS = frozenset(
     "robot_state_publisher joint_state_publisher joint_state_publisher_gui controller_manager rviz2 tf2_ros xacro "
     "rqt_joint_trajectory_controller rqt_gui topic_tools ros_gz_bridge ros_ign_bridge ros_gz_sim ros_ign_gazebo "
     "gazebo_ros nav2_util ros_gz_image twist_mux joy teleop_twist_joy rqt_robot_steering slam_toolbox "
-    "robot_localization moveit_ros_move_group moveit_servo moveit_ros_visualization moveit_ros_warehouse "
-    "moveit_setup_assistant warehouse_ros_mongo nav2_bringup nav2_map_server nav2_amcl realsense2_camera usb_cam "
-    "image_proc depth_image_proc cartographer_ros rosbridge_server rosapi".split()
+    "robot_localization moveit_ros_move_group moveit_servo".split()
 )
 
 

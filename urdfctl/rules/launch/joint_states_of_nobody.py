@@ -22,7 +22,8 @@ _MARKED = PUBLISHER.replace("<node pkg", "«<node pkg").replace('publisher">', '
 _BESIDE = (
     "robot_state_publisher joint_state_publisher joint_state_publisher_gui controller_manager tf2_ros xacro rqt_gui "
     "rqt_joint_trajectory_controller rqt_robot_steering topic_tools ros_gz_bridge ros_ign_bridge ros_gz_image ros_gz_sim "
-    "ros_ign_gazebo gazebo_ros nav2_util twist_mux joy teleop_twist_joy slam_toolbox robot_localization"
+    "ros_ign_gazebo gazebo_ros nav2_util twist_mux joy teleop_twist_joy slam_toolbox robot_localization "
+    "moveit_ros_move_group moveit_servo"
 ).split()
 """Packages whose nodes contain no controller manager."""
 
