@@ -70,7 +70,7 @@ def test_a_configuration_outside_of_the_project_is_the_users(folder: Folder) -> 
         {**PROJECT, "ci/urdfctl.toml": 'package-paths = ["../opt"]\n[[robot]]\npath = "../opt/parts/part.xacro"\n'}
     )
     assert read(folder, ".", "--config", "../ci/urdfctl.toml") == {"r.xacro"}
-    assert read(folder, "--config", "../ci/urdfctl.toml") == {"part.xacro"}
+    assert read(folder, "--config", "../ci/urdfctl.toml") == {"part.xacro", "r.xacro"}
 
 
 @needs_links

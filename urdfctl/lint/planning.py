@@ -30,6 +30,8 @@ class TargetOrigin(Enum):
     """The user names it: reported."""
     FOUND = "found"
     """A description in a folder: reported if it is a robot."""
+    DECLARED = "declared"
+    """A description in a folder that the configuration names: reported, robot or not."""
     LAUNCHED = "launched"
     """A launch file in a folder: reported if it has to do with controllers or a robot without links, or has findings of
     its own."""
@@ -122,11 +124,13 @@ def planned(
     is_single = len(descriptions) == 1
     controllers, launches = (tuple(files.controllers), tuple(files.launches)) if is_single else ((), ())
     for path, is_named in descriptions:
-        for robot in [entry for entry in robots if os.path.abspath(entry.path) == path] or [ConfiguredRobot(path)]:
+        declared = [entry for entry in robots if os.path.abspath(entry.path) == path]
+        found = TargetOrigin.DECLARED if declared else TargetOrigin.FOUND
+        for robot in declared or [ConfiguredRobot(path)]:
             for variant, launch in product(robot.variants, launches or robot.launches or (None,)):
                 given = tuple({**dict(variant), **dict(arguments)}.items())
                 target = Target(path, given, controllers=controllers or robot.controllers, launch=launch)
-                targets[target] = TargetOrigin.NAMED if is_named else TargetOrigin.FOUND
+                targets[target] = TargetOrigin.NAMED if is_named else found
     if not is_single:
         targets.update({Target(path, arguments): TargetOrigin.NAMED for path in files.launches})
     configured = {os.path.abspath(path) for robot in robots for path in robot.launches}
@@ -152,7 +156,7 @@ def is_launched_already(entry: PlannedTarget, launched: Collection[tuple[str, Ar
     target = entry.target
     is_paired = target.controllers or target.launch
     known = (os.path.abspath(target.path), target.arguments) in launched
-    return entry.origin is TargetOrigin.FOUND and not is_paired and known
+    return entry.origin in (TargetOrigin.FOUND, TargetOrigin.DECLARED) and not is_paired and known
 
 
 def with_bringups(

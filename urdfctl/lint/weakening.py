@@ -60,7 +60,7 @@ def as_started(entry: PlannedTarget, result: TargetResult, launched: Iterable[Ta
 def _is_with_defaults(entry: PlannedTarget) -> bool:
     target = entry.target
     settings: Sequence[object] = (target.arguments, target.controllers, target.launch)
-    return entry.origin is TargetOrigin.FOUND and not any(settings)
+    return entry.origin in (TargetOrigin.FOUND, TargetOrigin.DECLARED) and not any(settings)
 
 
 _ASIDE = frozenset(
