@@ -11,7 +11,7 @@ from folder import Folder
 
 from urdfctl.commands.running import run_words
 from urdfctl.lint import cache, run
-from urdfctl.lint.run import LintRun
+from urdfctl.lint.judging import LintRun
 
 ROBOT = '<robot name="r" xmlns:xacro="x"><xacro:include filename="part.xacro"/><link name="a"/></robot>'
 PART = '<robot xmlns:xacro="x"><joint name="j" type="%s"/></robot>'

@@ -12,8 +12,9 @@ from urdfctl.config.file import Config, config_for
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.errors import UserError
+from urdfctl.lint.judging import judge
 from urdfctl.lint.results import TargetResult
-from urdfctl.lint.run import LintRequest, find, in_workers, judge, lint, merge, plan, report
+from urdfctl.lint.run import LintRequest, find, in_workers, lint, merge, plan, report
 from urdfctl.server.analysis.workspace import EditorSettings, Workspace
 
 SHARED = """\

@@ -9,8 +9,9 @@ from urdfctl.commands.progress import with_progress
 from urdfctl.commands.words import split_arguments
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
+from urdfctl.lint.judging import LintRun, judge
 from urdfctl.lint.results import TargetResult
-from urdfctl.lint.run import LintRequest, LintRun, find, in_workers, judge, plan
+from urdfctl.lint.run import LintRequest, find, in_workers, plan
 from urdfctl.lint.selection import Selection
 from urdfctl.load.target import Target
 from urdfctl.report.common import is_robot

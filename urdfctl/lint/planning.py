@@ -75,6 +75,13 @@ class PlannedTarget(NamedTuple):
         return among(result.files, self.focus)
 
 
+class Plan(NamedTuple):
+    """The targets of a run, and the files that they were planned from: more targets follow from what these start."""
+
+    files: DiscoveredFiles
+    targets: list[PlannedTarget]
+
+
 def _is_own(finding: Diagnostic) -> bool:
     """Whether a finding belongs to a launch file: it is in one, is about launching, or stops the started robot."""
     return finding.code.startswith("UC6") or finding.severity == Severity.ERROR or is_launch(finding.at.file)

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.config.file import config_for
 from urdfctl.config.settings import Settings
+from urdfctl.lint.judging import judge
 from urdfctl.lint.results import TargetResult
-from urdfctl.lint.run import InWorkers, LintRequest, Watch, find, in_workers, judge, plan, unwatched
+from urdfctl.lint.run import InWorkers, LintRequest, Watch, find, in_workers, plan, unwatched
 from urdfctl.load.target import Target
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.packages import Linted

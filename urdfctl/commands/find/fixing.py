@@ -6,8 +6,9 @@ from collections.abc import Iterable
 
 from urdfctl.fix.rounds import FixOptions, fixed
 from urdfctl.lint.grouping import grouped
+from urdfctl.lint.judging import LintRun
 from urdfctl.lint.results import TargetResult
-from urdfctl.lint.run import LintRequest, LintRun, merge
+from urdfctl.lint.run import LintRequest, merge
 from urdfctl.output.patch import patch
 from urdfctl.output.printing import print_bytes, print_message
 from urdfctl.output.writing_all import write_all

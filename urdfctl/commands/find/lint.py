@@ -20,9 +20,10 @@ from urdfctl.commands.words import (
 )
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
+from urdfctl.lint.judging import LintRun
 from urdfctl.lint.merging import worst
 from urdfctl.lint.results import Report
-from urdfctl.lint.run import LintRequest, LintRun, lint, report
+from urdfctl.lint.run import LintRequest, lint, report
 from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.output.printing import is_coloured, print_message, print_messages, print_text
 from urdfctl.output.writing import write_file

@@ -10,8 +10,8 @@ from urdfctl.commands.options import FORMAT, TEXT_OR_JSON, CheckOptions
 from urdfctl.commands.robot_targets import run_of
 from urdfctl.commands.words import check_jobs, configured, output_of, settings_to_check, shard_of, split_arguments
 from urdfctl.errors import UserError
+from urdfctl.lint.judging import LintRun
 from urdfctl.lint.results import TargetResult
-from urdfctl.lint.run import LintRun
 from urdfctl.load.bringup import Bringup
 from urdfctl.output.printing import print_text, visible
 from urdfctl.output.writing import write_file

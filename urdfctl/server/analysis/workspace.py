@@ -9,9 +9,10 @@ from contextlib import contextmanager
 from urdfctl.config.file import config_for, package_folders_in, with_environ
 from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Diagnostic
+from urdfctl.lint.judging import LintRun, judge
 from urdfctl.lint.live import LiveLinter
 from urdfctl.lint.results import TargetResult
-from urdfctl.lint.run import LintRequest, LintRun, find, judge, merge, plan
+from urdfctl.lint.run import LintRequest, find, merge, plan
 from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import LoadedTarget, Loader
