@@ -138,3 +138,34 @@ def test_launch_files_of_the_other_generation_are_not_joined(folder: Folder) -> 
     folder.write({**control("old", winch="hoist"), "old/package.xml": MANIFEST.format("old")})
     ran = folder.run("lint", ".", "--format", "json", "--exit-zero")
     assert [each["beside"] for each in json.loads(ran.stdout)["targets"]] == [[]]
+
+
+def test_a_launch_file_that_fits_no_robot_is_named_last_with_the_fact_that_is_missing(folder: Folder) -> None:
+    folder.write({**package("arm", "shoulder"), **control("arm", elbow="elbow_1", wrist="wrist_1")})
+    ran = folder.run("lint", "arm", "--distro", "noetic")
+    assert (
+        "1 launch file starts controllers without a robot that fits: arm/launch/control.launch (arm/arm.urdf has no joints\n"
+        "    'elbow_1' and 'wrist_1'); to check one with its robot: urdfctl lint ROBOT arm/launch/control.launch\n"
+    ) in ran.stdout
+    assert "not used by any robot" not in ran.stdout
+    [unjoined] = json.loads(folder.run("lint", "arm", "--format", "json").stdout)["unjoined"]
+    assert unjoined == {
+        "launch": "arm/launch/control.launch",
+        "robot": "arm/arm.urdf",
+        "lacks": {"joints": ["elbow_1", "wrist_1"], "controllers": []},
+    }
+    assert "arm/launch/control.launch  (starts controllers without a robot: " in folder.run("show", "arm").stdout
+
+
+def test_a_launch_file_that_is_joined_or_included_is_not_named_so(folder: Folder) -> None:
+    both = launch(
+        '<include file="$(find arm)/launch/control.launch"/>', '<include file="$(find arm)/launch/world.launch"/>'
+    )
+    folder.write({**package("arm", "shoulder"), **control("arm", turn="shoulder"), "arm/launch/all.launch": both})
+    assert json.loads(folder.run("lint", "arm", "--format", "json").stdout)["unjoined"] == []
+
+
+def test_the_robot_that_the_last_line_asks_for_is_checked_with_the_launch_file(folder: Folder) -> None:
+    folder.write({**package("arm", "shoulder"), **control("arm", elbow="elbow_1", wrist="wrist_1")})
+    ran = folder.run("lint", "arm/arm.urdf", "arm/launch/control.launch", "--distro", "noetic")
+    assert "arm/c.yaml:1:66: error UC440 controller 'elbow' names joint 'elbow_1'" in ran.stdout

@@ -18,7 +18,8 @@ from typing import Any
 
 from urdfctl import __version__
 from urdfctl.config.settings import Settings
-from urdfctl.lint.results import TargetResult
+from urdfctl.lint.judging import LintRun
+from urdfctl.lint.results import Unjoined
 from urdfctl.lint.serialising import result_from_json, result_to_json
 from urdfctl.load.target import Target
 from urdfctl.output.cache_folder import cache_folder
@@ -34,8 +35,6 @@ _MAX_ENTRIES = 50_000
 MAX_STORED = 50
 """Runs that are kept; older ones are deleted."""
 _PRUNED = frozenset({"__pycache__", "node_modules", ".venv"})
-
-Results = list[tuple[Target, TargetResult]]
 
 
 class RunCache:
@@ -83,8 +82,8 @@ class RunCache:
             digest.update(facts)
         return digest.hexdigest()
 
-    def load(self) -> tuple[Results, set[int]] | None:
-        """Return the stored results, and the positions of the robots among them; None if there are none."""
+    def load(self) -> LintRun | None:
+        """Return the stored run; None if there is none."""
         file_name = self._file
         if file_name is None or not os.path.isfile(file_name):
             return None
@@ -94,21 +93,27 @@ class RunCache:
             if data["fingerprint"] != self._fingerprint():
                 return None
             results = [(Target.from_json(target), result_from_json(result)) for target, result in data["results"]]
-            return results, set(data["robots"])
-        except (OSError, ValueError, KeyError, TypeError):
+            robots = [results[index][1] for index in data["robots"]]
+            return LintRun(robots, results, unjoined=tuple(map(Unjoined.from_json, data["unjoined"])))
+        except (OSError, LookupError, ValueError, TypeError):
             return None
 
-    def store(self, results: Results, robots: Iterable[int]) -> None:
-        """Store the results of a run that took long enough and did not crash; silently nothing if that fails."""
+    def store(self, run: LintRun) -> None:
+        """Store a run that took long enough and did not crash; silently nothing if that fails."""
         file_name = self._file
-        crashed = any(result.outcome.crashed for _, result in results)
-        if file_name is None or crashed or max(map(sub, clocks(), self._began[0])) < STORE_FROM:
+        if file_name is None or run.crashed or max(map(sub, clocks(), self._began[0])) < STORE_FROM:
             return
         fingerprint = self._fingerprint(before=self._began[1])
         if fingerprint is None:
             return
-        plain = [[target._asdict(), result_to_json(result)] for target, result in results]
-        text = json.dumps({"fingerprint": fingerprint, "results": plain, "robots": sorted(robots)})
+        robots = {id(result) for result in run.robots}
+        data = {
+            "fingerprint": fingerprint,
+            "results": [[target._asdict(), result_to_json(result)] for target, result in run.targets],
+            "robots": [index for index, result in enumerate(run.results) if id(result) in robots],
+            "unjoined": [each._asdict() for each in run.unjoined],
+        }
+        text = json.dumps(data)
         from urdfctl.output.temporary import remove_leftovers, write_beside
 
         folder = os.path.dirname(file_name)

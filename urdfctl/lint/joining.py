@@ -13,7 +13,7 @@ from itertools import islice
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.discover.robots import discover_files
-from urdfctl.lint.results import TargetResult
+from urdfctl.lint.results import TargetResult, Unjoined
 from urdfctl.load.target import LaunchStart, Target
 from urdfctl.names import nearest
 from urdfctl.source.disk.files import is_launch
@@ -46,7 +46,7 @@ class Start(NamedTuple):
     @property
     def declared(self) -> set[str]:
         """The controllers that are declared for the robots, without namespaces."""
-        return {_last(name) for _, result in self.robots for name in result.joining.declared}
+        return names_without_namespace(name for _, result in self.robots for name in result.joining.declared)
 
 
 class Join(NamedTuple):
@@ -107,11 +107,11 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     if not lonely:
         return Joined()
     loading = [pair for pair in lonely if pair[1].joining.claimed]
-    first = _joined_once(_joins(loading, _starts(pairs), wanted, alone=alone), lint)
+    first = _joined_once(_joins(loading, starts_in(pairs), wanted, alone=alone), lint)
     left = [pair for pair in lonely if id(pair[1]) not in first.replaced]
     now = [pair for pair in pairs if id(pair[1]) not in first.replaced]
     made = {id(result) for _, result in first.results}
-    joins = _joins(left, _starts([*first.results, *now]), made.union(wanted), alone=alone)
+    joins = _joins(left, starts_in([*first.results, *now]), made.union(wanted), alone=alone)
     second = _joined_once(joins, lint)
     kept = [pair for pair in first.results if id(pair[1]) not in second.replaced]
     results = (*kept, *second.results)
@@ -120,8 +120,8 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     return Joined(results, first.replaced | second.replaced | covered)
 
 
-def _starts(pairs: Sequence[Pair]) -> list[Start]:
-    """What starts robots: launch files with all of theirs, and descriptions."""
+def starts_in(pairs: Iterable[Pair]) -> list[Start]:
+    """Return what starts robots: launch files with all of theirs, and descriptions."""
     found: dict[object, list[Pair]] = {}
     for target, result in pairs:
         if (result.links or 0) > 1 and not result.library:
@@ -171,13 +171,19 @@ def _spawned(result: TargetResult) -> tuple[str, ...]:
     return result.bringup.spawned if result.bringup else ()
 
 
-def _last(name: str) -> str:
-    return name.rpartition("/")[2]
+def names_without_namespace(names: Iterable[str]) -> set[str]:
+    """Return the names of controllers, without their namespaces."""
+    return {name.rpartition("/")[2] for name in names}
+
+
+def starts_of_generation(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
+    """Return the starts of the generation of ROS that a launch file is for, as far as both are known."""
+    return [start for start in starts if None in (start.first.ros, lonely.ros) or start.first.ros == lonely.ros]
 
 
 def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     """The starts beside which a launch file is started, the best known ones."""
-    same = [start for start in starts if None in (start.first.ros, lonely.ros) or start.first.ros == lonely.ros]
+    same = starts_of_generation(lonely, starts)
     own = [start for start in same if _package(start.first) == _package(lonely)]
     own = [start for start in own if start.first.launch is not None] or own
     fits = _has_joints if lonely.joining.claimed else _declares
@@ -200,15 +206,15 @@ def _has_joints(lonely: TargetResult, start: Start) -> bool:
 
 
 def _declares(lonely: TargetResult, start: Start) -> bool:
-    spawned = set(map(_last, _spawned(lonely)))
-    return bool(spawned) and spawned <= {*start.declared, *map(_last, lonely.joining.declared)}
+    spawned = names_without_namespace(_spawned(lonely))
+    return bool(spawned) and spawned <= start.declared | names_without_namespace(lonely.joining.declared)
 
 
 def _may_be_meant(lonely: TargetResult, start: Start) -> bool:
     """Whether the only robot of a package is meant, though it lacks something: some names fit, or all nearly do."""
     wanted, there = {joint for _, joint in lonely.joining.claimed}, start.joints
     if not wanted:
-        wanted, there = set(map(_last, _spawned(lonely))), start.declared
+        wanted, there = names_without_namespace(_spawned(lonely)), start.declared
         if not there and not lonely.joining.declared:
             return True
     return bool(wanted & there) or (bool(wanted) and all(nearest(name, there) for name in wanted))
@@ -228,6 +234,30 @@ def _is_launched(result: TargetResult) -> bool:
 
 def _manages(result: TargetResult) -> bool:
     return result.joining.manages
+
+
+# -- which belong to nothing -------------------------------------------------------------------------------------------
+
+
+def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjoined]:
+    """Return those results that start controllers without a robot, each file once, with the fact that is missing.
+
+    left: the results that are in no join.
+    """
+    lonely = {result.path: result for result in left if is_lonely(result)}
+    return [_missing(result, starts_of_generation(result, starts)) for result in lonely.values()]
+
+
+def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
+    reasons = [_missing_in(lonely, start) for start in starts]
+    return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=Unjoined(lonely.path))
+
+
+def _missing_in(lonely: TargetResult, start: Start) -> Unjoined:
+    joints = {joint for _, joint in lonely.joining.claimed} - start.joints
+    spawned = names_without_namespace(lonely.bringup.spawned if lonely.bringup else ())
+    declared = start.declared | names_without_namespace(lonely.joining.declared)
+    return Unjoined(lonely.path, start.first.path, tuple(sorted(joints)), tuple(sorted(spawned - declared)))
 
 
 # -- what they show together -------------------------------------------------------------------------------------------

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.lint.elimination import pairs_by_elimination
-from urdfctl.lint.joining import Joined, is_lonely, joined, targets_near
+from urdfctl.lint.joining import Joined, is_lonely, joined, starts_in, targets_near, unjoined
 from urdfctl.lint.planning import Arguments, Plan, PlannedTarget, TargetOrigin, is_launched_already, with_bringups
-from urdfctl.lint.results import TargetResult
+from urdfctl.lint.results import TargetResult, Unjoined
 from urdfctl.lint.weakening import as_started, as_unused, as_used
 from urdfctl.load.target import Target
 from urdfctl.source.disk.files import is_launch
@@ -42,19 +42,21 @@ class LintRun(NamedTuple):
     robots: the results of robots.
     targets: all targets with their results, also macro libraries, fragments and files not used by any robot.
     silent: the results of launch files that start a robot without controllers, and have no findings of their own.
+    unjoined: launch files that start controllers, and no robot that these fit.
     despite: files that were linted although COLCON_IGNORE or CATKIN_IGNORE excludes them: there is nothing else.
     """
 
     robots: list[TargetResult]
     targets: LintedTargets
     silent: tuple[TargetResult, ...] = ()
+    unjoined: tuple[Unjoined, ...] = ()
     despite: tuple[str, ...] = ()
 
     @property
     def unused(self) -> list[TargetResult]:
-        """The results of what no robot uses."""
-        used = {id(result) for result in self.robots}
-        return [result for result in self.results if id(result) not in used]
+        """The results of what no robot uses; `unjoined` says it of launch files that start controllers."""
+        used, lonely = {id(result) for result in self.robots}, {each.path for each in self.unjoined}
+        return [result for result in self.results if id(result) not in used and result.path not in lonely]
 
     @property
     def results(self) -> list[TargetResult]:
@@ -106,7 +108,13 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
     unused += _unread(files.controllers_candidates, reported)
     reported = as_used(reported, _named(files), launches.of_robots)
     silent = tuple(result for result in launches.silent if id(result) not in together.replaced)
-    run = LintRun(_robots(reported, files), [*reported, *as_unused(linted(unused))], silent, tuple(files.despite))
+    run = LintRun(
+        robots=_robots(reported, files),
+        targets=[*reported, *as_unused(linted(unused))],
+        silent=silent,
+        unjoined=_unjoined(launches, reported, together),
+        despite=tuple(files.despite),
+    )
     return _without_generated(run, files)
 
 
@@ -127,6 +135,14 @@ def _with_joined(reported: LintedTargets, together: Joined) -> LintedTargets:
     covered = {(result.path, result.arguments) for _, result in together.results}
     alone = [pair for pair in reported if id(pair[1]) not in together.replaced]
     return [*together.results, *(pair for pair in alone if not (_is_alone(pair) and _key(pair[1]) in covered))]
+
+
+def _unjoined(launches: Launches, reported: LintedTargets, together: Joined) -> tuple[Unjoined, ...]:
+    """The launch files that the user names, or in a folder of theirs, which start controllers without a robot."""
+    meant = [pair for entry, pair in launches.started if entry.origin is not TargetOrigin.AROUND] + reported
+    included = {path for _, result in meant if result.bringup for path in result.bringup.includes}
+    left = [result for _, result in meant if id(result) not in together.replaced and result.path not in included]
+    return tuple(unjoined(left, starts_in(meant)))
 
 
 def _robots(reported: LintedTargets, files: DiscoveredFiles) -> list[TargetResult]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.load.bringup import Bringup
@@ -101,16 +102,45 @@ class TargetResult(NamedTuple):
         return bool(self.controllers) or bool(self.links and bringup and (bringup.spawned or bringup.simulators))
 
 
+class Unjoined(NamedTuple):
+    """A launch file that starts controllers without a robot, and the fact that is missing to join it with one.
+
+    robot: the description that fits best; None if nothing starts or describes a robot.
+    joints: those that its controllers command, and that robot lacks.
+    controllers: those that it spawns, and nothing declares for that robot.
+    """
+
+    path: str
+    robot: str | None = None
+    joints: tuple[str, ...] = ()
+    controllers: tuple[str, ...] = ()
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Unjoined:
+        """Return what `_asdict` and JSON made `data` from."""
+        lists = {name: tuple(data[name]) for name in ("joints", "controllers")}
+        return cls(**{**data, **lists})
+
+
 class Report(NamedTuple):
-    """What a run found: the robots it looked at (and controllers' files and launch files named alone), the findings in
-    their stable order, the other files that were linted (macro libraries, fragments and controller files in folders,
-    which no robot uses), from which severity on findings make it fail, how many more findings the baseline hides,
-    whether the rules are to be counted, the declared packages that are not in the workspace, whether only the findings
-    are shown, and the path of the robot if nothing controls it."""
+    """What a run found.
+
+    targets: the robots it looked at, and controllers' files and launch files named alone.
+    findings: in their stable order.
+    unused: the other files that were linted: macro libraries, fragments and controller files in folders.
+    unjoined: the launch files that start controllers without a robot.
+    fail_on: from which severity on findings make it fail.
+    known: how many more findings the baseline hides.
+    statistics: whether the rules are to be counted.
+    missing_packages: the declared packages that are not in the workspace.
+    quiet: whether only the findings are shown.
+    uncontrolled: the path of the robot if nothing controls it.
+    """
 
     targets: tuple[TargetResult, ...]
     findings: tuple[Diagnostic, ...]
     unused: tuple[str, ...] = ()
+    unjoined: tuple[Unjoined, ...] = ()
     fail_on: Severity = Severity.ERROR
     known: int = 0
     statistics: bool = False

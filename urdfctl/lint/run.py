@@ -79,14 +79,9 @@ def lint(
     """
     cache = _cache(request) if is_cached else None
     stored = cache.load() if cache else None
-    if stored is not None:
-        results, positions = stored
-        run = LintRun([result for index, (_, result) in enumerate(results) if index in positions], results)
-    else:
-        run = _linted(request, watch, meanwhile)
+    run = _linted(request, watch, meanwhile) if stored is None else stored
     if cache and stored is None:
-        robots = {id(result) for result in run.robots}
-        cache.store(run.targets, (index for index, (_, result) in enumerate(run.targets) if id(result) in robots))
+        cache.store(run)
     if request.settings.nodes:
         _check_nodes(request.settings.nodes, run.results)
     return run
@@ -206,6 +201,7 @@ def report(
         unused=tuple(result.path for result in run.unused),
         fail_on=fail_on,
         known=len(findings) - len(left),
+        unjoined=run.unjoined,
         missing_packages=tuple(sorted({name for result in run.results for name in result.missing_packages})),
         uncontrolled=_uncontrolled(run.robots),
     )

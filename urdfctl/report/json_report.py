@@ -6,7 +6,7 @@ from typing import Any
 
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Remark, Repair, Severity
-from urdfctl.lint.results import Report, TargetResult
+from urdfctl.lint.results import Report, TargetResult, Unjoined
 from urdfctl.load.bringup import Bringup
 from urdfctl.report.common import as_json, is_robot, relative, shown
 
@@ -23,6 +23,7 @@ def document(report: Report) -> dict[str, Any]:
         "tool": {"name": "urdfctl", "version": __version__},
         "targets": [target_document(target) for target in report.targets],
         "unused": [shown(path) for path in report.unused],
+        "unjoined": [unjoined_document(each) for each in report.unjoined],
         "missing_packages": list(report.missing_packages),
         "findings": [finding(relative(diagnostic)) for diagnostic in report.findings],
         "summary": {**{severity.value: report.count(severity) for severity in Severity}, "known": report.known},
@@ -49,6 +50,13 @@ def target_document(target: TargetResult) -> dict[str, Any]:
         "simulator": target.simulator,
         "complete": target.complete,
     }
+
+
+def unjoined_document(unjoined: Unjoined) -> dict[str, Any]:
+    """Return a launch file that starts controllers without a robot as plain data."""
+    robot = shown(unjoined.robot) if unjoined.robot else None
+    lacks = {"joints": list(unjoined.joints), "controllers": list(unjoined.controllers)}
+    return {"launch": shown(unjoined.path), "robot": robot, "lacks": lacks}
 
 
 def finding(diagnostic: Diagnostic) -> dict[str, Any]:

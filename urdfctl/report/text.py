@@ -11,7 +11,7 @@ from urdfctl.lint.results import Report
 from urdfctl.output.printing import visible
 from urdfctl.report.common import about_missing_packages, counted, is_robot, relative, shown
 from urdfctl.report.concise import place
-from urdfctl.report.words import fix_in_words, notes
+from urdfctl.report.words import about_unjoined, fix_in_words, notes
 from urdfctl.startup.records import NamedTuple
 
 WIDTH = 120
@@ -118,6 +118,8 @@ def _summary(report: Report, width: int) -> Iterator[Piece]:
     """Yield what was not checked, then the numbers of findings and fixes."""
     if report.unused:
         yield Piece(wrapped(visible(_unused(report.unused)), width))
+    if report.unjoined:
+        yield Piece(wrapped(visible(about_unjoined(report.unjoined)), width))
     yield from _open_distro(report)
     if report.uncontrolled:
         hint = f"nothing controls the robot's joints; to generate control: urdfctl gen-all {shown(report.uncontrolled)}"

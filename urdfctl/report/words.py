@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.diagnostic import CallStep, Diagnostic, Location, Remark, Repair
 from urdfctl.lint.likeness import named
+from urdfctl.lint.results import Unjoined
+from urdfctl.report.common import shown
 
 MOST_CHAINS = 3
 _MOST_STEPS = 8
@@ -25,6 +27,30 @@ def notes(diagnostic: Diagnostic) -> Iterator[str]:
         yield f"and in {more} more call{'s' * (more > 1)}"
     for note in diagnostic.notes:
         yield note.message + (f" ({_where(note.at, diagnostic.at.file)})" if note.at else "")
+
+
+def about_unjoined(unjoined: Sequence[Unjoined]) -> str:
+    """Return that launch files start controllers without a robot, why, and how to name the robot."""
+    files = "1 launch file starts" if len(unjoined) == 1 else f"{len(unjoined)} launch files start"
+    listed = _listed((f"{shown(each.path)} ({missing_fact(each)})" for each in unjoined), _MOST_NAMES)
+    how = f"urdfctl lint ROBOT {shown(unjoined[0].path)}"
+    return f"{files} controllers without a robot that fits: {listed}; to check one with its robot: {how}"
+
+
+def missing_fact(unjoined: Unjoined) -> str:
+    """Return why a launch file that starts controllers is joined with no robot."""
+    if unjoined.robot is None:
+        return "nothing here starts or describes a robot"
+    robot = shown(unjoined.robot)
+    if unjoined.joints:
+        return f"{robot} has no {_quoted('joint', unjoined.joints)}"
+    if unjoined.controllers:
+        return f"nothing declares {_quoted('controller', unjoined.controllers)} for {robot}"
+    return f"it is not known to belong to {robot}"
+
+
+def _quoted(noun: str, names: Sequence[str]) -> str:
+    return f"{noun}{'s' * (len(names) > 1)} {_listed((repr(name) for name in names), _MOST_NAMES)}"
 
 
 def likewise(diagnostic: Diagnostic) -> str:

@@ -16,7 +16,8 @@ from urdfctl.load.bringup import Bringup
 from urdfctl.output.printing import print_text, visible
 from urdfctl.output.writing import write_file
 from urdfctl.report.common import as_json, is_robot, shown
-from urdfctl.report.json_report import target_document
+from urdfctl.report.json_report import target_document, unjoined_document
+from urdfctl.report.words import missing_fact
 
 _WIDTH = 12
 
@@ -53,17 +54,22 @@ def run_show(options: ShowOptions) -> int:
 
 def _json(run: LintRun) -> str:
     targets = [target_document(target) for target in _started(run)]
-    return as_json({"version": 1, "targets": targets, "unused": [shown(one.path) for one in run.unused]}, 1) + "\n"
+    unused = [shown(one.path) for one in run.unused]
+    unjoined = [unjoined_document(each) for each in run.unjoined]
+    return as_json({"version": 1, "targets": targets, "unjoined": unjoined, "unused": unused}, 1) + "\n"
 
 
 def _lines(run: LintRun) -> Iterator[str]:
-    """A tree: launch files with what they start, then robots that no launch file starts, then unused files."""
+    """A tree: launch files with what they start, then robots that no launch file starts, then what was not joined, and
+    unused files."""
     started = _started(run)
     launched = {os.path.abspath(target.path) for target in started if target.launch}
     for target in sorted(started, key=lambda target: (target.launch is None, target.launch or "", target.path)):
         how = "it with these arguments" if os.path.abspath(target.path) in launched else "it"
         yield shown(target.launch) if target.launch else f"{_described(target)}  (no launch file starts {how})"
         yield from (f"  {name:{_WIDTH}}{value}" for name, value in _facts(target) if value)
+    for unjoined in run.unjoined:
+        yield f"{shown(unjoined.path)}  (starts controllers without a robot: {missing_fact(unjoined)})"
     for target in run.unused:
         yield f"{shown(target.path)}  (no robot uses it)"
 
