@@ -144,8 +144,9 @@ def test_a_launch_file_that_fits_no_robot_is_named_last_with_the_fact_that_is_mi
     folder.write({**package("arm", "shoulder"), **control("arm", elbow="elbow_1", wrist="wrist_1")})
     ran = folder.run("lint", "arm", "--distro", "noetic")
     assert (
-        "1 launch file starts controllers without a robot that fits: arm/launch/control.launch (arm/arm.urdf has no joints\n"
-        "    'elbow_1' and 'wrist_1'); to check one with its robot: urdfctl lint ROBOT arm/launch/control.launch\n"
+        "1 launch file starts controllers without a robot that fits: arm/launch/control.launch (arm/arm.urdf has no "
+        "joints\n    'elbow_1' and 'wrist_1'); to check one with its robot: "
+        "urdfctl lint ROBOT arm/launch/control.launch\n"
     ) in ran.stdout
     assert "not used by any robot" not in ran.stdout
     [unjoined] = json.loads(folder.run("lint", "arm", "--format", "json").stdout)["unjoined"]
