@@ -45,12 +45,14 @@ def lint(*paths: Path, args: Mapping[str, str] | None = None, **options: Any) ->
     args: the arguments of the descriptions.
     """
     from urdfctl.commands.find.lint import fail_on_of, request_of
+    from urdfctl.commands.words import baseline_of
     from urdfctl.lint import run
 
     with _options("lint", options, paths=_words(paths, args)) as given:
         request = request_of(given)
         fail_on = fail_on_of(given, request)
-        return run.report(run.lint(request), request, fail_on=fail_on)
+        baseline = baseline_of(given, [request.config], request.selection, found_by="lint")
+        return run.report(run.lint(request), request, fail_on=fail_on, unknown=baseline and baseline.unknown)
 
 
 def smoke(*paths: Path, args: Mapping[str, str] | None = None, **options: Any) -> SmokeReport:

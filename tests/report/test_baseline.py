@@ -198,3 +198,46 @@ def test_text_that_is_not_utf_8_is_told(folder: Folder) -> None:
     folder.write({"known.json": b'{"version": "\xff"}'})
     with pytest.raises(UserError, match="is not a baseline: invalid JSON"):
         read_baseline("known.json")
+
+
+# -- the key of the configuration --------------------------------------------------------------------------------------
+
+NAMED = {"r.urdf": FAULTY, "urdfctl.toml": 'baseline = "ci/known.json"\n', "ci/README": ""}
+
+
+def test_the_baseline_of_the_configuration_is_used_wherever_lint_runs(folder: Folder) -> None:
+    folder.write(NAMED)
+    ran = folder.run("lint", "r.urdf")
+    assert (ran.returncode, ran.stderr) == (
+        2,
+        "urdfctl: baseline 'ci/known.json' does not exist; --write-baseline ci/known.json creates it\n",
+    )
+    folder.run("lint", "r.urdf", "--write-baseline", "ci/known.json")
+    for cwd, path in ((folder.path, "r.urdf"), (folder.path / "ci", "../r.urdf")):
+        ran = folder.run("lint", path, *ONLY, cwd=cwd)
+        assert (ran.returncode, ran.stdout, ran.stderr) == (0, "", "")
+    folder.write({"none.json": '{"version": 1, "findings": []}'})
+    assert folder.run("lint", "r.urdf", *ONLY, "--baseline", "none.json").returncode == 1
+    assert 'baseline = "ci/known.json"' in folder.run("lint", "--show-settings").stdout
+
+
+def test_lint_and_smoke_share_one_baseline_and_neither_touches_what_the_other_found(folder: Folder) -> None:
+    folder.write(NAMED)
+    folder.run("lint", "r.urdf", "--select", "UC121", "--write-baseline", "ci/known.json")
+    data = json.loads((folder.path / "ci/known.json").read_text())
+    data["findings"].append({"code": "UC916", "file": "r.urdf", "message": "it shakes", "mark": "0" * 32, "times": 1})
+    folder.write({"ci/known.json": json.dumps(data)})
+    folder.write({"r.urdf": FAULTY.replace("odd", "fixed")})
+    assert folder.run("lint", "r.urdf").stderr.startswith("urdfctl: fixed: 1 finding in baseline")
+    folder.run("lint", "r.urdf", "--select", "UC121", "--write-baseline", "ci/known.json")
+    left = json.loads((folder.path / "ci/known.json").read_text())["findings"]
+    assert [finding["code"] for finding in left] == ["UC916"]
+
+
+def test_a_configuration_of_the_project_names_no_baseline_outside_of_it(folder: Folder) -> None:
+    folder.write({".git/HEAD": "", "r.urdf": FAULTY, "urdfctl.toml": 'baseline = "../known.json"\n'})
+    ran = folder.run("lint", "r.urdf")
+    assert (ran.returncode, ran.stdout) == (2, "")
+    assert ran.stderr == (
+        "urdfctl: urdfctl.toml: baseline: file '../known.json' is outside the workspace; name it with --baseline\n"
+    )

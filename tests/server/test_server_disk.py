@@ -78,3 +78,11 @@ def test_an_editor_that_does_not_watch_files_tells_of_those_that_it_saves(folder
         return ["arm/urdf/robot.xacro" in found for found in (before, after)]
 
     assert in_editor(folder.path, use) == [True, False]
+
+
+def test_what_the_baseline_of_the_configuration_knows_is_not_shown(folder: Folder) -> None:
+    folder.write({"r.urdf": "<robot name='r'><link name='a'/><link name='a'/></robot>", "urdfctl.toml": ""})
+    assert Workspace(str(folder.path), EditorSettings()).check().findings
+    folder.run("lint", "r.urdf", "--write-baseline", "known.json")
+    folder.write({"urdfctl.toml": "baseline = 'known.json'\n"})
+    assert Workspace(str(folder.path), EditorSettings()).check().findings == {}

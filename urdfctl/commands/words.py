@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from urdfctl.commands.reach import is_in_workspace
@@ -15,7 +15,7 @@ from urdfctl.names import did_you_mean
 from urdfctl.source.disk.gate import is_file
 
 if TYPE_CHECKING:
-    from urdfctl.commands.options import ReadingOptions, StartOptions
+    from urdfctl.commands.options import ReadingOptions, ReportOptions, StartOptions
     from urdfctl.discover.shards import Shard
     from urdfctl.lint.selection import Selection
     from urdfctl.report.baseline import Baseline
@@ -143,17 +143,21 @@ def severity_named(name: str) -> Severity:
         raise UserError(f"--fail-on must be error, warning or info, not '{name}'") from None
 
 
-def baseline_of(path: str | None, to_write: str | None, selection: Selection) -> Baseline | None:
-    """Return the baseline that --baseline and --write-baseline name, for a run with some rules; None if there is none.
+def baseline_of(
+    options: ReportOptions, configs: Iterable[Config], selection: Selection, *, found_by: str
+) -> Baseline | None:
+    """Return the baseline that the options name, or else the configurations, for a run with some rules; None if none.
 
     UserError if it cannot be read.
     """
-    if path is None and to_write is None:
+    configured = (config.baseline for config in configs if config.baseline is not None)
+    paths = [*configured] if options.baseline is None else [options.baseline]
+    if not paths and options.write_baseline is None:
         return None
     from urdfctl.report.baseline import open_baseline
 
-    _check_output(to_write)
-    return open_baseline(path, to_write, selection)
+    _check_output(options.write_baseline)
+    return open_baseline(paths, selection, to_write=options.write_baseline, found_by=found_by)
 
 
 def shard_of(text: str | None) -> Shard | None:

@@ -35,6 +35,7 @@ class Config(NamedTuple):
     severities: pairs of a prefix of codes and a severity, or "off".
     additions: the project's own controllers and hardware.
     per_file_ignores: pairs of a pattern like those of `exclude`, and codes that are not reported there.
+    baseline: the file of known findings, relative to the current folder.
     """
 
     file: str | None = None
@@ -52,6 +53,7 @@ class Config(NamedTuple):
     additions: Additions = NO_ADDITIONS
     per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
     robots: tuple[ConfiguredRobot, ...] = ()
+    baseline: str | None = None
 
     def excludes(self, path: str) -> bool:
         """Return whether a file in a folder is skipped."""
@@ -120,7 +122,7 @@ def config_of(file: str, *, is_own: bool = False) -> Config | None:
 
 def _admit_named(table: Mapping[str, Any], folder: str) -> None:
     """Let the run read what a configuration names: folders with packages, and the workspaces of robots."""
-    for path in table.get("package-paths", ()):
+    for path in (*table.get("package-paths", ()), *([table["baseline"]] if "baseline" in table else ())):
         admit(os.path.join(folder, path))
     for robot in table.get("robot", ()):
         for path in (robot["path"], *robot.get("controllers", ()), *robot.get("launch", ())):
@@ -183,7 +185,15 @@ def _config(table: Mapping[str, Any], file: str) -> Config:
         additions=additions if any(additions) else NO_ADDITIONS,
         per_file_ignores=tuple((pattern, _codes(ignores, pattern)) for pattern in ignores),
         robots=robots_of(table, file),
+        baseline=_baseline(folder, table["baseline"], file) if "baseline" in table else None,
     )
+
+
+def _baseline(folder: str, path: str, file: str) -> str:
+    joined = os.path.join(folder, path)
+    if not admits(joined):
+        raise UserError(f"{file}: baseline: file '{path}' is outside the workspace; name it with --baseline")
+    return joined
 
 
 def _folder(folder: str, path: str, file: str) -> str:

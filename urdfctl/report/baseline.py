@@ -20,6 +20,8 @@ from urdfctl.startup.records import NamedTuple
 
 _VERSION = 1
 _CRASH = "UC000"
+_SMOKE = "UC9"
+"""The family of what smoke finds."""
 _MOST_BYTES = 64 << 20
 _TEXTS = ("code", "file", "message", "mark")
 
@@ -82,14 +84,19 @@ def _known(entry: Any, number: int, path: str) -> KnownFinding:
     return KnownFinding(entry["code"], entry["file"], entry["message"], entry["mark"], times)
 
 
-def baseline_text(findings: Iterable[Diagnostic], path: str) -> str:
-    """Return the text of a baseline at `path` with some findings. Crashes of urdfctl are left out."""
+def baseline_text(findings: Iterable[Diagnostic], path: str, others: Iterable[KnownFinding] = ()) -> str:
+    """Return the text of a baseline at `path` with some findings. Crashes of urdfctl are left out.
+
+    others: what another command found.
+    """
     folder = _folder(path)
     counts: Counter[KnownFinding] = Counter()
     for finding in findings:
         if finding.code != _CRASH:
             file = path_from(finding.at.file, folder)
             counts[KnownFinding(finding.code, file, message_from(finding, folder), mark(finding, folder), 0)] += 1
+    marks = {known.mark for known in counts}
+    counts.update({known._replace(times=0): known.times for known in others if known.mark not in marks})
     entries = [known._replace(times=count)._asdict() for known, count in sorted(counts.items(), key=_by_file)]
     lines = ",\n".join(f"  {json.dumps(entry)}" for entry in entries)
     return f'{{"version": {_VERSION}, "tool": "urdfctl", "findings": [\n{lines}\n]}}\n'
@@ -135,15 +142,16 @@ def _folder(path: str) -> str:
 class Baseline(NamedTuple):
     """The known findings.
 
-    path: the baseline to read.
+    paths: the baselines to read, with what they know.
     to_write: the baseline to write, with all findings of the run.
     selection: the rules that the run uses.
+    found_by: the command whose findings these are, `lint` or `smoke`. One file may serve both.
     """
 
-    path: str | None
-    known: list[KnownFinding]
+    paths: tuple[tuple[str, list[KnownFinding]], ...]
     to_write: str | None
     selection: Selection
+    found_by: str
 
     def unknown(self, findings: list[Diagnostic], read: Collection[str]) -> list[Diagnostic]:
         """Return the findings that are not known. Write the baseline, or report how many of its findings are fixed.
@@ -152,29 +160,49 @@ class Baseline(NamedTuple):
         Raises UserError if the baseline cannot be written.
         """
         if self.to_write is not None:
-            write_file(self.to_write, baseline_text(findings, self.to_write), force=True)
-            known = read_baseline(self.to_write)
-            print_message(f"{_counted(known)} written to '{self.to_write}'")
-            return compare(findings, known, self.to_write, lambda *_: False).new
-        if self.path is None:
-            return findings
+            return self._written(findings, self.to_write)
 
         def was_checked(code: str, file: str) -> bool:
-            return self.selection.admits(code) and (file in read or not exists(file))
+            is_ours = code.startswith(_SMOKE) == (self.found_by == "smoke")
+            return is_ours and self.selection.admits(code) and (file in read or not exists(file))
 
-        comparison = compare(findings, self.known, self.path, was_checked)
-        if comparison.fixed:
-            number = _counted(comparison.fixed)
-            print_message(
-                f"fixed: {number} in baseline '{self.path}'; --write-baseline {self.path} removes what is fixed"
-            )
-        return comparison.new
+        for path, known in self.paths:
+            comparison = compare(findings, known, path, was_checked)
+            if comparison.fixed:
+                number = _counted(comparison.fixed)
+                print_message(f"fixed: {number} in baseline '{path}'; --write-baseline {path} removes what is fixed")
+            findings = comparison.new
+        return findings
+
+    def _written(self, findings: list[Diagnostic], path: str) -> list[Diagnostic]:
+        others = [known for read, entries in self.paths if read == path for known in entries]
+        others = [known for known in others if known.code.startswith(_SMOKE) != (self.found_by == "smoke")]
+        write_file(path, baseline_text(findings, path, others), force=True)
+        known = read_baseline(path)
+        print_message(f"{_counted(known)} written to '{path}'")
+        return compare(findings, known, path, lambda *_: False).new
 
 
-def open_baseline(path: str | None, to_write: str | None, selection: Selection) -> Baseline:
-    """Return the baseline of a run. UserError if it cannot be read."""
-    known = read_baseline(path) if path is not None and path != to_write else []
-    return Baseline(path, known, to_write, selection)
+def open_baseline(
+    paths: Iterable[str], selection: Selection, *, to_write: str | None = None, found_by: str = "lint"
+) -> Baseline:
+    """Return the baseline of a run. UserError if it cannot be read.
+
+    paths: the baselines to read.
+    to_write: the baseline to write; what the other command found, and is known there, stays in it.
+    """
+    known = [(path, read_baseline(path)) for path in dict.fromkeys(paths) if path != to_write]
+    if to_write is not None:
+        known = [(to_write, _readable(to_write))]
+    return Baseline(tuple(known), to_write, selection, found_by)
+
+
+def _readable(path: str) -> list[KnownFinding]:
+    """What a baseline that is written anew knows; nothing if it is none yet."""
+    try:
+        return read_baseline(path)
+    except UserError:
+        return []
 
 
 def _counted(known: Collection[KnownFinding]) -> str:

@@ -70,7 +70,7 @@ def run_lint(options: LintOptions) -> int:
     request = request_of(options)
     outputs = outputs_of(options.formats, options.output_file, FORMATS)
     fail_on = fail_on_of(options, request)
-    baseline = baseline_of(options.baseline, options.write_baseline, request.selection)
+    baseline = baseline_of(options, [request.config], request.selection, found_by="lint")
     if options.report is not None:
         from urdfctl.output.links import check_output
 

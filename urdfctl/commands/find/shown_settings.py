@@ -44,7 +44,7 @@ def _lines(request: LintRequest, fail_on: Severity, options: Options) -> Iterato
     yield f"# workspace: {workspace_of(os.path.abspath(inside), settings.workspace)}"
     yield f"# at most {settings.timeout:g} s and {settings.memory >> 20} MiB for a robot"
     file_config = (config.file and config_of(config.file)) or Config()
-    for setting in _settings(request, fail_on):
+    for setting in _settings(request, fail_on, getattr(options, "baseline", None) or config.baseline):
         if setting.value is None:
             yield f"# {setting.key}: not set; detected from the files of each robot"
         else:
@@ -57,7 +57,7 @@ def _lines(request: LintRequest, fail_on: Severity, options: Options) -> Iterato
         yield from (f"# [[{kind}]] {entry['type']}" for entry in entries)
 
 
-def _settings(request: LintRequest, fail_on: Severity) -> Iterator[ShownSetting]:
+def _settings(request: LintRequest, fail_on: Severity, baseline: str | None) -> Iterator[ShownSetting]:
     selection, settings = request.selection, request.settings
     yield ShownSetting("distro", settings.distro, "distro", "URDFCTL_DISTRO")
     yield ShownSetting("simulator", settings.simulator, "simulator", "URDFCTL_SIMULATOR")
@@ -67,6 +67,8 @@ def _settings(request: LintRequest, fail_on: Severity) -> Iterator[ShownSetting]
     yield ShownSetting("extend-select", selection.extend, "extend_select", "URDFCTL_EXTEND_SELECT")
     yield ShownSetting("exclude", request.config.exclude)
     yield ShownSetting("fail-on", fail_on.value, "fail_on", "URDFCTL_FAIL_ON")
+    if baseline is not None:
+        yield ShownSetting("baseline", baseline, "baseline")
 
 
 def _origin(setting: ShownSetting, options: Options, file_config: Config) -> str:

@@ -109,7 +109,7 @@ def tested(
     groups = [ConfiguredPaths(tuple(paths), config, _settings(config, options)) for config, paths in given]
     selection = validate_selection(Selection(select=codes(options.select), ignore=codes(options.ignore)))
     fail_on = _fail_on(options, [group.config for group in groups])
-    baseline = baseline_of(options.baseline, options.write_baseline, selection)
+    baseline = baseline_of(options, [group.config for group in groups], selection, found_by="smoke")
     tests = smoke(groups, _request(options), watch)
     made = report(tests, groups, selection, unknown=baseline and baseline.unknown, fail_on=fail_on)
     return tests, made._replace(

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from urdfctl.config.file import config_for, package_folders_in, with_environ
 from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Diagnostic
+from urdfctl.errors import UserError
 from urdfctl.lint.judging import LintRun, judge
 from urdfctl.lint.live import LiveLinter
 from urdfctl.lint.results import TargetResult
@@ -257,6 +258,18 @@ class Workspace:
         """The findings that the configuration does not ignore."""
         return [finding for finding in findings if not self.config.ignores(finding.at.file, finding.code)]
 
+    def _unknown(self, findings: list[Diagnostic]) -> list[Diagnostic]:
+        """The findings that the configuration's baseline does not have; all while that cannot be read."""
+        path = self.config.baseline
+        if path is None:
+            return findings
+        from urdfctl.report.baseline import compare, read_baseline
+
+        try:
+            return compare(findings, read_baseline(path), path, lambda *_: False).new
+        except UserError:
+            return findings
+
     def packages_for(self, path: str) -> Packages:
         """Return the packages of the workspace as a file sees them."""
         with self._shown(dict(self.texts)):
@@ -306,15 +319,16 @@ class Workspace:
         request = LintRequest((folder,), self.config, self.settings, self._selection, self._asked.arguments)
         with self._shown(texts):
             run = judge(plan(find(request), request), self._linter)
+            found = self._unknown(merge(run.results, request))
         if path is None or self._run is None:
             self._run = run
         self._keep_saved(run)
         findings: dict[str, list[Diagnostic]] = {}
-        for finding in merge(run.results, request):
+        for finding in found:
             findings.setdefault(os.path.abspath(finding.at.file), []).append(finding)
         read = frozenset(os.path.abspath(file) for result in run.results for file in result.files)
-        found = {file: tuple(each) for file, each in findings.items()}
-        return Checked(self.folder, is_whole=path is None, run=run, findings=found, files=read)
+        in_files = {file: tuple(each) for file, each in findings.items()}
+        return Checked(self.folder, is_whole=path is None, run=run, findings=in_files, files=read)
 
     def _keep_saved(self, run: LintRun) -> None:
         """Keep what is found in each target when all texts are saved: what is typed since then may not be finished."""
