@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Sequence
 
 _LEAST_SIMILARITY = 0.8
@@ -14,6 +15,30 @@ _MOST_COMPARED = 300_000
 """Names that may be compared for the hints of one rule; a hundred unknown names among a thousand joints are fewer."""
 _CLOSELY = 10
 """Names that are compared in the time of one close comparison."""
+_SHORTEST = 4
+_FEWEST_WORDS = 2
+_MOST_WORDS_MORE = 2
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
+_OPPOSED = (
+    ("left l lft", "right r rgt"),
+    ("front", "rear", "back", "hind"),
+    ("upper", "lower"),
+    ("top", "bottom"),
+    ("min minimum", "max maximum"),
+    ("x", "y", "z"),
+    ("roll", "pitch", "yaw"),
+    ("position", "velocity", "effort", "acceleration"),
+    ("linear", "angular"),
+    ("inner", "outer"),
+    ("open", "close"),
+)
+"""Words that exclude each other: a name with one of a row never means one with another of it."""
+_MEANINGS = {
+    word: (row, place)
+    for row, words in enumerate(_OPPOSED)
+    for place, same in enumerate(words)
+    for word in same.split()
+}
 _compared = 0
 
 
@@ -33,7 +58,8 @@ def _may_compare(count: int) -> bool:
 def nearest(name: str, known: Iterable[str]) -> str | None:
     """Return the known name most similar to `name`, or None if none is similar.
 
-    A namespace or a robot's name before most names makes none of them more similar. After too many comparisons, see
+    A name of another side, axis, quantity or number, such as `left` for `right`, is not similar. A namespace or a
+    robot's name before most names makes none of them more similar. After too many comparisons, see
     `forget_comparisons`, none is looked for.
     """
     if not _may_compare(0):
@@ -46,13 +72,65 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     if same is not None and same != name:
         return same
     similar = [
-        candidate for candidate in candidates if candidate != name and _may_be_alike(name, candidate, _LEAST_SIMILARITY)
+        candidate
+        for candidate in candidates
+        if candidate != name and _may_be_alike(name, candidate, _LEAST_SIMILARITY) and not are_opposed(name, candidate)
     ]
-    if not similar or not _may_compare(_CLOSELY * len(similar)):
+    if not similar:
+        return _slip_of(name, candidates)
+    if not _may_compare(_CLOSELY * len(similar)):
         return None
     prefix = _prefix_of_most(name, candidates)
     ratio, closest = max((_similarity_past(prefix, name, candidate), candidate) for candidate in similar)
     return closest if ratio >= _LEAST_SIMILARITY else None
+
+
+def _slip_of(name: str, candidates: Sequence[str]) -> str | None:
+    """The only name of four letters or more, too short to be similar, from which another one differs by one letter."""
+    if len(name) < _SHORTEST:
+        return None
+    slips = [other for other in candidates if len(other) >= _SHORTEST and is_slip(name, other)]
+    return slips[0] if len(slips) == 1 and not are_opposed(name, slips[0]) else None
+
+
+def fuller(name: str, known: Iterable[str]) -> str | None:
+    """Return the only known name that has all words of another one in their order, and one or two more; None if there
+    is none: `joint1_position_controller` for `joint1_controller`."""
+    words = _words(name)
+    if len(words) < _FEWEST_WORDS:
+        return None
+    found = [other for other in known if 0 < len(_words(other)) - len(words) <= _MOST_WORDS_MORE]
+    found = [other for other in found if _are_in_order(words, _words(other))]
+    return found[0] if len(found) == 1 else None
+
+
+def _are_in_order(words: Sequence[str], others: Sequence[str]) -> bool:
+    rest = iter(others)
+    return all(word in rest for word in words)
+
+
+def is_only_slip(name: str, meant: str, known: Iterable[str]) -> bool:
+    """Return whether a name is another one with one letter wrong, and no third one comes near."""
+    return is_slip(name, meant) and nearest(name, (other for other in known if other != meant)) is None
+
+
+def _words(name: str) -> tuple[str, ...]:
+    """The words of a name in lower case, and its numbers without leading zeros."""
+    parts = _WORD.findall(name)
+    return tuple(part.lstrip("0") or "0" if part.isdigit() else part.lower() for part in parts)
+
+
+def are_opposed(name: str, other: str) -> bool:
+    """Return whether two names differ by words that exclude each other: left and right, x and y, 1 and 2."""
+    here, there = set(_words(name)), set(_words(other))
+    return any(_excludes(one, another) for one in here - there for another in there - here)
+
+
+def _excludes(word: str, other: str) -> bool:
+    if word.isdigit() and other.isdigit():
+        return len(word) == len(other)  # another number; a digit more or less is a slip
+    meaning, others = _MEANINGS.get(word), _MEANINGS.get(other)
+    return meaning is not None and others is not None and meaning[0] == others[0] and meaning != others
 
 
 def _folded(name: str) -> str:

@@ -346,9 +346,7 @@ def test_the_controller_file_of_the_plugin_does_not_exist(arm: Planted) -> None:
 def test_a_misspelt_package_is_found_with_the_right_name(arm: Planted) -> None:
     arm.replace(WHOLE, "$(find arm_control)", "$(find arm_contol)")
     found = arm.only()
-    assert found.startswith(
-        'warning robot.urdf.xacro: <xacro:include filename="$(find arm_contol)/urdf/control.xacro"/>'
-    )
+    assert found.startswith('error robot.urdf.xacro: <xacro:include filename="$(find arm_contol)/urdf/control.xacro"/>')
     assert found.endswith("did you mean 'arm_control'? [write 'arm_control']")
 
 

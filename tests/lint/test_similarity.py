@@ -6,7 +6,7 @@ import difflib
 
 import pytest
 
-from urdfctl.names import nearest
+from urdfctl.names import fuller, is_only_slip, nearest
 
 
 def test_the_last_name_of_those_that_are_equally_similar_is_the_nearest() -> None:
@@ -44,3 +44,36 @@ def test_a_slip_after_a_shared_prefix_is_still_found(unknown: str, known: list[s
 
 def test_another_style_of_the_same_name_is_the_nearest() -> None:
     assert nearest("pid.iClamp", ["pid.p", "pid.i", "pid.i_clamp", "pid.i_clamp_max"]) == "pid.i_clamp"
+
+
+@pytest.mark.parametrize(
+    ("name", "known", "meant"),
+    [
+        ("left_wheel_jont", ["left_wheel_joint", "right_wheel_joint"], "left_wheel_joint"),
+        ("lft_wheel_joint", ["left_wheel_joint", "right_wheel_joint"], "left_wheel_joint"),
+        ("left_wheel_joint", ["right_wheel_joint"], None),
+        ("linear.x.max_acceleration", ["linear.y.max_acceleration"], None),
+        ("LHipYaw", ["RHipYaw", "LHipRoll"], None),
+        ("joint_7", ["joint_5", "joint_6"], None),
+        ("joint_66", ["joint_5", "joint_6"], "joint_6"),
+        ("max_velocity", ["min_velocity", "max_effort"], None),
+    ],
+)
+def test_a_name_of_another_side_axis_quantity_or_number_is_not_meant(
+    name: str, known: list[str], meant: str | None
+) -> None:
+    assert nearest(name, known) == meant
+
+
+def test_the_only_name_with_all_words_of_another_one_and_more_is_meant() -> None:
+    controllers = ["joint1_position_controller", "joint2_position_controller", "states"]
+    assert fuller("joint1_controller", controllers) == "joint1_position_controller"
+    assert fuller("joint_controller", ["left_joint_controller", "right_joint_controller"]) is None
+    assert fuller("states", ["joint_states"]) is None
+    assert fuller("controller_joint1", controllers) is None
+
+
+def test_a_slip_is_sure_only_if_no_third_name_comes_near() -> None:
+    assert is_only_slip("tilr", "tilt", ["pan", "tilt"])
+    assert not is_only_slip("tilr", "tilt", ["tile", "tilt"])
+    assert not is_only_slip("titlr", "tilt", ["pan", "tilt"])

@@ -16,6 +16,7 @@ from folder import Folder
 
 from urdfctl.config.settings import Settings
 from urdfctl.lint.cache import RunCache
+from urdfctl.lint.judging import LintRun
 from urdfctl.output import processes, temporary
 from urdfctl.output.change import Change
 from urdfctl.output.scratch import scratch_folder
@@ -132,7 +133,7 @@ def test_the_cache_of_runs_is_cleaned_up_too(folder: Folder, monkeypatch: pytest
     os.chdir("urdfctl")
     left_by_a_killed_run("file")
     time.sleep(0.02)  # what changes during a run keeps it from being stored
-    RunCache((), Settings(package_paths=()), "asked").store([], [])
+    RunCache((), Settings(package_paths=()), "asked").store(LintRun([], []))
     assert [Path(name).suffix for name in os.listdir()] == [".json"]
 
 

@@ -72,10 +72,10 @@ def test_of_ros_1_what_a_launch_file_loads_is_all_there_is(folder: Folder) -> No
     node = '<node name="s" pkg="controller_manager" type="spawner" args="{}"/>'
     controllers = "arm: {type: position_controllers/JointPositionController, joint: elbow}"
     assert found(folder, ros1(node.format("hand"), controllers=controllers), "UC601") == [
-        ("UC601", "warning", "controller 'hand' is spawned, but no file declares it; declared: 'arm'"),
+        ("UC601", "error", "controller 'hand' is spawned, but no file declares it; declared: 'arm'"),
     ]
     assert found(folder, ros1(node.format("arm"), controllers=controllers), "UC601") == []
-    both = [("UC601", "warning", "controller 'arms' is spawned, but no file declares it; declared: 'arm'")]
+    both = [("UC601", "error", "controller 'arms' is spawned, but no file declares it; declared: 'arm'")]
     assert found(folder, ros1(node.format("arms arm"), controllers=controllers), "UC601") == both
 
 
@@ -90,7 +90,8 @@ def test_of_ros_1_what_a_launch_file_loads_is_all_there_is(folder: Folder) -> No
 def test_gazebo_loses_no_link_of_a_robot_that_a_launch_file_starts_without_it(
     folder: Folder, more: tuple[str, ...], severity: str
 ) -> None:
-    tool = '<link name="tool"/><joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>'
+    tool = '<link name="tool"><visual><geometry><sphere radius="1"/></geometry></visual></link>'
+    tool += '<joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>'
     files = launched(PUBLISHER, *more, robot=samples.ROBOT + tool)
     assert [one[1] for one in found(folder, files, "UC133")] == [severity]
 

@@ -33,7 +33,7 @@ few hundredths of room, since a new switch draws other idioms."""
 
 
 def test_most_systems_are_given_back_and_their_faults_told() -> None:
-    results = list(all_tried(SEEDS, processes=1))
+    results = list(all_tried(SEEDS[:60], processes=1))
     found = shares(results)
     assert not [tried.crash for tried in results if tried.crash]
     assert found.given >= AT_LEAST.given

@@ -56,7 +56,7 @@ def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...], beside: S
     """Return what a launch file that is started with some arguments, and others beside it, start together."""
     description = launch.description
     spawned = (
-        name if not spawn.namespace else f"{spawn.namespace}/{name}"
+        spawn.full_name(name) if spawn.namespace else name
         for spawn in launch.spawns
         for name, _ in spawn.names
         if UNKNOWN not in name

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 from urdfctl.control.robots import is_all_there, is_fragment, is_whole, is_xacro, robot_in, whole_robot_in
 from urdfctl.model.robot import Tag
-from urdfctl.names import enumerated, nearest
+from urdfctl.names import enumerated, is_only_slip, nearest
 from urdfctl.rule import Edit, Fix, Project, Severity
 from urdfctl.source.opaque import is_known
 from urdfctl.source.span import Place, SourceSpan, SourceText
@@ -51,6 +51,10 @@ class KnownNames:
             self._left -= 1
             self._meant[name] = nearest(name, self._free)
         return stripped or self._meant.get(name)
+
+    def fix(self, place: Place, name: str, meant: str | None) -> Fix | None:
+        """Return the fix that writes the name that is meant: safe if one letter is wrong, and no other name comes near."""
+        return replaced(place, name, meant, safe=is_only_slip(name, meant, self._names)) if meant else None
 
 
 def is_conditional(at: Place) -> bool:

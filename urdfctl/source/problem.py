@@ -62,6 +62,7 @@ class Problem(NamedTuple):
     follows: how many more problems it caused, which are not told.
     also: other places in the same file with the same problem.
     used: where the text at `at` is used, if elsewhere.
+    correct: the name that certainly belongs in the place of the subject; empty if that is not certain.
     """
 
     kind: ProblemKind
@@ -73,6 +74,7 @@ class Problem(NamedTuple):
     follows: int = 0
     also: tuple[Place, ...] = ()
     used: Place | None = None
+    correct: str = ""
 
 
 class ReadError(Exception):

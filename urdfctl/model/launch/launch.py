@@ -177,6 +177,13 @@ class Spawn(NamedTuple):
     files: tuple[FileReference, ...] = ()
     after: tuple[str, ...] = ()
 
+    def full_name(self, name: str) -> str:
+        """Return the name of one of the controllers with its namespace; as it is if that is unknown.
+
+        A name that begins with a slash is absolute: controller_manager.cpp makes its NodeHandle below the manager's.
+        """
+        return name if self.namespace is None or name.startswith("/") else f"{self.namespace}/{name}"
+
     def option(self, *names: str) -> ProgramOption | None:
         """Return the first option with one of these names, if any."""
         return next((option for option in self.options if option.name in names), None)
@@ -285,7 +292,7 @@ class Launch(NamedTuple):
         there are no spawners."""
         if not self.complete or not self.spawns or not all(spawn.sure and spawn.complete for spawn in self.spawns):
             return None
-        return tuple(dict.fromkeys(_full(name, s) for s in self.spawns if s.active for name, _ in s.names))
+        return tuple(dict.fromkeys(s.full_name(name) for s in self.spawns if s.active for name, _ in s.names))
 
     @property
     def description(self) -> Description | None:
@@ -421,7 +428,3 @@ def joined(namespace: str, name: str) -> str:
         return UNKNOWN
     full = name if name.startswith("/") else f"{namespace}/{name}"
     return UNKNOWN if UNKNOWN in full else "".join(f"/{part}" for part in full.split("/") if part)
-
-
-def _full(name: str, spawn: Spawn) -> str:
-    return name if spawn.namespace is None else f"{spawn.namespace}/{name}"

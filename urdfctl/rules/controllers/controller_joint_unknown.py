@@ -9,7 +9,7 @@ from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
 from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.common import KnownNames, in_words, replaced
+from urdfctl.rules.common import KnownNames, in_words
 from urdfctl.rules.controllers.joints import Named, hardware_in, links_called, meant_by, named, severity_of
 
 _ROBOT = """
@@ -116,7 +116,7 @@ def _unknown(
     for joint, right in zip(unknown, meant, strict=True):
         hint = f"; did you mean '{right}'?" if right else ""
         message = f"controller '{reader.name}' names joint '{joint.name}', which the robot does not have{hint}"
-        fix = replaced(joint.at, joint.name, right) if right else None
+        fix = names.fix(joint.at, joint.name, right)
         severity = severity_of(project, hardware, meant=bool(right), others=bool(others))
         yield Finding(joint.at, message, tuple(links_called(robot, joint.name)), fix, severity)
 

@@ -14,7 +14,7 @@ from urdfctl.control.parameters.readers import Reader, readers_of
 from urdfctl.control.parameters.rules import breaches
 from urdfctl.model.controllers import Controller, ValueKind
 from urdfctl.model.controllers import Parameter as Given
-from urdfctl.names import nearest
+from urdfctl.names import are_opposed, nearest
 from urdfctl.rule import Project
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
@@ -137,7 +137,9 @@ _nearest = lru_cache(maxsize=256)(nearest)
 def _misplaced(parameter: Given, candidates: frozenset[str]) -> str | None:
     """The only known parameter in a map with this last name: `constraints.goal_time` for `goal_time`."""
     same = _of_last(candidates).get(parameter.last, [])
-    return same[0] if len(same) == 1 and parameter.value.kind is not ValueKind.MAP else None
+    if len(same) != 1 or parameter.value.kind is ValueKind.MAP or are_opposed(parameter.name, same[0]):
+        return None
+    return same[0]
 
 
 def namesakes(reader: Reader, parameter: Given) -> list[str]:

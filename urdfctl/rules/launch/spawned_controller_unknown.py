@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.controllers import Controller, Controllers
 from urdfctl.model.launch import Launch, Spawn
-from urdfctl.names import nearest
+from urdfctl.names import fuller, is_only_slip, nearest
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words, replaced
 from urdfctl.rules.launch.common import ROS_2, manager_nodes, simulators_managers
@@ -70,8 +70,8 @@ def _is_all_known(project: Project, launch: Launch) -> bool:
 def _is_meant(name: str, spawn: Spawn, controller: Controller) -> bool:
     if controller.name != name.rpartition("/")[2]:
         return False
-    unknown = controller.namespace is None or spawn.namespace is None
-    return unknown or f"{spawn.namespace}/{name}" == controller.full_name
+    full = spawn.full_name(name)
+    return controller.namespace is None or not full.startswith("/") or full == controller.full_name
 
 
 @once_for_the_last
@@ -93,17 +93,20 @@ def _taken(launch: Launch) -> set[str]:
 def _finding(name: str, at: Place, spawn: Spawn, controllers: Controllers, launch: Launch) -> Finding:
     severity = None if spawn.sure else Severity.WARNING
     declared = _declared(controllers)
-    elsewhere = declared.get(name)
+    last = name.rpartition("/")[2]
+    elsewhere = declared.get(last)
     if elsewhere is not None and elsewhere.declared_at is not None:
-        message = f"controller '{name}' is spawned in namespace '{spawn.namespace or '/'}', but declared in "
+        namespace = spawn.full_name(name).rpartition("/")[0]
+        message = f"controller '{last}' is spawned in namespace '{namespace or '/'}', but declared in "
         message += f"'{elsewhere.namespace or '/'}'"
         return Finding(at, message, (Note("it is declared here", elsewhere.declared_at),), severity=severity)
-    meant = nearest(name, declared.keys() - _taken(launch))
+    free = declared.keys() - _taken(launch)
+    meant = nearest(last, free) or fuller(last, free)
     if meant is None:
-        severity = Severity.WARNING if launch.ros != ROS_2 else severity  # another launch file may load its parameters
         names = _in_words(controllers)
         message = f"controller '{name}' is spawned, but no file declares it; declared: {names}"
         return Finding(at, message, severity=severity)
-    fix: Fix = replaced(at, name, meant)
+    is_sure = spawn.sure and is_only_slip(last, meant, declared)
+    fix: Fix = replaced(at, name, name.removesuffix(last) + meant, safe=is_sure)
     message = f"controller '{name}' is spawned, but no file declares it; did you mean '{meant}'?"
     return Finding(at, message, (), fix, severity)

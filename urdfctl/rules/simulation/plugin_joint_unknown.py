@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.hardware.simulator_plugins import loaded_plugins
+from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.common import KnownNames, is_known, replaced, whole_robot_in
+from urdfctl.rules.common import KnownNames, is_known, whole_robot_in
 from urdfctl.rules.simulation.common import default_joints, named_joints
 
 
@@ -90,6 +91,19 @@ from urdfctl.rules.simulation.common import default_joints, named_joints
                 </gazebo>
             """,
         },
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <link name="flag"/>
+                  <joint name="mast" type="revolute">
+                    <parent>fore</parent><child>flag</child><axis><xyz>0 0 1</xyz></axis>
+                  </joint>
+                  <plugin name="states" filename="libgazebo_ros_joint_state_publisher.so">
+                    <jointName>shoulder, mast</jointName>
+                  </plugin>
+                </gazebo>
+            """,
+        },
     ],
 )
 def plugin_joint_unknown(project: Project) -> Iterator[Finding]:
@@ -101,11 +115,13 @@ def plugin_joint_unknown(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None:
         return
-    names = KnownNames(joint.name for joint in robot.joints)
+    plugins = loaded_plugins(project)
+    used = [name for sim_plugin in plugins for name, _ in named_joints(sim_plugin)]
+    names = KnownNames([*(joint.name for joint in robot.joints), *_in_sdf(robot)], taken=used)
     fixed = {joint.name for joint in robot.joints if joint.type == "fixed"} - {
         gazebo.reference for gazebo in robot.gazebos if any(child.name in _KEEPING for child in gazebo.tag.children)
     }
-    for sim_plugin in loaded_plugins(project):
+    for sim_plugin in plugins:
         severity = Severity.ERROR if sim_plugin.moves_joints else None
         for name, place in named_joints(sim_plugin):
             if not is_known(name) or "::" in name or (name in names and name not in fixed):
@@ -116,7 +132,7 @@ def plugin_joint_unknown(project: Project) -> Iterator[Finding]:
                 continue
             meant = names.meant_by(name)
             hint = f"; did you mean '{meant}'?" if meant else ""
-            fix = replaced(place, name, meant) if meant else None
+            fix = names.fix(place, name, meant)
             message = f"'{sim_plugin.filename}' names joint '{name}', which the robot does not have{hint}"
             yield Finding(place, message, fix=fix, severity=severity)
         for setting, default in default_joints(project, sim_plugin):
@@ -130,6 +146,13 @@ def plugin_joint_unknown(project: Project) -> Iterator[Finding]:
                     (Note(f"add <{setting}> with the name of a joint"),),
                     severity=severity,
                 )
+
+
+def _in_sdf(robot: Robot) -> Iterator[str]:
+    """The joints that <gazebo> elements add in SDF: Gazebo inserts them into the model as they are."""
+    for gazebo in robot.gazebos:
+        if not gazebo.reference:
+            yield from (tag.attributes["name"] for tag in gazebo.tag.named("joint") if "name" in tag.attributes)
 
 
 _KEEPING = {"preserveFixedJoint", "disableFixedJointLumping"}

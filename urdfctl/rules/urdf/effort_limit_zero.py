@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.session import sessions
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
@@ -30,16 +31,31 @@ _WRIST = """
     authority="joint_limits_interface EffortJointSaturationHandle clamps each command to the URDF's effort; Gazebo Classic "
     "physics/Joint.cc CheckAndTruncateForce() truncates it to an effort limit that is not negative",
     bad=[{"robot.urdf": _WRIST % "«0»"}],
-    good=[{"robot.urdf": _WRIST % "10"}],
+    good=[
+        {"robot.urdf": _WRIST % "10"},
+        {
+            "robot.urdf": _WRIST % "0",
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+            """,
+        },
+    ],
 )
 def effort_limit_zero(project: Project) -> Iterator[Finding]:
     """Joint that is commanded by effort has an effort limit of 0.
 
     Everything loads, but each effort is limited to 0: the joint never moves, and no message says why. For a joint that
-    is commanded by position or velocity only, the limit is not reported: many well-kept robots have one of 0.
+    is commanded by position or velocity only, the limit is not reported: many well-kept robots have one of 0; nor for a
+    passive joint, which no controller commands.
     """
     robot = robot_in(project)
     driven = _by_effort(robot) if robot else set()
+    commanded = _commanded(project)
+    if commanded is not None:
+        driven &= commanded
     for joint in robot.joints if robot else ():
         effort = joint.limit.effort if joint.limit else None
         if effort and effort.value == 0 and joint.moves and joint.name in driven and not joint.mimic:
@@ -62,3 +78,14 @@ def _by_effort(robot: Robot) -> set[str]:
             if part.kind == "joint" and {command.name for command in part.commands} == {"effort"}:
                 names.add(part.name)
     return {name for name in names if name}
+
+
+def _commanded(project: Project) -> set[str] | None:
+    """The joints that any controller commands; None if that is not known, or if there are no controllers."""
+    controllers = project.controllers
+    if controllers is None or not controllers.complete or not controllers.controllers:
+        return None
+    every = [configured for session in sessions(project) for configured in session.controllers]
+    if any(configured.type is None for configured in every):
+        return None
+    return {claim.component for configured in every for claim in configured.claims.command}

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
-from urdfctl.control.hardware.simulator_plugins import sure_simulator
+from urdfctl.control.hardware.simulator_plugins import loaded_plugins, sure_simulator
+from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import whole_robot_in
-from urdfctl.rules.urdf.bodies import inertial_of, vanishing
+from urdfctl.rules.simulation.common import named_joints
+from urdfctl.rules.urdf.bodies import Body, inertial_of, vanishing
+from urdfctl.rules.urdf.tree import Tree
 
 
 @rule(
@@ -57,11 +60,12 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
 
     No link that is fixed to it has an <inertial> either. Gazebo drops the link, its joint and everything below it;
     older versions do so silently. Its control plugin then does not know the joint. This is an error if the robot certainly
-    runs in Gazebo. Real hardware is not affected: this is only worth knowing if the launch file starts no simulator, and
-    nothing of the robot is for Gazebo.
+    runs in Gazebo, and something of what it loses has a shape or is controlled. Real hardware is not affected: this is
+    only worth knowing if the launch file starts no simulator, and nothing of the robot is for Gazebo. MuJoCo takes masses
+    from its own model, or from shapes.
     """
     robot = whole_robot_in(project)
-    if robot is None or not project.may_be_simulated:
+    if robot is None or not project.may_be_simulated or project.simulator == "mujoco":
         return
     if all(link.inertials for link in robot.links):
         return
@@ -73,9 +77,25 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
         message = "no link of the robot has an <inertial>; Gazebo drops all moving links"
         yield Finding(robot.at, message, severity=severity)
         return
+    tree, driven = Tree(robot), _driven(project, robot)
     for body in lost:
         loss = f"and {body.lost} moving joints" if body.lost > 1 else "and its joint"
         joint = body.joint.name if body.joint else None
         link = f"link '{body.head.name}' of joint '{joint}'" if joint else f"root link '{body.head.name}'"
         message = f"{link} has no <inertial>; Gazebo drops it {loss}"
-        yield Finding(body.head.at["name"], message, severity=severity)
+        is_empty = severity is Severity.ERROR and not _is_missed(body, robot, tree, driven)
+        yield Finding(body.head.at["name"], message, severity=None if is_empty else severity)
+
+
+def _is_missed(body: Body, robot: Robot, tree: Tree, driven: Collection[str | None]) -> bool:
+    """Whether anything of what Gazebo drops with a body has a shape, or a joint that is controlled."""
+    below = tree.below(body.head.name or "")
+    joints = {joint.name for joint in robot.joints if joint.child and joint.child.name in below}
+    return not joints.isdisjoint(driven) or any(link.geometries for link in robot.links if link.name in below)
+
+
+def _driven(project: Project, robot: Robot) -> set[str | None]:
+    """The joints that a transmission, a <ros2_control> or a plugin names."""
+    transmissions = {end.name for transmission in robot.transmissions for end in transmission.joints}
+    parts = {part.name for control in robot.ros2_controls for part in control.parts}
+    return {*transmissions, *parts, *(name for plugin in loaded_plugins(project) for name, _ in named_joints(plugin))}

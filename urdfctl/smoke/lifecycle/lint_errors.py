@@ -96,7 +96,7 @@ def place_of(controller: Controller, project: Project) -> Place | None:
         return controller.declared_at
     for spawn in project.launch.spawns if project.launch else ():
         for name, at in spawn.names:
-            full = name if name.startswith("/") or spawn.namespace is None else f"{spawn.namespace}/{name}"
+            full = spawn.full_name(name)
             if f"/{full.lstrip('/')}".endswith(f"/{controller.full_name.lstrip('/')}"):
                 return at
     return controller.sections[0].at if controller.sections else None

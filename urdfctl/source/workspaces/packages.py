@@ -37,12 +37,14 @@ class PackageNotFound(Exception):
     """No package has this name.
 
     known: the names of the packages found so far, for "did you mean" hints.
+    own: the name of the package that contains the file; empty if there is none.
     """
 
-    def __init__(self, name: str, known: Sequence[str]) -> None:
+    def __init__(self, name: str, known: Sequence[str], own: str = "") -> None:
         super().__init__(f"package '{name}' was not found")
         self.name = name
         self.known = known
+        self.own = own
 
 
 def package_around(folder: str) -> str | None:
@@ -189,6 +191,10 @@ class Packages:
         """Return the folder of the package that contains the file; None if the workspace has none."""
         return next((folder for folder in self._ancestors() if self._index.name_of(folder)), None)
 
+    def _own_name(self) -> str:
+        folder = self.own()
+        return (folder and self._index.name_of(folder)) or ""
+
     def declares(self, name: str, file: str = "") -> bool | None:
         """Return whether package.xml declares a package: that of the robot file, or that of the file that uses it.
 
@@ -216,7 +222,7 @@ class Packages:
     def find(self, name: str) -> str:
         """Return the folder of a package. Raises PackageNotFound if no package has this name."""
         if name in ("", os.curdir, os.pardir) or {os.sep, "/"} & {*name}:  # a path could lead out of the search folders
-            raise PackageNotFound(name, self.known())
+            raise PackageNotFound(name, self.known(), self._own_name())
         if name not in self._found:
             folder = (
                 self._nearest(name, self._index.named)
@@ -226,7 +232,7 @@ class Packages:
                 or self._without_manifest(name)
             )
             if folder is None:
-                raise PackageNotFound(name, self.known())
+                raise PackageNotFound(name, self.known(), self._own_name())
             self._found[name] = folder
         return self._found[name]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.names import nearest
+from urdfctl.names import is_slip, nearest
 from urdfctl.source.budget import OUT_OF_MEMORY, OverBudget
 from urdfctl.source.disk.files import FileProblem
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
@@ -100,11 +100,13 @@ def _known(cause: BaseException, at: Place) -> Problem | None:
     if isinstance(cause, FileProblem):
         return cause.at(at)
     if isinstance(cause, PackageNotFound):
-        meant = nearest(cause.name, cause.known)
+        is_own = is_slip(cause.name, cause.own)
+        meant = cause.own if is_own else nearest(cause.name, cause.known)
         hint = f"write '{meant}'" if meant else "give its folder with --package-path, or use a wider --workspace"
         message = f"package '{cause.name}' was not found in this workspace"
         message += f"; did you mean '{meant}'?" if meant else ""
-        return Problem(ProblemKind.PACKAGE_NOT_FOUND, at, message, cause.name, hint)
+        found = Problem(ProblemKind.PACKAGE_NOT_FOUND, at, message, cause.name, hint)
+        return found._replace(correct=cause.own) if is_own else found
     if isinstance(cause, ForbiddenExpression):
         hint = "remove it, or allow it with --trust"
         return Problem(ProblemKind.FORBIDDEN_EXPRESSION, at, str(cause), hint=hint)
