@@ -46,15 +46,21 @@ def _key(diagnostic: Diagnostic) -> tuple[str, str, int, int]:
 
 
 def as_started(entry: PlannedTarget, result: TargetResult, launched: Iterable[TargetResult]) -> TargetResult:
-    """Return the result of a description; its own findings are warnings at most if nobody starts it like that.
+    """Return the result of a description without its own findings if nobody starts it like that.
 
     This is so for a description in a folder that is linted with the defaults of its arguments, if all launch files that
-    start it give it arguments. What is found there too keeps its severity.
+    start it give it arguments. What is found there too stays. If a start is not wholly known, its own findings stay as
+    warnings at most.
     """
     starts = [each for each in launched if each.path == result.path] if _is_with_defaults(entry) else []
     if not starts or not all(each.arguments for each in starts):
         return result
-    return result._replace(outcome=weakened(result.outcome, [each.outcome for each in starts], UNSTARTED))
+    outcomes = [each.outcome for each in starts]
+    if not all(each.complete and each.links for each in starts):
+        return result._replace(outcome=weakened(result.outcome, outcomes, UNSTARTED))
+    known = {_key(diagnostic) for outcome in outcomes for diagnostic in outcome.diagnostics}
+    found = [diagnostic for diagnostic in result.outcome.diagnostics if _key(diagnostic) in known]
+    return result._replace(outcome=result.outcome._replace(diagnostics=found))
 
 
 def _is_with_defaults(entry: PlannedTarget) -> bool:

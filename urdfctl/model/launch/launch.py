@@ -306,7 +306,8 @@ class Launch(NamedTuple):
 
         The same description in a namespace and below it is one robot. A node's own description belongs to the node's
         namespace, unless controllers are loaded under the node's name. Of different descriptions for one namespace,
-        that of the controller manager counts, then that of robot_state_publisher; in ROS 1 the one that is set last.
+        that of the controller manager counts, then that of robot_state_publisher; in ROS 1 the one that is set last. Of
+        several nodes of one kind that are all started, the first counts: they publish to one topic.
         """
         usable = [each._replace(namespace=self._home(each)) for each in self.descriptions if each.usable]
         sure = [each for each in usable if each.sure]
@@ -314,10 +315,12 @@ class Launch(NamedTuple):
         for each in sorted(_decisive(sure or usable), key=lambda one: (one.namespace or "").count("/")):
             if not any(_is_same_robot(each, robot) for robot in robots):
                 robots.append(each)
-        if len({each.namespace for each in robots}) < len(robots):
-            return ()  # different descriptions for one namespace
         order = [each.at for each in self.descriptions]
-        return tuple(sorted(robots, key=lambda one: order.index(one.at)))
+        robots.sort(key=lambda one: order.index(one.at))
+        first = {each.namespace: each for each in reversed(robots)}
+        if len(first) < len(robots) and not sure:
+            return ()  # different descriptions for one namespace
+        return tuple(each for each in robots if first[each.namespace] is each)
 
     @property
     def unfollowed(self) -> tuple[str, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.control.hardware.simulator_plugins import control_plugins, namespace_of
@@ -100,14 +101,29 @@ def publishers_of_states(launch: Launch) -> list[Node]:
     return [node for node in launch.nodes if node.executable.text.startswith("joint_state_publisher")]
 
 
-_NO_MANAGERS = frozenset(
+_ORDINARY = frozenset(
     "robot_state_publisher joint_state_publisher joint_state_publisher_gui controller_manager rviz2 tf2_ros xacro "
     "rqt_joint_trajectory_controller rqt_gui topic_tools ros_gz_bridge ros_ign_bridge ros_gz_sim ros_ign_gazebo "
     "gazebo_ros nav2_util ros_gz_image twist_mux joy teleop_twist_joy rqt_robot_steering slam_toolbox "
     "robot_localization moveit_ros_move_group moveit_servo".split()
 )
+_HOSTING = re.compile(
+    r"(?i)(?<![a-z])hw|hardware|driver|ros_?2?_?control(?!lers)|control_(loop|node)|_iface|interface|manager"
+)
+"""In the names of programs that contain a controller manager of their own."""
+
+
+def is_ordinary(node: Node) -> bool:
+    """Return whether a node is of a package that is known to move and to measure nothing."""
+    return node.package.text in _ORDINARY and not node.runs(CONTROLLER_MANAGER, MANAGER)
 
 
 def hosts_no_manager(node: Node) -> bool:
-    """Return whether a node cannot contain a controller manager. Drivers of unknown hardware can."""
-    return node.package.text in _NO_MANAGERS and not node.runs(CONTROLLER_MANAGER, MANAGER)
+    """Return whether a node contains no controller manager: it is none, and names none.
+
+    The library has no Python API, so that no script contains one.
+    """
+    if is_ordinary(node) or node.executable.text.endswith(".py"):
+        return True
+    names = (node.package.text, node.executable.text, node.name or "")
+    return is_known(*names) and not any(map(_HOSTING.search, names))

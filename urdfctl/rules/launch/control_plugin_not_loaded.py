@@ -15,9 +15,16 @@ _LAUNCH = """
               <include file="$(find gazebo_ros)/launch/empty_world.launch"/>
               <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
               <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm"/>
-              <node name="spawner" pkg="controller_manager" type="spawner" args="joint_state_controller"/>
+              <node name="spawner" pkg="controller_manager" type="spawner" args="joint_state_controller"/>%s
             </launch>
 """
+_BESIDE = """
+              <node name="rviz" pkg="rviz" type="rviz"/>
+              <node name="map" pkg="tf" type="static_transform_publisher" args="0 0 0 0 0 0 base map 100"/>
+              <node name="wave" pkg="arm" type="wave.py"/>
+              <node name="slam" pkg="gmapping" type="slam_gmapping"/>"""
+_DRIVER = """
+              <node name="hand" pkg="arm" type="hand_hw_node"/>"""
 _MANIFEST = "<package><name>arm</name><exec_depend>controller_manager</exec_depend><exec_depend>gazebo_ros</exec_depend></package>"
 _PLUGIN = '<gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>'
 _ROBOT = '%s<link name="base"/>%s</robot>'
@@ -34,14 +41,24 @@ _ROBOT = '%s<link name="base"/>%s</robot>'
     authority="gazebo_ros_control README: the plugin 'parses the transmission tags and loads the appropriate hardware "
     "interfaces and controller manager'; spawner: 'Controller Spawner couldn't find the expected controller_manager ROS "
     "interface'",
-    bad=[{"robot.urdf": _ROBOT % ('«<robot name="arm">»', ""), "arm.launch": _LAUNCH, "package.xml": _MANIFEST}],
-    good=[{"robot.urdf": _ROBOT % ('<robot name="arm">', _PLUGIN), "arm.launch": _LAUNCH, "package.xml": _MANIFEST}],
+    bad=[
+        {"robot.urdf": _ROBOT % ('«<robot name="arm">»', ""), "arm.launch": _LAUNCH % "", "package.xml": _MANIFEST},
+        {
+            "robot.urdf": _ROBOT % ('«<robot name="arm">»', ""),
+            "arm.launch": _LAUNCH % _BESIDE,
+            "package.xml": _MANIFEST,
+        },
+    ],
+    good=[
+        {"robot.urdf": _ROBOT % ('<robot name="arm">', _PLUGIN), "arm.launch": _LAUNCH % "", "package.xml": _MANIFEST},
+        {"robot.urdf": _ROBOT % ('<robot name="arm">', ""), "arm.launch": _LAUNCH % _DRIVER, "package.xml": _MANIFEST},
+    ],
 )
 def control_plugin_not_loaded(project: Project) -> Iterator[Finding]:
     """Controllers are spawned in Gazebo, but no plugin of the robot runs them.
 
     In ROS 1 the controller manager of a simulated robot runs in the plugin libgazebo_ros_control.so. Without it, the
-    spawner waits for half a minute and gives up.
+    spawner waits for half a minute and gives up. Another node that names hardware, a driver or a manager may contain one.
     """
     launch, robot = launch_of(project, 1), whole_robot_in(project)
     if launch is None or robot is None or not is_sure(launch) or not launch.spawns:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.model.launch import Launch
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, whole_robot_in
-from urdfctl.rules.launch.common import hosts_no_manager, publishers_of_states, state_publishers
+from urdfctl.rules.launch.common import is_ordinary, publishers_of_states, state_publishers
 from urdfctl.rules.launch_samples import PUBLISHER, launched
 
 _MOVABLE = ("revolute", "continuous", "prismatic")
@@ -93,4 +93,4 @@ def _is_viewer_alone(launch: Launch) -> bool:
     if not launch.complete or launch.spawns or launch.elsewhere or launch.simulations or publishers_of_states(launch):
         return False
     others = (node for node in launch.nodes if node.package.text not in _VIEWERS)
-    return any(node.package.text in _VIEWERS for node in launch.nodes) and all(map(hosts_no_manager, others))
+    return any(node.package.text in _VIEWERS for node in launch.nodes) and all(map(is_ordinary, others))

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.hardware.simulator_plugins import IN_GAZEBO, components, simulator_of
 from urdfctl.model.launch import Launch
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import (
     CONTROLLER_MANAGER,
     MANAGER,
@@ -55,7 +55,8 @@ def manager_beside_simulator(project: Project) -> Iterator[Finding]:
     where = IN_GAZEBO[simulator_of(project, hardware) or ""]
     for at in _started(launch, launch.description.namespace or ""):
         message = f"ros2_control_node cannot load '{hardware.plugin}'; {where} runs it in its own controller manager"
-        yield Finding(at, message, (Note("the hardware is defined here", hardware.at),))
+        fix = Fix("remove ros2_control_node from this launch file, and start the simulator, which loads the plugin")
+        yield Finding(at, message, (Note("the hardware is defined here", hardware.at),), fix)
 
 
 def _started(launch: Launch, namespace: str) -> Iterator[Place]:

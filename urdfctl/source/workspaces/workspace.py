@@ -16,7 +16,7 @@ def workspace_of(file: str, named: str | None = None) -> str:
 
     - the folder `named` by the user;
     - the nearest ancestor that is a git repository or a colcon or catkin workspace;
-    - the current folder, if it contains the file;
+    - if the current folder contains the file: the package around the current folder, or else that folder;
     - the package that contains the file;
     - the file's folder.
 
@@ -31,19 +31,21 @@ def workspace_of(file: str, named: str | None = None) -> str:
         if _is_workspace(ancestor):
             return ancestor
     if inside:
-        return current
+        return package_around(current) or current
     return package_around(folder) or folder
 
 
 def workspace_around(folder: str) -> str | None:
     """Return the innermost workspace that a folder, given with all links followed, is in; None if it is in none.
 
-    It is the nearest git repository or colcon or catkin workspace, the current folder, or the package.
+    It is the nearest git repository or colcon or catkin workspace, the current folder with the package around it, or the
+    package.
     """
     nearest = next((ancestor for ancestor in folders_upwards(folder) if _is_workspace(ancestor)), None)
     if nearest is not None:
         return nearest
     current = os.path.realpath(current_folder())
+    current = package_around(current) or current
     return current if (folder + os.sep).startswith(current.rstrip(os.sep) + os.sep) else package_around(folder)
 
 
