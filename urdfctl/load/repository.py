@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator
-from fnmatch import fnmatchcase
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.model.project import EvidenceItem
@@ -24,31 +23,32 @@ _WEIGHT, _WEIGHT_OF_README, _WEIGHT_OF_PROSE = 5, 2, 1
 _MOST_BYTES = 1 << 16
 _MOST_FILES = 24
 _MOST_LEVELS = 8
+_COMPOSE = (*(("docker-compose", end) for end in (".yml", ".yaml")), ("compose", ".yml"), ("compose", ".yaml"))
 _FILES = {
     "": (
-        *("Dockerfile*", "*.Dockerfile", "*.dockerfile", "Containerfile*", "docker-compose*.y*ml", "compose*.y*ml"),
-        *("*.repos", "*.rosinstall", ".gitlab-ci.yml", ".travis.yml", ".env"),
+        *(("Dockerfile", ""), ("", ".Dockerfile"), ("", ".dockerfile"), ("Containerfile", ""), *_COMPOSE),
+        *(("", ".repos"), ("", ".rosinstall"), (".gitlab-ci.yml", ""), (".travis.yml", ""), (".env", "")),
     ),
-    ".github/workflows": ("*.yml", "*.yaml"),
-    ".devcontainer": ("*",),
-    ".docker": ("*",),
-    "docker": ("Dockerfile*", "*.Dockerfile", "*.dockerfile", "docker-compose*.y*ml", "compose*.y*ml", ".env"),
+    ".github/workflows": (("", ".yml"), ("", ".yaml")),
+    ".devcontainer": (("", ""),),
+    ".docker": (("", ""),),
+    "docker": (("Dockerfile", ""), ("", ".Dockerfile"), ("", ".dockerfile"), *_COMPOSE, (".env", "")),
 }
-"""Patterns of the files that name a distro, by their folder."""
-_README = ("README", "README.*", "readme.*", "Readme.*", "INSTALL.md")
+"""How the names of the files that name a distro begin and end, by their folder."""
+_README = (("README", ""), ("readme.", ""), ("Readme.", ""), ("INSTALL.md", ""))
 _NAMES = "|".join(sorted(ALL))
 _LIST = rf"[\"'\[\s,-]*((?:(?:{_NAMES})\b[\"'\s,-]*(?:\n[\s-]*)?)+)"
-_VARIABLE = re.compile(rf"(?i)\b(?:ros_?)?distro(?:s|[\w-]*distributions?)?[\"']?\s*[:=]{_LIST}")
+_VARIABLE = rf"(?i)\b(?:ros_?)?distro(?:s|[\w-]*distributions?)?[\"']?\s*[:=]{_LIST}"
 _NAMING = (
     _VARIABLE,
-    re.compile(rf"(?i)\brequired-ros-distributions\s*:{_LIST}"),
-    re.compile(rf"\bros(?:-[a-z]+)*:({_NAMES})\b"),
-    re.compile(rf"/opt/ros/({_NAMES})\b"),
-    re.compile(rf"\bros-({_NAMES})-[a-z*$]"),
-    re.compile(rf"(?m)^\s*version\s*:\s*[\"']?({_NAMES})(?:-devel)?[\"']?\s*$"),
-    re.compile(rf"\b(?:ROS_DISTRO|rosdistro)\s+({_NAMES})\b"),
+    rf"(?i)\brequired-ros-distributions\s*:{_LIST}",
+    rf"\bros(?:-[a-z]+)*:({_NAMES})\b",
+    rf"/opt/ros/({_NAMES})\b",
+    rf"\bros-({_NAMES})-[a-z*$]",
+    rf"(?m)^\s*version\s*:\s*[\"']?({_NAMES})(?:-devel)?[\"']?\s*$",
+    rf"\b(?:ROS_DISTRO|rosdistro)\s+({_NAMES})\b",
 )
-_MENTIONED = re.compile(rf"(?i)\bROS[\s_-]*[12]?[\s,:(*_-]*({_NAMES})\b")
+_MENTIONED = rf"(?i)\bROS[\s_-]*[12]?[\s,:(*_-]*({_NAMES})\b"
 
 
 class _NamedDistro(NamedTuple):
@@ -91,8 +91,8 @@ def _levels(folder: str, workspace: str) -> Iterator[str]:
 def _configuring(folder: str) -> tuple[_NamedDistro, ...]:
     """What is named by the files that build or test a repository."""
     found: list[_NamedDistro] = []
-    for inner, patterns in _FILES.items():
-        for path in _matching(os.path.join(folder, inner) if inner else folder, patterns):
+    for inner, ends in _FILES.items():
+        for path in _matching(os.path.join(folder, inner) if inner else folder, ends):
             found += _named(path, _NAMING)
     return tuple(found)
 
@@ -109,21 +109,21 @@ def _mentioning(folder: str) -> tuple[_NamedDistro, ...]:
     return tuple(one for path in _matching(folder, _README) for one in _named(path, (_MENTIONED,)))
 
 
-def _matching(folder: str, patterns: Iterable[str]) -> Iterator[str]:
+def _matching(folder: str, ends: Iterable[tuple[str, str]]) -> Iterator[str]:
     try:
         names = names_in(folder)
     except OSError:
         return
-    matching = [name for name in names if any(fnmatchcase(name, pattern) for pattern in patterns)]
+    matching = [name for name in names if any(name.startswith(start) and name.endswith(end) for start, end in ends)]
     yield from (os.path.join(folder, name) for name in matching[:_MOST_FILES])
 
 
-def _named(path: str, patterns: Iterable[re.Pattern[str]]) -> Iterator[_NamedDistro]:
+def _named(path: str, patterns: Iterable[str]) -> Iterator[_NamedDistro]:
     try:
         text = first_bytes(path, _MOST_BYTES).decode("utf-8", "replace")
     except OSError:
         return
     for pattern in patterns:
-        for match in pattern.finditer(text):
+        for match in re.finditer(pattern, text):
             line = text.count("\n", 0, match.start()) + 1
             yield from (_NamedDistro(name, f"{path}:{line}") for name in re.findall(_NAMES, match[1].lower()))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.session import sessions
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
@@ -85,6 +84,8 @@ def _commanded(project: Project) -> set[str] | None:
     controllers = project.controllers
     if controllers is None or not controllers.complete or not controllers.controllers:
         return None
+    from urdfctl.control.session import sessions
+
     every = [configured for session in sessions(project) for configured in session.controllers]
     if any(configured.type is None for configured in every):
         return None
