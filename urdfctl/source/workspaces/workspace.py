@@ -38,8 +38,8 @@ def workspace_of(file: str, named: str | None = None) -> str:
 def workspace_around(folder: str) -> str | None:
     """Return the innermost workspace that a folder, given with all links followed, is in; None if it is in none.
 
-    It is the nearest git repository or colcon or catkin workspace, the current folder with the package around it, or the
-    package.
+    It is the nearest git repository or colcon or catkin workspace, the current folder, with the package around it, or
+    the package.
     """
     nearest = next((ancestor for ancestor in folders_upwards(folder) if _is_workspace(ancestor)), None)
     if nearest is not None:
