@@ -276,3 +276,70 @@ TRICYCLE_CONTROLLER = """
         traction_wheels_radius: 0.1
         base_frame_id: base_link
 """
+REACHER = """
+    <robot name="reacher">
+      <link name="world"/>
+      <joint name="bolted" type="fixed"><parent link="world"/><child link="base"/></joint>
+      <link name="base">
+        <inertial><mass value="8"/><inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.04"/></inertial>
+        <collision><origin xyz="0 0 0.1"/><geometry><box size="0.2 0.2 0.2"/></geometry></collision>
+      </link>
+      <joint name="turn" type="revolute">
+        <parent link="base"/><child link="upper"/><origin xyz="0 0 0.22" rpy="0 0 0"/><axis xyz="0 0 1"/>
+        <limit lower="-3" upper="3" effort="80" velocity="2"/>
+      </joint>
+      <link name="upper">
+        <inertial><origin xyz="0 0 0.15"/><mass value="2"/>
+          <inertia ixx="0.016" ixy="0" ixz="0" iyy="0.016" iyz="0" izz="0.002"/></inertial>
+        <collision><origin xyz="0 0 0.15"/><geometry><box size="0.06 0.06 0.26"/></geometry></collision>
+      </link>
+      <joint name="bend" type="revolute">
+        <parent link="upper"/><child link="fore"/><origin xyz="0 0 0.3" rpy="0 0.3 0"/><axis xyz="0 1 0"/>
+        <limit lower="-2" upper="2" effort="80" velocity="2"/><!-- bend -->
+      </joint>
+      <link name="fore">
+        <inertial><origin xyz="0 0 0.12"/><mass value="1"/>
+          <inertia ixx="0.005" ixy="0" ixz="0" iyy="0.005" iyz="0" izz="0.001"/></inertial>
+        <collision><origin xyz="0 0 0.12"/><geometry><box size="0.05 0.05 0.2"/></geometry></collision>
+      </link>
+      <joint name="reach" type="prismatic">
+        <parent link="fore"/><child link="hand"/><origin xyz="0 0 0.24" rpy="0 0 0"/><axis xyz="0 0 1"/>
+        <limit lower="0" upper="0.2" effort="60" velocity="0.5"/>
+      </joint>
+      <link name="hand">
+        <inertial><origin xyz="0 0 0.04"/><mass value="0.2"/>
+          <inertia ixx="0.0004" ixy="0" ixz="0" iyy="0.0004" iyz="0" izz="0.0001"/></inertial>
+        <collision><origin xyz="0 0 0.04"/><geometry><box size="0.03 0.03 0.06"/></geometry></collision>
+      </link>
+      <ros2_control name="reacher" type="system">
+        <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+        <joint name="turn">
+          <command_interface name="position"/><state_interface name="position"/><state_interface name="velocity"/>
+        </joint>
+        <joint name="bend">
+          <command_interface name="position"/><state_interface name="position"/><state_interface name="velocity"/>
+        </joint>
+        <joint name="reach">
+          <command_interface name="position"/><state_interface name="position"/><state_interface name="velocity"/>
+        </joint>
+      </ros2_control>
+    </robot>
+"""
+REACHER_CONTROLLER = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        reacher: {type: joint_trajectory_controller/JointTrajectoryController}
+    reacher:
+      ros__parameters:
+        joints: [turn, bend, reach]
+        command_interfaces: [position]
+        state_interfaces: [position, velocity]
+"""
+
+
+def marked(robot: str, element: str, old: str = "", new: str = "") -> str:
+    """Return a bad example: a robot with an element between « and », in which an old text is replaced."""
+    changed = robot.replace(old, new) if old else robot
+    return changed.replace(element, f"«{element}»")

@@ -6,6 +6,7 @@ The code in `urdfctl.smoke` that measures a fault calls `trouble_of` with the fa
 from __future__ import annotations
 
 from urdfctl.fault import Fault
+from urdfctl.rules.smoke.angles_in_degrees import angles_in_degrees
 from urdfctl.rules.smoke.base_too_slow import base_too_slow
 from urdfctl.rules.smoke.base_without_mass import base_without_mass
 from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
@@ -34,12 +35,16 @@ from urdfctl.rules.smoke.joint_resists_its_motor import joint_resists_its_motor
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.rules.smoke.joint_without_range import joint_without_range
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
+from urdfctl.rules.smoke.length_in_millimetres import length_in_millimetres
+from urdfctl.rules.smoke.limits_in_degrees import limits_in_degrees
 from urdfctl.rules.smoke.links_overlap import links_overlap
 from urdfctl.rules.smoke.loop_too_soft import loop_too_soft
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
 from urdfctl.rules.smoke.loop_unstable import loop_unstable
 from urdfctl.rules.smoke.loose_robot_tips_over import loose_robot_tips_over
+from urdfctl.rules.smoke.mass_in_grams import mass_in_grams
+from urdfctl.rules.smoke.mass_outside_of_link import mass_outside_of_link
 from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
 from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
 from urdfctl.rules.smoke.negative_reduction_ignored import negative_reduction_ignored
@@ -51,6 +56,7 @@ from urdfctl.rules.smoke.steering_range_too_small import steering_range_too_smal
 from urdfctl.rules.smoke.steering_turns_backwards import steering_turns_backwards
 from urdfctl.rules.smoke.task_not_performed import task_not_performed
 from urdfctl.rules.smoke.transmission_ignored import transmission_ignored
+from urdfctl.rules.smoke.travel_in_millimetres import travel_in_millimetres
 from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro
 from urdfctl.rules.smoke.wheel_cannot_roll import wheel_cannot_roll
 from urdfctl.rules.smoke.wheel_in_the_wrong_place import wheel_in_the_wrong_place
@@ -120,4 +126,10 @@ FAULTS: tuple[Fault, ...] = (
     reduction_of_zero,
     wheels_slip,
     loose_robot_tips_over,
+    limits_in_degrees,
+    travel_in_millimetres,
+    angles_in_degrees,
+    length_in_millimetres,
+    mass_outside_of_link,
+    mass_in_grams,
 )

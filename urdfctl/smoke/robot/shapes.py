@@ -107,13 +107,13 @@ class WheelRim(NamedTuple):
     width: float
 
 
-def shapes_of(robot: Robot, find_mesh: Callable[[str], str | None] | None = None) -> Shapes:
-    """Return the collision shapes of a robot. Without `find_mesh` meshes are not looked for."""
+def shapes_of(robot: Robot, find_mesh: Callable[[str], str | None] | None = None, role: str = "collision") -> Shapes:
+    """Return the shapes of a robot, `collision` or `visual`. Without `find_mesh` meshes are not looked for."""
     known: dict[str, tuple[Shape, ...]] = {}
     unknown = set()
     for link in robot.links:
         name = link.name or ""
-        found = [_shape(tag, find_mesh) for tag in link.tag.named("collision")]
+        found = [_shape(tag, find_mesh) for tag in link.tag.named(role)]
         known[name] = tuple(shape for shape in found if shape is not None)
         if None in found:
             unknown.add(name)

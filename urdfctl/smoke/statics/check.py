@@ -30,6 +30,7 @@ from urdfctl.smoke.results import ROBOT, ControllerResult, RobotResult, Trouble,
 from urdfctl.smoke.robot import Mechanism, Shapes, mechanism_of, shapes_of, with_rims
 from urdfctl.smoke.statics.overlaps import overlap_troubles
 from urdfctl.smoke.statics.physics import static_troubles
+from urdfctl.smoke.statics.plausibility import plausibility_troubles
 from urdfctl.smoke.statics.simulators import in_simulation
 from urdfctl.smoke.statics.stability import loop_troubles
 from urdfctl.smoke.statics.support import Support, support_of
@@ -167,10 +168,12 @@ def _with_physics(
     project, distro = check.seen.project, check.lifecycle.distro
     commanded = any(task.joints for task in check.tasks)
     shapes = shapes_of(robot, find_mesh if commanded else None)
+    visuals = shapes_of(robot, None, "visual")
+    unlikely = list(plausibility_troubles(mechanism, robot, shapes, visuals))
     mechanism = with_rims(mechanism, shapes)
     transmissions = transmissions_of(project, distro)
     tasks = with_transmissions(transmissions, with_inferred_drives(mechanism, shapes, check.tasks))
-    troubles = [*check.troubles, *transmission_troubles(transmissions, tasks)]
+    troubles = [*check.troubles, *unlikely, *transmission_troubles(transmissions, tasks)]
     troubles += static_troubles(mechanism, tasks, robot, shapes)
     mechanism = mechanism.within_command_ranges()
     troubles += loop_troubles(mechanism, tasks, check.rate)
