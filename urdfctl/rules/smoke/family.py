@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from urdfctl.fault import Fault
 from urdfctl.rules.smoke.angles_in_degrees import angles_in_degrees
+from urdfctl.rules.smoke.base_leans import base_leans
 from urdfctl.rules.smoke.base_too_slow import base_too_slow
 from urdfctl.rules.smoke.base_without_mass import base_without_mass
 from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
@@ -59,11 +60,13 @@ from urdfctl.rules.smoke.transmission_ignored import transmission_ignored
 from urdfctl.rules.smoke.travel_in_millimetres import travel_in_millimetres
 from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro
 from urdfctl.rules.smoke.wheel_cannot_roll import wheel_cannot_roll
+from urdfctl.rules.smoke.wheel_eccentric import wheel_eccentric
 from urdfctl.rules.smoke.wheel_in_the_wrong_place import wheel_in_the_wrong_place
 from urdfctl.rules.smoke.wheel_measures_differ import wheel_measures_differ
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.rules.smoke.wheel_reductions_differ import wheel_reductions_differ
 from urdfctl.rules.smoke.wheel_sides_swapped import wheel_sides_swapped
+from urdfctl.rules.smoke.wheel_slower_than_commanded import wheel_slower_than_commanded
 from urdfctl.rules.smoke.wheel_turns_backwards import wheel_turns_backwards
 from urdfctl.rules.smoke.wheels_mirrored import wheels_mirrored
 from urdfctl.rules.smoke.wheels_slip import wheels_slip
@@ -132,4 +135,7 @@ FAULTS: tuple[Fault, ...] = (
     length_in_millimetres,
     mass_outside_of_link,
     mass_in_grams,
+    wheel_slower_than_commanded,
+    wheel_eccentric,
+    base_leans,
 )

@@ -23,9 +23,9 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS
     ],
     good=[{"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"}],
 )
-def wheel_off_the_ground(joint: str, controller: str) -> str:
+def wheel_off_the_ground(joint: str, controller: str, on: str) -> str:
     """Driven wheel does not touch the ground.
 
     It is mounted too high, it has no collision geometry, or other parts of the robot carry the weight.
     """
-    return f"wheel '{joint}' of controller '{controller}' does not touch the ground"
+    return f"wheel '{joint}' of controller '{controller}' does not touch the ground{on}"

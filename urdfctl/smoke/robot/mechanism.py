@@ -32,6 +32,7 @@ class LinkBody(NamedTuple):
     falls: False if gravity is turned off for the link.
     aside: the place along the axis where the geometry reaches farthest, in m.
     width: the length of that part, in m.
+    off: how far the middle of that geometry is from the axis, in m.
     grip: the friction coefficient that `<gazebo>` gives, or None.
     """
 
@@ -43,6 +44,7 @@ class LinkBody(NamedTuple):
     falls: bool = True
     aside: float = 0.0
     width: float = 0.0
+    off: float = 0.0
     grip: float | None = None
 
 

@@ -9,7 +9,7 @@ import struct
 from collections.abc import Callable, Iterator, Mapping
 from itertools import product
 
-from urdfctl.model.geometry import Pose, Vector, dot, minus, plus, scaled, transposed, turned
+from urdfctl.model.geometry import Pose, Vector, cross, dot, minus, plus, scaled, transposed, turned, unit
 from urdfctl.model.robot import Robot, Tag
 from urdfctl.smoke.robot.description import numbers_of, origin_of
 from urdfctl.smoke.robot.mechanism import Mechanism
@@ -100,11 +100,13 @@ class Shapes(NamedTuple):
 
 
 class WheelRim(NamedTuple):
-    """The part of a wheel that rolls: its radius, and its place and width along the axis, all in m."""
+    """The part of a wheel that rolls: its radius, its place and width along the axis, and how far its middle is from
+    the axis, all in m."""
 
     radius: float
     place: float
     width: float
+    off: float = 0.0
 
 
 def shapes_of(robot: Robot, find_mesh: Callable[[str], str | None] | None = None, role: str = "collision") -> Shapes:
@@ -158,11 +160,19 @@ def rim_of(shapes: tuple[Shape, ...], axis: Vector) -> WheelRim | None:
 def _rim(shape: Shape, axis: Vector) -> WheelRim:
     if shape.kind == "sphere":
         away, along = _split(shape.pose.place, axis)
-        return WheelRim(away + shape.size[0], along, 0.0)
+        return WheelRim(away + shape.size[0], along, 0.0, away)
     points = [_split(point, axis) for point in shape.outline()]
     radius = max(away for away, _ in points)
     outer = [along for away, along in points if away > 0.98 * radius]
-    return WheelRim(radius, (max(outer) + min(outer)) / 2, max(outer) - min(outer))
+    return WheelRim(radius, (max(outer) + min(outer)) / 2, max(outer) - min(outer), _off(shape, axis))
+
+
+def _off(shape: Shape, axis: Vector) -> float:
+    """The distance of the middle of a shape from an axis through the origin."""
+    one = unit(cross(axis, (1.0, 0.0, 0.0) if abs(axis[0]) < 0.9 else (0.0, 1.0, 0.0)))  # noqa: PLR2004 (not parallel)
+    sides = (one, cross(axis, one))
+    middles = ((dot(shape.farthest(way), way) - dot(shape.farthest(scaled(way, -1)), scaled(way, -1))) for way in sides)
+    return math.hypot(*middles) / 2
 
 
 def with_rims(mechanism: Mechanism, shapes: Shapes) -> Mechanism:
@@ -171,7 +181,9 @@ def with_rims(mechanism: Mechanism, shapes: Shapes) -> Mechanism:
     for hinge in mechanism.hinges:
         rim = rim_of(shapes.known.get(hinge.child, ()), hinge.axis) if hinge.moves else None
         if rim:
-            bodies[hinge.child] = bodies[hinge.child]._replace(radius=rim.radius, aside=rim.place, width=rim.width)
+            bodies[hinge.child] = bodies[hinge.child]._replace(
+                radius=rim.radius, aside=rim.place, width=rim.width, off=rim.off
+            )
     return mechanism._replace(bodies=bodies)
 
 

@@ -10,22 +10,25 @@ from urdfctl.rules.smoke.steering_range_too_small import steering_range_too_smal
 from urdfctl.rules.smoke.steering_turns_backwards import steering_turns_backwards
 from urdfctl.rules.smoke.wheel_cannot_roll import wheel_cannot_roll
 from urdfctl.rules.smoke.wheel_in_the_wrong_place import wheel_in_the_wrong_place
-from urdfctl.rules.smoke.wheel_measures_differ import wheel_measures_differ
 from urdfctl.rules.smoke.wheel_sides_swapped import wheel_sides_swapped
+from urdfctl.rules.smoke.wheel_slower_than_commanded import wheel_slower_than_commanded
 from urdfctl.rules.smoke.wheel_turns_backwards import wheel_turns_backwards
 from urdfctl.rules.smoke.wheels_mirrored import wheels_mirrored
 from urdfctl.rules.smoke.wheels_too_weak import wheels_too_weak
 from urdfctl.smoke.results import Trouble, trouble_of
-from urdfctl.smoke.robot import LATERAL, LEVEL, Mechanism, Wheel, is_wheel, wheels_of
+from urdfctl.smoke.robot import LATERAL, LEVEL, Hinge, Mechanism, Wheel, is_wheel, wheels_of
+from urdfctl.smoke.statics.drive_measures import differ, mean_of, measure_differs, measure_troubles, pivots_of
 from urdfctl.smoke.statics.efforts import SLOWER, TIME, resisted
-from urdfctl.smoke.tasks import ControllerTask, Drive, MotionFamily, fastest, speed_of
+from urdfctl.smoke.tasks import FREE, ControllerTask, Drive, MotionFamily, fastest, speed_of
 
-MEASURES_DIFFER = 0.15
-"""The accepted relative difference of a wheel's radius, or of the wheel separation, from the controller's parameter."""
 LEAST_STEERING = 0.05
 """A steering joint should turn at least this far to both sides, in rad."""
 LEAST_ROLL = 4 * math.pi
 """A wheel that turns less than this, in rad, cannot drive."""
+FASTER = 4.0
+"""A controller's limit may exceed what its wheels can do by this factor: many limit more than they ever command."""
+STEERING_SPEED = 0.5
+"""A steering joint should turn this fast, in rad/s."""
 LEAST_SPEED = 0.02
 """A base should be able to drive this fast, in m/s."""
 
@@ -46,8 +49,7 @@ def drive_troubles(mechanism: Mechanism, tasks: Sequence[ControllerTask]) -> Ite
                 yield from _around(task, drive, everyone)
             else:
                 yield from _axes(task, everyone)
-            yield from _radii(mechanism, task, drive)
-            yield from _apart(mechanism, task, drive)
+            yield from measure_troubles(mechanism, task, drive)
             yield from _steering(mechanism, task, drive)
             yield from _rolling(mechanism, task, drive, everyone)
     yield from _mirrored(mechanism, tasks)
@@ -131,8 +133,8 @@ def _around(task: ControllerTask, drive: Drive, wheels: Sequence[Wheel]) -> Iter
             subject, name = f"joint:{wheel.hinge.name}", wheel.hinge.name
             yield trouble_of(wheel_turns_backwards, subject, task.controller, (), joint=name, how=how)
     arms = sum(math.hypot(wheel.place[0], wheel.place[1]) for wheel in wheels) / len(wheels)
-    if _differ(drive.arm, arms):
-        yield _measure_differs(task, "robot radius", drive.arm, arms)
+    if differ(drive.arm, arms):
+        yield measure_differs(task, "robot radius", drive.arm, arms)
 
 
 def _mirrored(mechanism: Mechanism, tasks: Sequence[ControllerTask]) -> Iterator[Trouble]:
@@ -156,73 +158,20 @@ def _mirrored(mechanism: Mechanism, tasks: Sequence[ControllerTask]) -> Iterator
         yield trouble_of(wheels_mirrored, f"joint:{odd}", owners[odd], (), joint=odd, other=other)
 
 
-# -- measures --------------------------------------------------------------------------------------------------------
-
-
-def _radii(mechanism: Mechanism, task: ControllerTask, drive: Drive) -> Iterator[Trouble]:
-    given = {name: drive.radius_of(name) for name in task.driven_joints}
-    real = {
-        name: mechanism.bodies[hinge.child].radius for name in given if (hinge := mechanism.hinge(name)) is not None
-    }
-    wrong = [name for name, radius in real.items() if radius and _differ(given[name], radius)]
-    if wrong and len({round(real[name] or 0.0, 4) for name in wrong}) == 1 and len(wrong) == len(real):
-        yield _measure_differs(task, "wheel radius", given[wrong[0]], real[wrong[0]] or 0.0)
-        return
-    for name in wrong:
-        yield _measure_differs(task, f"radius of wheel '{name}'", given[name], real[name] or 0.0)
-
-
-def _apart(mechanism: Mechanism, task: ControllerTask, drive: Drive) -> Iterator[Trouble]:
-    """The distances between wheels. More than two driven wheels slip, so that theirs is not a measure."""
-    left, right, driven = (wheels_of(mechanism, names, drive.base) for names in (drive.left, drive.right, drive.driven))
-    if len(left) == 1 == len(right):
-        apart = abs(left[0].place[1] - right[0].place[1])
-        if _differ(drive.separation, apart):
-            yield _measure_differs(task, "wheel separation", drive.separation, apart)
-    steered = _pivots(mechanism, drive)
-    if len(drive.roles) == len(driven) == 4:  # noqa: PLR2004
-        spans = (max(w.place[n] for w in driven) - min(w.place[n] for w in driven) for n in range(2))
-        reach = sum(spans) / 2
-        if _differ(drive.reach, reach):
-            yield _measure_differs(task, "half wheelbase plus half track", drive.reach, reach)
-    if driven and steered:
-        length = abs(_mean(driven, 0) - _mean(steered, 0))
-        if _differ(drive.wheelbase, length):
-            yield _measure_differs(task, "wheelbase", drive.wheelbase, length)
-    for name, wheels, given in (("traction", driven, drive.track), ("steering", steered, drive.steering_track)):
-        if len(wheels) == 2 and _differ(given, abs(wheels[0].place[1] - wheels[1].place[1])):  # noqa: PLR2004
-            yield _measure_differs(task, f"{name} track width", given, abs(wheels[0].place[1] - wheels[1].place[1]))
-
-
-def _pivots(mechanism: Mechanism, drive: Drive) -> list[Wheel]:
-    return wheels_of(mechanism, drive.steered, drive.base)
-
-
-def _mean(wheels: Sequence[Wheel], way: int) -> float:
-    return sum(wheel.place[way] for wheel in wheels) / len(wheels)
-
-
-def _measure_differs(task: ControllerTask, measure: str, expected: float, actual: float) -> Trouble:
-    subject, fields = f"controller:{task.controller}", {"measure": measure}
-    shown = {"expected": f"{expected:g}", "actual": f"{actual:.3g}"}
-    return trouble_of(wheel_measures_differ, subject, task.controller, (), **fields, **shown)
-
-
-def _differ(given: float, real: float) -> bool:
-    return given > 0 and real > 0 and abs(given / real - 1) > MEASURES_DIFFER
-
-
 # -- steering and rolling --------------------------------------------------------------------------------------------
 
 
 def _steering(mechanism: Mechanism, task: ControllerTask, drive: Drive) -> Iterator[Trouble]:
     driven = wheels_of(mechanism, drive.driven, drive.base)
-    for wheel in _pivots(mechanism, drive):
+    for wheel in pivots_of(mechanism, drive):
         hinge, subject = wheel.hinge, f"joint:{wheel.hinge.name}"
-        ahead = not driven or wheel.place[0] > _mean(driven, 0)
+        ahead = not driven or wheel.place[0] > mean_of(driven, 0)
         if wheel.axis[2] < LATERAL and (ahead or abs(wheel.axis[2]) < LATERAL):
             how = "to the right" if wheel.axis[2] <= -LATERAL else "about an axis that cannot steer"
             yield trouble_of(steering_turns_backwards, subject, task.controller, (), joint=hinge.name, how=how)
+        left = (hinge.effort or 0.0) - hinge.friction
+        if hinge.effort and (left <= 0 or left < SLOWER * STEERING_SPEED * hinge.damping):
+            yield resisted(hinge, task, STEERING_SPEED)
         reach = max(0.0, min(-hinge.span[0], hinge.span[1]))
         if hinge.type != "continuous" and reach < LEAST_STEERING:
             radius = drive.wheelbase / math.tan(reach) if reach else 0.0
@@ -240,6 +189,8 @@ def _rolling(mechanism: Mechanism, task: ControllerTask, drive: Drive, wheels: S
         why = "its own velocity limit" if drive.speed <= top else "the velocity limits of its wheels"
         subject, shown = f"controller:{task.controller}", f"{top:.2g}"
         yield trouble_of(base_too_slow, subject, task.controller, (), speed=shown, why=why)
+    elif wheels:
+        yield from _commanded(task, drive, hinges)
     for wheel in wheels:
         hinge = wheel.hinge
         radius = abs(drive.radius_of(hinge.name)) or mechanism.bodies[hinge.child].radius
@@ -260,3 +211,22 @@ def _rolling(mechanism: Mechanism, task: ControllerTask, drive: Drive, wheels: S
         seconds = f"{mass * speed / thrust:.2g}"
         fields = {"thrust": f"{thrust:.3g}", "mass": f"{mass:.3g}", "speed": f"{speed:g}", "seconds": seconds}
         yield trouble_of(wheels_too_weak, f"controller:{task.controller}", task.controller, (), **fields)
+
+
+def _commanded(task: ControllerTask, drive: Drive, hinges: Sequence[Hinge]) -> Iterator[Trouble]:
+    """The controller's own limits against what the slowest wheel can do."""
+    most = fastest(drive, hinges)
+    slowest = [
+        hinge for hinge in hinges if hinge.velocity and hinge.velocity * abs(drive.radius_of(hinge.name)) == most
+    ]
+    if not slowest:
+        return
+    turning = drive.turning * drive.separation / 2 if drive.turning < FREE and drive.separation else 0.0
+    straight = drive.speed if drive.speed < FREE else 0.0
+    if max(straight, turning) <= FASTER * most:
+        return
+    how = f"drive at {drive.speed:g} m/s" if straight >= turning else f"turn at {drive.turning:g} rad/s"
+    hinge = slowest[0]
+    fields = {"joint": hinge.name, "how": how, "limit": f"{hinge.velocity:g}", "most": f"{most:.2g}"}
+    fields["needed"] = f"{(hinge.velocity or 0.0) * max(straight, turning) / most:.3g}"
+    yield trouble_of(wheel_slower_than_commanded, f"joint:{hinge.name}", task.controller, (), **fields)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.model.geometry import Vector
+from urdfctl.rules.smoke.base_leans import base_leans
 from urdfctl.rules.smoke.base_without_mass import base_without_mass
 from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
@@ -15,6 +16,8 @@ from urdfctl.smoke.robot import GRAVITY, TIPPED, TOUCHING, Mechanism, Shapes, fr
 from urdfctl.smoke.statics.efforts import TIME
 from urdfctl.smoke.tasks import ControllerTask, speed_of
 
+MOST_LEANING = math.radians(6)
+"""A base that leans farther than this at rest does not stand as it was built."""
 _LITTLE = 1e-9
 """What is added to the spread of contacts along each axis, in m²."""
 
@@ -29,7 +32,7 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Contro
     hinges = [hinge for hinge in mechanism.hinges if hinge.name in wheels]
     bare = [hinge for hinge in hinges if not shapes.known.get(hinge.child) and hinge.child not in shapes.unknown]
     for hinge in bare:
-        yield _lifted(hinge.name, wheels[hinge.name])
+        yield _lifted(hinge.name, wheels[hinge.name], "")
     at_rest = rest_pose_of(mechanism, shapes) if shapes.complete else None
     if at_rest is None or bare:
         return
@@ -40,13 +43,23 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Contro
         return
     lifted = [hinge for hinge in hinges if at_rest.heights.get(hinge.child, 0.0) > TOUCHING]
     for hinge in lifted:
-        yield _lifted(hinge.name, wheels[hinge.name])
+        yield _lifted(hinge.name, wheels[hinge.name], carried_by(at_rest.contacts))
+    if at_rest.tilt > MOST_LEANING and not lifted:
+        on = carried_by(name for name in at_rest.contacts if name not in {hinge.child for hinge in hinges})
+        yield trouble_of(base_leans, ROBOT, None, (), degrees=math.degrees(at_rest.tilt), on=on)
     if not lifted:
         yield from traction_troubles(mechanism, at_rest.contacts, tasks)
 
 
-def _lifted(joint: str, controller: str) -> Trouble:
-    return trouble_of(wheel_off_the_ground, f"joint:{joint}", controller, joint=joint)
+def _lifted(joint: str, controller: str, on: str) -> Trouble:
+    return trouble_of(wheel_off_the_ground, f"joint:{joint}", controller, joint=joint, on=on)
+
+
+def carried_by(links: Iterable[str]) -> str:
+    """Return the words that name the links on which a robot stands; none if there are none."""
+    names = [f"'{name}'" for name in links]
+    more = f" and {len(names) - 3} more" if len(names) > 3 else ""  # noqa: PLR2004
+    return f": the robot stands on {', '.join(names[:3])}{more}" if names else ""
 
 
 def _base(mechanism: Mechanism, shapes: Shapes) -> Iterator[Trouble]:

@@ -17,12 +17,13 @@ from urdfctl.smoke.tasks.goals import (
     turning_of,
 )
 from urdfctl.smoke.tasks.inferred_drives import with_inferred_drives
-from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily, PidGains
+from urdfctl.smoke.tasks.task import FREE, ControllerTask, Drive, MotionFamily, PidGains
 from urdfctl.smoke.tasks.task_file import TaskFile, UserTask, read_tasks
 from urdfctl.smoke.tasks.task_file_check import Misfit, misfits
 
 __all__ = [
     "CRUISE",
+    "FREE",
     "FREELY",
     "MOTION",
     "PART_OF_SPEED",

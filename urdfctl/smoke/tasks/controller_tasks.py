@@ -245,7 +245,7 @@ def drive_of(family: MotionFamily, values: Mapping[str, object]) -> Drive:
 
 
 def _differential(values: Mapping[str, object]) -> Drive:
-    scale = _float(values.get("wheel_separation_multiplier")) or 1.0
+    scale = _multiplier(values, "wheel_separation_multiplier")
     return Drive(
         _names(values, "left_wheel_names", "left_wheel"),
         _names(values, "right_wheel_names", "right_wheel"),
@@ -257,6 +257,7 @@ def _differential(values: Mapping[str, object]) -> Drive:
         speed=limit_of(values, "linear.x", "velocity"),
         turning=limit_of(values, "angular.z", "velocity"),
         acceleration=limit_of(values, "linear.x", "acceleration"),
+        is_folded=scale == 0,
     )
 
 
@@ -302,7 +303,13 @@ def _first(values: Mapping[str, object], *names: str) -> float:
 
 
 def _scale(values: Mapping[str, object], *names: str) -> float:
-    return _first(values, *names, "wheel_radius_multiplier") or 1.0
+    return _multiplier(values, *names, "wheel_radius_multiplier")
+
+
+def _multiplier(values: Mapping[str, object], *names: str) -> float:
+    """The first of some parameters that is given, also if it is 0; 1 if none is."""
+    numbers = (value for name in names if (value := values.get(name)) is not None)
+    return next((_float(value) for value in numbers if isinstance(value, int | float)), 1.0)
 
 
 def limit_of(values: Mapping[str, object], way: str, quantity: str) -> float:

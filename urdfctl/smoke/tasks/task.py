@@ -55,6 +55,7 @@ class Drive(NamedTuple):
     arm: the distance of these from the centre.
     speed, turning, acceleration: the controller's own limits, in m/s, rad/s and m/s².
     is_inferred: whether no controller knows the base: velocity controllers turn the wheels.
+    is_folded: whether the controller multiplies the separation by 0.
     """
 
     left: tuple[str, ...] = ()
@@ -77,6 +78,7 @@ class Drive(NamedTuple):
     turning: float = FREE
     acceleration: float = FREE
     is_inferred: bool = False
+    is_folded: bool = False
 
     def radius_of(self, name: str) -> float:
         """Return the radius that the controller uses for a wheel, in m; less than 0 if it turns the other way round."""

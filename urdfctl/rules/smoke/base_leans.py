@@ -1,0 +1,30 @@
+"""UC986."""
+
+from __future__ import annotations
+
+from urdfctl.fault import Severity, fault
+from urdfctl.rules.smoke.common import ROVER, WHEELS
+
+
+@fault(
+    "UC986",
+    severity=Severity.WARNING,
+    runtime="misbehaves",
+    authority="measured: the pose of least height of the centre of mass; the controller assumes that the base stands upright",
+    options=["--distro=jazzy"],
+    bad=[
+        {
+            "robot.urdf": ROVER.replace('<robot name="rover">', '«<robot name="rover">»')
+            .replace('xyz="0.15 0 -0.05"', 'xyz="0.15 0 0"')
+            .replace('<mass value="5"/>', '<origin xyz="0.08 0 0"/><mass value="5"/>'),
+            "controllers.yaml": WHEELS % "base",
+        },
+    ],
+    good=[{"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"}],
+)
+def base_leans(degrees: float, on: str) -> str:
+    """Base that leans at rest.
+
+    A caster is mounted too high or too low, or it is missing: sensors look up or down, and wheels lose their grip.
+    """
+    return f"the robot leans by {degrees:.0f} degrees at rest{on}"
