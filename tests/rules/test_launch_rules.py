@@ -402,3 +402,28 @@ def test_an_argument_that_the_description_does_not_declare_is_reported_where_the
         )
         assert (folder.path / name).read_bytes()[one.at.start : one.at.end].decode().strip(' "').startswith("prefx:=")
         assert [note.at.file for note in one.notes if note.at] == [str(folder.path / "arm.xacro")]
+
+
+# -- managers of ROS 1 -----------------------------------------------------------------------------------------------
+
+IN_GAZEBO = """
+    <launch>
+      <include file="$(find gazebo_ros)/launch/empty_world.launch"/>
+      <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
+      <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm"/>
+      <node name="spawner" pkg="controller_manager" type="spawner" args="arm"/>%s
+    </launch>
+"""
+FOREIGN = '\n<include file="$(find foreign)/launch/more.launch"/>'
+
+
+@pytest.mark.parametrize("namespace", ["", "<robotNamespace>/left</robotNamespace>"])
+def test_an_included_file_that_is_not_here_makes_a_warning_that_names_it(folder: Folder, namespace: str) -> None:
+    plugin = f'<gazebo><plugin name="c" filename="libgazebo_ros_control.so">{namespace}</plugin></gazebo>'
+    files = {"robot.urdf": plugin if namespace else "", "package.xml": "<package><name>arm</name></package>"}
+    sure = found(folder, {"arm.launch": IN_GAZEBO % "", **files}, "UC643", "UC525", distro="noetic")
+    assert [severity for _, severity, _ in sure] == ["error"]
+    found(folder, {"arm.launch": IN_GAZEBO % FOREIGN, **files}, "UC643", "UC525", distro="noetic")
+    [doubtful] = robots.findings("arm.launch", ("UC643", "UC525"), workspace=str(folder.path), distro="noetic")
+    assert doubtful.severity.value == "warning"
+    assert "this file cannot be read here" in doubtful.notes[-1].message

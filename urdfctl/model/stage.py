@@ -39,5 +39,7 @@ class StageDependsOn(Enum):
     """Gains are missing: some controllers of ROS 1 are not loaded, others crash when they are started."""
     MANAGER = "manager"
     """The fault depends on the other controllers: `urdfctl.control.lifecycle` finds it and its stage."""
+    SPAWNER = "spawner"
+    """Controllers do not reach a manager: those of the spawner at the place of the fault, or all that are spawned."""
     LOST_JOINTS = "lost joints"
     """Gazebo drops links with their joints: the controllers of these joints stop, or the robot if none is left."""

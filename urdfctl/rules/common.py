@@ -5,14 +5,19 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from urdfctl.control.robots import is_all_there, is_fragment, is_whole, is_xacro, robot_in, whole_robot_in
 from urdfctl.model.robot import Tag
 from urdfctl.names import enumerated, is_only_slip, nearest
-from urdfctl.rule import Edit, Fix, Project, Severity
+from urdfctl.rule import Edit, Fix, Note, Project, Severity
 from urdfctl.source.opaque import is_known
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.startup.per_object import once_per_object
+from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.model.launch import Launch
 
 _MOST_COMPARED = 20
 _CONDITION = rb"<xacro:(if|unless)\b"
@@ -120,9 +125,28 @@ def in_words(names: Iterable[str], most: int = 5) -> str:
     return enumerated(quoted)
 
 
+class Doubt(NamedTuple):
+    """How sure it is what a launch file starts: a severity instead of that of the rule, and notes."""
+
+    severity: Severity | None = None
+    notes: tuple[Note, ...] = ()
+
+
+def doubt_of(launch: Launch) -> Doubt | None:
+    """Return how sure it is what a launch file starts: less if an included file is not here; None if it is unknown."""
+    if launch.complete:
+        return Doubt()
+    if not launch.unread:
+        return None
+    notes = (Note("this file cannot be read here; it may start what is missing", word.at) for word in launch.unread[:3])
+    return Doubt(Severity.WARNING, tuple(notes))
+
+
 __all__ = [
+    "Doubt",
     "KnownNames",
     "attribute_respelt",
+    "doubt_of",
     "in_words",
     "is_all_there",
     "is_conditional",

@@ -157,9 +157,11 @@ GAZEBO_OF_ROS1 = """
       <include file="$(find gazebo_ros)/launch/empty_world.launch"/>
       <param name="robot_description" textfile="$(dirname)/robot.urdf"/>
       <rosparam file="$(dirname)/arm.yaml" command="load"/>
+      <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm"/>
       <node name="spawner" pkg="controller_manager" type="spawner" args="arm"/>
     </launch>
 """
+PLUGIN = '<gazebo><plugin name="control" filename="libgazebo_ros_control.so">%s</plugin></gazebo>'
 
 
 @pytest.mark.parametrize(
@@ -168,5 +170,24 @@ GAZEBO_OF_ROS1 = """
 def test_gazebo_of_ros_1_starts_no_controller_if_a_transmission_has_a_joint_that_it_drops(
     more: str, expected: dict[str, str], tmp_path: Path
 ) -> None:
-    parts = {"robot.urdf": ELBOW + more + TOOL, "arm.yaml": f"arm: {EFFORT}\n", "robot.launch": GAZEBO_OF_ROS1}
+    parts = {
+        "robot.urdf": ELBOW + more + TOOL + PLUGIN % "",
+        "arm.yaml": f"arm: {EFFORT}\n",
+        "robot.launch": GAZEBO_OF_ROS1,
+    }
     assert verdicts(smoked(target_of(tmp_path, parts), distro="noetic")) == expected
+
+
+@pytest.mark.parametrize(
+    ("plugin", "why"),
+    [
+        (PLUGIN % "", ""),
+        ("", "no <plugin> of the robot runs ros_control"),
+        (PLUGIN % "<robotNamespace>/left</robotNamespace>", "spawner asks in namespace '/'"),
+    ],
+)
+def test_controllers_that_reach_no_manager_do_not_pass(plugin: str, why: str, tmp_path: Path) -> None:
+    parts = {"robot.urdf": ELBOW + plugin, "arm.yaml": f"arm: {EFFORT}\n", "robot.launch": GAZEBO_OF_ROS1}
+    made = smoked(target_of(tmp_path, parts), distro="noetic")
+    assert verdicts(made) == {"arm": "failed load" if why else "skipped activate"}
+    assert why in (made.controllers[0].reason or "")

@@ -59,7 +59,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         tuple(builder.descriptions or builder.others),
         tuple(builder.loads),
         tuple(builder.spawns),
-        complete=builder.complete,
+        complete=not builder.unread,
         elsewhere=tuple(builder.elsewhere),
         nodes=tuple(builder.nodes),
         simulations=tuple(builder.simulations),
@@ -69,6 +69,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         arguments=tuple(builder.arguments.items()),
         inline=tuple(builder.inline),
         moveit=tuple(_with_loads(files, builder.loads) for files in builder.moveit),
+        unread=tuple(builder.unread),
     )
 
 
@@ -118,7 +119,8 @@ class _LaunchBuilder:
         self.moveit: list[MoveItFiles] = []
         self.arguments: dict[str, str | None] = {}
         self.inline: list[InlineParameters] = []
-        self.complete = True
+        self.unread: list[Word] = []
+        """The included files that cannot be read."""
         self._includes = 0
         self._remapped = False
         self._of_environment: set[str] = set()
@@ -204,7 +206,8 @@ class _LaunchBuilder:
         if scope.held:
             self._reference(written, element.at["file"], if_known(path), "include", sure=scope.sure)
         if document is None or document.documentElement is None:
-            self.complete = self.complete and not scope.held
+            if scope.held:
+                self.unread.append(Word(written, element.at["file"]))
             return
         declared = {each.attrs.get("name") for each in _all(document.documentElement) if each.tagName == "arg"}
         for child in element.elements():

@@ -264,6 +264,7 @@ class Launch(NamedTuple):
     moveit: the files that it gives to MoveIt.
     given: ROS 2: the parameters in dicts.
     others: the descriptions of its other robots, if only what belongs to one is kept.
+    unread: the included files that cannot be read, if nothing else makes it incomplete.
     """
 
     path: str
@@ -285,6 +286,7 @@ class Launch(NamedTuple):
     moveit: tuple[MoveItFiles, ...] = ()
     given: tuple[GivenParameters, ...] = ()
     others: tuple[Description, ...] = ()
+    unread: tuple[Word, ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:
@@ -388,7 +390,9 @@ class Launch(NamedTuple):
         lists: dict[str, Any] = {}
         for name in _STARTED_TOGETHER:
             lists[name] = tuple(chain.from_iterable(getattr(each, name) for each in every))
-        return self._replace(**lists, complete=all(each.complete for each in every))
+        followed = all(each.complete or each.unread for each in every)
+        unread = tuple(word for each in every for word in each.unread) if followed else ()
+        return self._replace(**lists, complete=all(each.complete for each in every), unread=unread)
 
     def _home(self, description: Description) -> str | None:
         """The namespace of the robot that a description is of."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from urdfctl.control.hardware.simulator_plugins import control_plugins, namespace_of
+from urdfctl.control.hosts import CONTROLLER_MANAGER, MANAGER, state_publisher
 from urdfctl.model.launch import Launch, Node, Spawn
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_known
@@ -13,8 +13,6 @@ from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 ROS_2 = 2
-MANAGER = "ros2_control_node"
-CONTROLLER_MANAGER = "controller_manager"
 
 
 class Running(NamedTuple):
@@ -90,40 +88,9 @@ def full_name(name: str, spawn: Spawn) -> str:
 
 def state_publishers(launch: Launch) -> list[Node]:
     """Return the nodes that publish the robot's transforms and description."""
-    return [node for node in launch.nodes if node.runs("robot_state_publisher", *_OF_TRANSFORMS)]
-
-
-_OF_TRANSFORMS = ("robot_state_publisher", "state_publisher")
+    return [node for node in launch.nodes if state_publisher(node)]
 
 
 def publishers_of_states(launch: Launch) -> list[Node]:
     """Return the nodes of joint_state_publisher."""
     return [node for node in launch.nodes if node.executable.text.startswith("joint_state_publisher")]
-
-
-_ORDINARY = frozenset(
-    "robot_state_publisher joint_state_publisher joint_state_publisher_gui controller_manager rviz2 tf2_ros xacro "
-    "rqt_joint_trajectory_controller rqt_gui topic_tools ros_gz_bridge ros_ign_bridge ros_gz_sim ros_ign_gazebo "
-    "gazebo_ros nav2_util ros_gz_image twist_mux joy teleop_twist_joy rqt_robot_steering slam_toolbox "
-    "robot_localization moveit_ros_move_group moveit_servo".split()
-)
-_HOSTING = re.compile(
-    r"(?i)(?<![a-z])hw|hardware|driver|ros_?2?_?control(?!lers)|control_(loop|node)|_iface|interface|manager"
-)
-"""In the names of programs that contain a controller manager of their own."""
-
-
-def is_ordinary(node: Node) -> bool:
-    """Return whether a node is of a package that is known to move and to measure nothing."""
-    return node.package.text in _ORDINARY and not node.runs(CONTROLLER_MANAGER, MANAGER)
-
-
-def hosts_no_manager(node: Node) -> bool:
-    """Return whether a node contains no controller manager: it is none, and names none.
-
-    The library has no Python API, so that no script contains one.
-    """
-    if is_ordinary(node) or node.executable.text.endswith(".py"):
-        return True
-    names = (node.package.text, node.executable.text, node.name or "")
-    return is_known(*names) and not any(map(_HOSTING.search, names))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.hosts import CONTROLLER_MANAGER, MANAGER
 from urdfctl.model.launch import Launch
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, whole_robot_in
-from urdfctl.rules.launch.common import is_ordinary, publishers_of_states, state_publishers
+from urdfctl.rules.launch.common import publishers_of_states, state_publishers
 from urdfctl.rules.launch_samples import PUBLISHER, launched
 
 _MOVABLE = ("revolute", "continuous", "prismatic")
@@ -25,7 +26,7 @@ _BESIDE = (
     "ros_ign_gazebo gazebo_ros nav2_util twist_mux joy teleop_twist_joy slam_toolbox robot_localization "
     "moveit_ros_move_group moveit_servo"
 ).split()
-"""Packages whose nodes contain no controller manager."""
+"""Packages whose nodes publish no joint states; but the controller manager does."""
 
 
 def _files(*nodes: str) -> dict[str, str]:
@@ -92,5 +93,7 @@ def _is_viewer_alone(launch: Launch) -> bool:
     """Whether a launch file shows a robot, and starts nothing that may publish joint states."""
     if not launch.complete or launch.spawns or launch.elsewhere or launch.simulations or publishers_of_states(launch):
         return False
-    others = (node for node in launch.nodes if node.package.text not in _VIEWERS)
-    return any(node.package.text in _VIEWERS for node in launch.nodes) and all(map(is_ordinary, others))
+    harmless = (*_VIEWERS, *_BESIDE)
+    if any(node.package.text not in harmless or node.runs(CONTROLLER_MANAGER, MANAGER) for node in launch.nodes):
+        return False
+    return any(node.package.text in _VIEWERS for node in launch.nodes)

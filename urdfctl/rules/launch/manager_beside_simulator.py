@@ -6,16 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.hardware.simulator_plugins import IN_GAZEBO, components, simulator_of
+from urdfctl.control.hosts import CONTROLLER_MANAGER, MANAGER
 from urdfctl.model.launch import Launch
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.launch.common import (
-    CONTROLLER_MANAGER,
-    MANAGER,
-    ROS_2,
-    launch_of,
-    manager_nodes,
-    simulators_managers,
-)
+from urdfctl.rules.launch.common import ROS_2, launch_of, manager_nodes, simulators_managers
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, ROBOT, SOUND, launched
 from urdfctl.source.span import Place
 

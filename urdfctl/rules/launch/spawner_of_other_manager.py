@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.control.hosts import hosts_no_manager
+from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import in_words
-from urdfctl.rules.launch.common import ROS_2, Running, hosts_no_manager, launch_of, manager_nodes, managers
+from urdfctl.rules.launch.common import ROS_2, Running, launch_of, manager_nodes, managers
 from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
 
 
@@ -15,6 +16,7 @@ from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, 
     "UC606",
     severity=Severity.ERROR,
     runtime="refuses",
+    stage=StageDependsOn.SPAWNER,
     distros=ROS2,
     whole_robot=True,
     authority="ros2_control spawner.py: 'Could not contact service /left/controller_manager/list_controllers'",

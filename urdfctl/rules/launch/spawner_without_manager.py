@@ -5,16 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.launch.common import (
-    ROS_2,
-    hosts_no_manager,
-    is_spawner,
-    is_sure,
-    launch_of,
-    managers,
-    state_publishers,
-)
+from urdfctl.rules.launch.common import ROS_2, is_spawner, is_sure, launch_of, managers, state_publishers
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
 
 _FIRST = BROADCASTER.replace("joint_state_broadcaster", "«joint_state_broadcaster»")

@@ -7,15 +7,19 @@ from itertools import pairwise
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.hardware.simulator_plugins import control_plugins, namespace_of
+from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.model.launch import Launch
-from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.common import is_known
+from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
+from urdfctl.rules.common import doubt_of, is_known
 from urdfctl.source.span import Place
+
+_MODEL_SPAWNERS = ("gazebo_ros", "spawn_model", "urdf_spawner")
 
 
 @rule(
     "UC525",
     runtime="refuses",
+    stage=StageDependsOn.SPAWNER,
     because="another launch file may start a manager there",
     severity=Severity.WARNING,
     distros=ROS1,
@@ -76,6 +80,7 @@ def spawner_of_other_namespace(project: Project) -> Iterator[Finding]:
             known.update((default,))
         else:
             return
+    severity, notes = _certainty(project.launch)
     for spawn in project.launch.spawns:
         if spawn.sure and spawn.namespace is not None and namespace_of(spawn.namespace) not in known:
             ours, at = next(iter(known.items()))
@@ -84,7 +89,17 @@ def spawner_of_other_namespace(project: Project) -> Iterator[Finding]:
                 f"spawner asks in namespace '{theirs}', "
                 f"but the simulated robot's controller manager is in '{ours or '/'}'"
             )
-            yield Finding(spawn.at, message, (Note("the plugin's namespace is set here", at),))
+            where = Note("the plugin's namespace is set here", at)
+            yield Finding(spawn.at, message, (where, *notes), severity=severity)
+
+
+def _certainty(launch: Launch) -> tuple[Severity | None, tuple[Note, ...]]:
+    """An error if the launch file spawns the robot too, all that it starts is known, and nothing else runs a manager."""
+    doubt = doubt_of(launch)
+    spawned = any(node.sure and node.runs(*_MODEL_SPAWNERS) for node in launch.nodes)
+    if doubt is None or not spawned or launch.others or not all(map(hosts_no_manager, launch.nodes)):
+        return None, ()
+    return (doubt.severity or Severity.ERROR), doubt.notes
 
 
 def _of_model_spawner(launch: Launch) -> tuple[str, Place] | None:
@@ -92,7 +107,7 @@ def _of_model_spawner(launch: Launch) -> tuple[str, Place] | None:
 
     It is that of the node that spawns the model, or the one that the node is given.
     """
-    nodes = [node for node in launch.nodes if node.runs("gazebo_ros", "spawn_model", "urdf_spawner")]
+    nodes = [node for node in launch.nodes if node.runs(*_MODEL_SPAWNERS)]
     if len(nodes) != 1 or not nodes[0].sure or nodes[0].namespace is None:
         return None
     words = nodes[0].words

@@ -109,13 +109,17 @@ def stops_whole_file(code: str) -> bool:
 
 def is_common(error: Diagnostic, project: Project, everyone: Sequence[Configured]) -> bool:
     """Return whether an error is not about single controllers, but about their file or their manager."""
-    return stops_whole_file(error.code) or not (loses_joints(error) or concerned_controllers(error, project, everyone))
+    if _of_spawner(error) or stops_whole_file(error.code):
+        return True
+    return not (loses_joints(error) or concerned_controllers(error, project, everyone))
 
 
 def stopped_controllers(
     error: Diagnostic, project: Project, everyone: Sequence[Configured], ros: int
 ) -> list[Configured]:
     """Return the controllers that an error stops."""
+    if _of_spawner(error):
+        return _spawned_at(error.at, project, everyone)
     if stops_whole_file(error.code):
         whole = project.launch is not None if ros == 1 else _configures_manager(error.at.file, project)
         return [each for each in everyone if whole or _is_in_file(error.at.file, each.controller)]
@@ -128,6 +132,20 @@ def stopped_controllers(
         return list(everyone)
     managers = [each for each in project.controllers.managers if _lies_in(error.at, _places_of_manager(each))]
     return [each for each in everyone if any(_is_managed(each.controller, manager) for manager in managers)]
+
+
+def _of_spawner(error: Diagnostic) -> bool:
+    return _stage_of(error.code) is StageDependsOn.SPAWNER
+
+
+def _spawned_at(at: Location, project: Project, everyone: Sequence[Configured]) -> list[Configured]:
+    """The controllers of the spawner at a place; all that are spawned if none is there."""
+    spawns = project.launch.spawns if project.launch else ()
+    here = [spawn for spawn in spawns if _lies_in(at, iter((spawn.at, *(place for _, place in spawn.names))))]
+    full = {f"/{spawn.full_name(name).lstrip('/')}" for spawn in here or spawns for name, _ in spawn.names}
+    named = [each for each in everyone if f"/{each.controller.full_name.lstrip('/')}" in full]
+    last = {name.rpartition("/")[2] for name in full}
+    return named or [each for each in everyone if each.name in last]
 
 
 def concerned_controllers(error: Diagnostic, project: Project, everyone: Sequence[Configured]) -> list[Configured]:

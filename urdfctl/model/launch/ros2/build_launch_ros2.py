@@ -114,7 +114,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         tuple(facts.descriptions),
         tuple(facts.loads),
         tuple(spawns),
-        complete=walk.complete,
+        complete=walk.complete and not walk.unread,
         elsewhere=tuple(facts.elsewhere),
         nodes=tuple(facts.nodes),
         simulations=tuple(walk.simulations),
@@ -122,6 +122,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         arguments=tuple(walk.arguments.items()),
         moveit=tuple(facts.moveit),
         given=tuple(facts.given),
+        unread=tuple(walk.unread) if walk.complete else (),
     )
     missing = {one.file.path for one in launch.references if one.file.exists is False and one.file.path}
     made = {path for path in missing if any(path in word for word in walk.words_of_programs)}
@@ -145,6 +146,8 @@ class _Walk:
         """The words of processes, which may write the files that they name."""
         self.arguments: dict[str, str | None] = {}
         self.complete = True
+        self.unread: list[Word] = []
+        """The included files that cannot be read."""
         self._includes = self._actions = 0
 
     def texts(self, scope: ActionScope) -> Texts:
@@ -330,7 +333,8 @@ class _Walk:
             if self._includes <= _MOST_INCLUDES and state.depth < _MOST_DEPTH * 4:
                 included = self.sources.read(path)
         if included is None:
-            self.complete = self.complete and not state.held
+            if state.held:
+                self.unread.append(written)
             return
         outer, scope.file = scope.file, path
         self.action(included, scope, state)
