@@ -96,6 +96,19 @@ def loaded_plugins(project: Project) -> tuple[LoadedPlugin, ...]:
     return tuple(sim_plugin for sim_plugin in plugins if wanted is None or sim_plugin.simulator in (None, wanted))
 
 
+def named_joints(sim_plugin: LoadedPlugin) -> Iterator[tuple[str, Place]]:
+    """Yield the joints that a plugin's settings name, each with its place; one setting may list several."""
+    children = sim_plugin.children
+    for setting, tag in sim_plugin.settings():
+        child = children.get(setting)
+        if child and child.names == "joint":
+            parts = [part.strip() for part in tag.text.split(",")]
+            place = tag.at.content
+            for name in parts:
+                if name:
+                    yield name, place
+
+
 def of_sensors(project: Project) -> Iterator[LoadedPlugin]:
     """Yield the plugins of sensors, from `<gazebo reference="link"><sensor>`."""
     robot = robot_in(project)

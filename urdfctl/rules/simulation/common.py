@@ -12,7 +12,6 @@ from urdfctl.model.robot import Tag
 from urdfctl.names import folded, is_slip
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_all_there, is_known
-from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -101,19 +100,6 @@ def _meant(name: str, children: dict[str, PluginChild]) -> tuple[str | None, boo
 def is_written_empty(tag: Tag) -> bool:
     """Return whether an element is empty in the source itself, and not because of an empty argument."""
     return not tag.text and tag.at.content.start == tag.at.start
-
-
-def named_joints(sim_plugin: LoadedPlugin) -> Iterator[tuple[str, Place]]:
-    """Yield the joints that a plugin's settings name, each with its place; one setting may list several."""
-    children = sim_plugin.children
-    for setting, tag in sim_plugin.settings():
-        child = children.get(setting)
-        if child and child.names == "joint":
-            parts = [part.strip() for part in tag.text.split(",")]
-            place = tag.at.content
-            for name in parts:
-                if name:
-                    yield name, place
 
 
 def default_joints(project: Project, sim_plugin: LoadedPlugin) -> Iterator[tuple[str, str]]:

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from urdfctl.control.hardware.simulator_plugins import components, control_plugins, loaded_plugins
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known, robot_in
-from urdfctl.rules.simulation.common import named_joints
 from urdfctl.source.span import Place
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.hardware.simulator_plugins import loaded_plugins
+from urdfctl.control.hardware.simulator_plugins import loaded_plugins, named_joints
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import KnownNames, is_known, whole_robot_in
-from urdfctl.rules.simulation.common import default_joints, named_joints
+from urdfctl.rules.simulation.common import default_joints
 
 
 @rule(

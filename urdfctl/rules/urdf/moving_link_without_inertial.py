@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from urdfctl.control.hardware.simulator_plugins import loaded_plugins, sure_simulator
+from urdfctl.control.hardware.simulator_plugins import loaded_plugins, named_joints, sure_simulator
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import whole_robot_in
@@ -95,8 +95,6 @@ def _is_missed(body: Body, robot: Robot, tree: Tree, driven: Collection[str | No
 
 def _driven(project: Project, robot: Robot) -> set[str | None]:
     """The joints that a transmission, a <ros2_control> or a plugin names."""
-    from urdfctl.rules.simulation.common import named_joints
-
     transmissions = {end.name for transmission in robot.transmissions for end in transmission.joints}
     parts = {part.name for control in robot.ros2_controls for part in control.parts}
     return {*transmissions, *parts, *(name for plugin in loaded_plugins(project) for name, _ in named_joints(plugin))}

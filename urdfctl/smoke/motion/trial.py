@@ -20,8 +20,7 @@ from urdfctl.smoke.motion.simulation import Exploded, OutOfTime, RobotSimulation
 from urdfctl.smoke.motion.standing import why_not_standing
 from urdfctl.smoke.motion.user_tasks import perform_task
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
-from urdfctl.smoke.robot import GRIPS, SLIDES, TIPPED, gravity_load, moved_inertias
-from urdfctl.smoke.statics import carried_by
+from urdfctl.smoke.robot import GRIPS, SLIDES, TIPPED, carried_by, gravity_load, moved_inertias
 from urdfctl.smoke.tasks import FREELY, ControllerTask, Drive, Goal, MotionFamily, UserTask, goal_of
 
 SETTLING = 0.5

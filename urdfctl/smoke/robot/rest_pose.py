@@ -97,3 +97,10 @@ def _height(body: _RigidRobot, turn: Rotation) -> float:
     """The height of the centre of mass above the ground."""
     down = turned(transposed(turn), (0.0, 0.0, -1.0))
     return body.depth(down) - sum(a * b for a, b in zip(body.centre, down, strict=True))
+
+
+def carried_by(links: Iterable[str]) -> str:
+    """Return the words that name the links on which a robot stands; none if there are none."""
+    names = [f"'{name}'" for name in links]
+    more = f" and {len(names) - 3} more" if len(names) > 3 else ""  # noqa: PLR2004
+    return f": the robot stands on {', '.join(names[:3])}{more}" if names else ""

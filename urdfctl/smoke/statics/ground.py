@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.model.geometry import Vector
 from urdfctl.rules.smoke.base_leans import base_leans
@@ -12,7 +12,7 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.rules.smoke.wheels_slip import wheels_slip
 from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
-from urdfctl.smoke.robot import GRAVITY, TIPPED, TOUCHING, Mechanism, Shapes, friction_of, rest_pose_of
+from urdfctl.smoke.robot import GRAVITY, TIPPED, TOUCHING, Mechanism, Shapes, carried_by, friction_of, rest_pose_of
 from urdfctl.smoke.statics.efforts import TIME
 from urdfctl.smoke.tasks import ControllerTask, speed_of
 
@@ -53,13 +53,6 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Contro
 
 def _lifted(joint: str, controller: str, on: str) -> Trouble:
     return trouble_of(wheel_off_the_ground, f"joint:{joint}", controller, joint=joint, on=on)
-
-
-def carried_by(links: Iterable[str]) -> str:
-    """Return the words that name the links on which a robot stands; none if there are none."""
-    names = [f"'{name}'" for name in links]
-    more = f" and {len(names) - 3} more" if len(names) > 3 else ""  # noqa: PLR2004
-    return f": the robot stands on {', '.join(names[:3])}{more}" if names else ""
 
 
 def _base(mechanism: Mechanism, shapes: Shapes) -> Iterator[Trouble]:
