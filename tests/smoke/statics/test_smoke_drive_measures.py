@@ -36,7 +36,8 @@ def pivot(name: str, place: str) -> str:
 
 
 def robot(parts: str, controls: dict[str, str]) -> str:
-    joints = "".join(f'<joint name="{n}"><command_interface name="{i}"/>{STATES}</joint>' for n, i in controls.items())
+    part = '<joint name="{}"><command_interface name="{}"/>{}</joint>'
+    joints = "".join(part.format(name, interface, STATES) for name, interface in controls.items())
     return f'<robot name="base"><link name="base_link">{BODY.format(mass=20)}</link>{parts}{ARMS}{joints}</ros2_control></robot>'
 
 

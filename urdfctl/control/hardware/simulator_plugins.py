@@ -11,6 +11,7 @@ from urdfctl.control.robots import robot_in
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Plugin, Ros2Control, Tag
 from urdfctl.source.opaque import is_known
+from urdfctl.source.span import Place
 from urdfctl.startup.per_object import once_for_the_last
 from urdfctl.startup.records import NamedTuple
 

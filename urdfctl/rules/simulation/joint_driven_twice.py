@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.hardware.simulator_plugins import components, control_plugins, loaded_plugins
+from urdfctl.control.hardware.simulator_plugins import components, control_plugins, loaded_plugins, named_joints
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known, robot_in
 from urdfctl.source.span import Place

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from urdfctl.model.geometry import UPRIGHT, Pose, Rotation, Vector, about, dot, minus, product, transposed, turned
 from urdfctl.smoke.robot.mechanism import Mechanism
