@@ -36,6 +36,7 @@ COMMANDS = {
     "lint": Listed(FIND, "find.lint", "Find what keeps a robot from starting and moving.", is_short=True),
     "smoke": Listed(FIND, "find.smoke", "Load, start and move each controller, without ROS.", is_short=True),
     "show": Listed(FIND, "find.show", "Show what is started together."),
+    "doctor": Listed(FIND, "find.doctor", "Say what is wrong in a running system, from a recording of it."),
     "why": Listed(UNDERSTAND, "understand.why", "Show where a value of a robot comes from, and what uses it."),
     "diff": Listed(UNDERSTAND, "understand.diff", "Show what changed between two robots, as models."),
     "graph": Listed(UNDERSTAND, "understand.graph", "Draw what is wired to what, with errors in red."),

@@ -142,7 +142,11 @@ _LINTED = (
     _Linted(Family("UC6", "moveit"), _has_moveit),
     _Linted(Family("UC7", "migration"), lambda project: _may_move_on(project) or bool(project.todos), _only_todos),
 )
-FAMILIES = (*(linted.family for linted in _LINTED), Family("UC9", "smoke", Stage.MOVE, found_by="smoke"))
+FAMILIES = (
+    *(linted.family for linted in _LINTED),
+    Family("UC8", "running", found_by="doctor"),
+    Family("UC9", "smoke", Stage.MOVE, found_by="smoke"),
+)
 
 
 def rules_for(project: Project) -> Iterator[Rule]:

@@ -1,0 +1,30 @@
+"""The checks of a running system, causes before consequences."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from urdfctl.doctor.checks.controllers import check_controllers, check_hardware
+from urdfctl.doctor.checks.descriptions import check_parts, check_values
+from urdfctl.doctor.checks.joint_states import check_joint_states
+from urdfctl.doctor.checks.managers import check_clock, check_managers, check_nodes
+from urdfctl.doctor.checks.topics import check_topics, check_transforms
+from urdfctl.doctor.examination import Ailment, Examination
+
+Check = Callable[[Examination], Iterator[Ailment]]
+
+CHECKS: tuple[Check, ...] = (
+    check_managers,
+    check_nodes,
+    check_clock,
+    check_parts,
+    check_hardware,
+    check_controllers,
+    check_values,
+    check_joint_states,
+    check_topics,
+    check_transforms,
+)
+"""In the order of the answers: what is found first explains the rest."""
+
+__all__ = ["CHECKS"]

@@ -1,0 +1,273 @@
+"""A recording of a running ROS 2 system: what its nodes, topics, controller managers and parameters answered."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from urdfctl.errors import UserError
+from urdfctl.source.disk.files import first_bytes
+from urdfctl.startup.records import NamedTuple
+
+_MOST_BYTES = 64 << 20
+_PARTS = ("nodes", "topics", "controller_managers", "parameters")
+"""What every recording has."""
+
+
+class TopicEnd(NamedTuple):
+    """A publisher or a subscription of a topic. node: its full name."""
+
+    node: str
+    type: str
+    durability: str
+    reliability: str
+
+
+class RecordedTopic(NamedTuple):
+    """A topic with its ends."""
+
+    name: str
+    publishers: tuple[TopicEnd, ...]
+    subscriptions: tuple[TopicEnd, ...]
+
+
+class RecordedController(NamedTuple):
+    """A controller that a manager lists.
+
+    claimed: the command interfaces that it holds.
+    commands, states: the interfaces that it requires.
+    """
+
+    name: str
+    state: str
+    type: str
+    claimed: tuple[str, ...]
+    commands: tuple[str, ...]
+    states: tuple[str, ...]
+
+
+class RecordedHardware(NamedTuple):
+    """A hardware component that a manager lists."""
+
+    name: str
+    state: str
+    plugin: str
+
+
+class RecordedManager(NamedTuple):
+    """A controller manager.
+
+    answers: whether it listed its controllers.
+    exported: the names of the command and state interfaces that its hardware and its chained controllers export.
+    types: the types of controllers that can be loaded.
+    """
+
+    name: str
+    answers: bool
+    controllers: tuple[RecordedController, ...] = ()
+    hardware: tuple[RecordedHardware, ...] = ()
+    exported: frozenset[str] = frozenset()
+    types: frozenset[str] = frozenset()
+
+    @property
+    def namespace(self) -> str:
+        """Its namespace; empty for the root."""
+        return self.name.rpartition("/")[0]
+
+    def controller(self, name: str) -> RecordedController | None:
+        """Return one of its controllers; None if it does not list it."""
+        return next((one for one in self.controllers if one.name == name), None)
+
+
+class JointStates(NamedTuple):
+    """What was received on a topic of joint states.
+
+    received: how many messages.
+    names: the joints of all messages.
+    writers: how many different publishers sent messages.
+    rate: messages per second.
+    numbers: the position of each joint in the last message; None where it is not finite.
+    """
+
+    topic: str
+    received: int
+    names: frozenset[str]
+    writers: int
+    rate: float
+    numbers: Mapping[str, float | None]
+
+
+class Recording(NamedTuple):
+    """A recording. data: its JSON."""
+
+    path: str
+    data: Mapping[str, Any]
+
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """The full names of all nodes."""
+        return tuple(_full(node) for node in _maps(self.data["nodes"]))
+
+    @property
+    def topics(self) -> dict[str, RecordedTopic]:
+        """The topics by name."""
+        return {topic.name: topic for topic in map(_topic, _maps(self.data["topics"]))}
+
+    @property
+    def services(self) -> frozenset[str]:
+        """The names of all services."""
+        return frozenset(str(one.get("name", "")) for one in _maps(self.data.get("services", ())))
+
+    @property
+    def managers(self) -> dict[str, RecordedManager]:
+        """The controller managers by full name."""
+        return {name: _manager(name, answers) for name, answers in _items(self.data["controller_managers"])}
+
+    @property
+    def distro(self) -> str | None:
+        """The ROS distro, if the recording names it."""
+        value = _map(self.data.get("recorded")).get("distro")
+        return value if isinstance(value, str) else None
+
+    @property
+    def descriptions(self) -> dict[str, tuple[str, ...]]:
+        """The texts that were received on each topic of a robot description."""
+        found = _items(self.data.get("robot_description", {}))
+        return {topic: tuple(str(one["data"]) for one in _maps(sent) if "data" in one) for topic, sent in found}
+
+    @property
+    def joint_states(self) -> dict[str, JointStates]:
+        """What was received on each topic of joint states."""
+        found = _items(self.data.get("joint_states", {}))
+        return {topic: _joint_states(topic, sent) for topic, sent in found if isinstance(sent, dict)}
+
+    @property
+    def has_clock(self) -> bool:
+        """Whether anything publishes the time of a simulation."""
+        clock = self.topics.get("/clock")
+        return clock is not None and bool(clock.publishers)
+
+    @property
+    def transforms(self) -> Iterator[tuple[str, str, str]]:
+        """Yield the topic, the parent and the child of each transform."""
+        for topic, sent in _items(self.data.get("tf", {})):
+            for one in _maps(sent):
+                yield topic, str(one.get("parent")), str(one.get("child"))
+
+    @property
+    def said(self) -> tuple[str, ...]:
+        """The messages of all diagnostics."""
+        topics = _items(self.data.get("diagnostics", {}))
+        return tuple(str(_map(status).get("message", "")) for _, by_name in topics for _, status in _items(by_name))
+
+    def parameters(self, node: str) -> dict[str, Any]:
+        """Return the parameters of a node, by its full name; none if it did not answer."""
+        return dict(_map(_map(self.data["parameters"].get(node)).get("values")))
+
+
+def read_recording(path: str) -> Recording:
+    """Return the recording in a file. UserError if it is none."""
+    try:
+        text = first_bytes(path, _MOST_BYTES + 1)
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+    if len(text) > _MOST_BYTES:
+        raise UserError(f"'{path}' is not a recording: larger than {_MOST_BYTES >> 20} MiB")
+    try:
+        data = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise UserError(f"'{path}' is not a recording: invalid JSON: {error}") from None
+    if not isinstance(data, dict):
+        raise UserError(f"'{path}' is not a recording: it is no JSON object")
+    for part in _PARTS:
+        wanted = list if part in ("nodes", "topics") else dict
+        if not isinstance(data.get(part), wanted):
+            raise UserError(f"'{path}' is not a recording: it has no '{part}'")
+    return Recording(path, data)
+
+
+def _map(value: object) -> Mapping[str, Any]:
+    return value if isinstance(value, dict) else {}
+
+
+def _maps(value: object) -> Iterator[Mapping[str, Any]]:
+    return (one for one in value if isinstance(one, dict)) if isinstance(value, list) else iter(())
+
+
+def _items(value: object) -> Iterator[tuple[str, Any]]:
+    """The parts of an answer by name; none if there was only an error."""
+    return ((name, part) for name, part in _map(value).items() if name != "error")
+
+
+def _texts(value: object) -> tuple[str, ...]:
+    return tuple(map(str, value)) if isinstance(value, list) else ()
+
+
+def _full(node: Mapping[str, Any]) -> str:
+    name = str(node.get("name") or node.get("node") or "")
+    return f"{str(node.get('namespace') or '').rstrip('/')}/{name}"
+
+
+def _topic(topic: Mapping[str, Any]) -> RecordedTopic:
+    publishers, subscriptions = (
+        tuple(map(_end, _maps(topic.get(side, [])))) for side in ("publishers", "subscriptions")
+    )
+    return RecordedTopic(str(topic.get("name", "")), publishers, subscriptions)
+
+
+def _end(end: Mapping[str, Any]) -> TopicEnd:
+    qos = _map(end.get("qos"))
+    return TopicEnd(
+        _full(end), str(end.get("type", "")), str(qos.get("durability", "")), str(qos.get("reliability", ""))
+    )
+
+
+def _manager(name: str, answers: object) -> RecordedManager:
+    found = _map(answers)
+    listed = _map(found.get("list_controllers"))
+    if not isinstance(listed.get("controller"), list):
+        return RecordedManager(name, answers=False)
+    interfaces = _map(found.get("list_hardware_interfaces"))
+    both = (*_maps(interfaces.get("command_interfaces", [])), *_maps(interfaces.get("state_interfaces", [])))
+    return RecordedManager(
+        name,
+        answers=True,
+        controllers=tuple(map(_controller, _maps(listed["controller"]))),
+        hardware=tuple(map(_hardware, _maps(_map(found.get("list_hardware_components")).get("component", [])))),
+        exported=frozenset(str(one.get("name", "")) for one in both),
+        types=frozenset(_texts(_map(found.get("list_controller_types")).get("types"))),
+    )
+
+
+def _controller(one: Mapping[str, Any]) -> RecordedController:
+    return RecordedController(
+        name=str(one.get("name", "")),
+        state=str(one.get("state", "")),
+        type=str(one.get("type", "")),
+        claimed=_texts(one.get("claimed_interfaces")),
+        commands=_texts(one.get("required_command_interfaces")),
+        states=_texts(one.get("required_state_interfaces")),
+    )
+
+
+def _hardware(one: Mapping[str, Any]) -> RecordedHardware:
+    state = _map(one.get("state"))
+    return RecordedHardware(str(one.get("name", "")), str(state.get("label", "")), str(one.get("plugin_name", "")))
+
+
+def _joint_states(topic: str, sent: Mapping[str, Any]) -> JointStates:
+    lists: Sequence[object] = sent.get("name_lists") or []
+    last = _map(sent.get("last"))
+    positions = last.get("position")
+    numbers = dict(zip(_texts(last.get("name")), positions if isinstance(positions, list) else (), strict=False))
+    rate = sent.get("rate_hz")
+    count = sent.get("count")
+    return JointStates(
+        topic,
+        received=count if isinstance(count, int) else 0,
+        names=frozenset(name for names in lists for name in _texts(names)),
+        writers=len(_map(sent.get("publishers"))),
+        rate=float(rate) if isinstance(rate, int | float) else 0.0,
+        numbers={name: float(one) if isinstance(one, int | float) else None for name, one in numbers.items()},
+    )

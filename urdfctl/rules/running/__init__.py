@@ -1,0 +1,1 @@
+"""UC8: faults of running systems."""
