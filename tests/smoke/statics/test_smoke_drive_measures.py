@@ -38,8 +38,8 @@ def pivot(name: str, place: str) -> str:
 def robot(parts: str, controls: dict[str, str]) -> str:
     part = '<joint name="{}"><command_interface name="{}"/>{}</joint>'
     joints = "".join(part.format(name, interface, STATES) for name, interface in controls.items())
-    base = f"<link name=\"base_link\">{BODY.format(mass=20)}</link>"
-    return f"<robot name=\"base\">{base}{parts}{ARMS}{joints}</ros2_control></robot>"
+    base = f'<link name="base_link">{BODY.format(mass=20)}</link>'
+    return f'<robot name="base">{base}{parts}{ARMS}{joints}</ros2_control></robot>'
 
 
 def controllers(kind: str, parameters: str) -> str:

@@ -108,11 +108,8 @@ def _not_loaded(exam: Examination, expected: ExpectedController) -> Ailment:
     if isinstance(given, str) and given and manager.types and given not in manager.types:
         files = f"; the files say '{expected.type}'" if expected.type and expected.type != given else ""
         return ailment(running_type_unknown, expected.at, controller=expected.name, running=given, files=files)
-    if given:
-        why = f"the manager knows its type, so its initialisation failed: look for parameters of '{expected.node}' in "
-        why += "the log; they are missing, or were given to another namespace"
-    else:
-        why = "no spawner asked for it; was an older launch file started?"
+    why = "no spawner asked for it (was an older launch file started?), or its initialisation failed: "
+    why += f"look for parameters of '{expected.node}' in the log"
     return ailment(
         running_controller_not_loaded, expected.at, controller=expected.name, manager=expected.manager, why=why
     )

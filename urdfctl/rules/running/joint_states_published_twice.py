@@ -8,6 +8,7 @@ from urdfctl.rules.running.samples import Recorded, end, example
 
 def _break(recording: Recorded) -> None:
     recording["topics"][0]["publishers"].append(end("/joint_state_publisher", "sensor_msgs/msg/JointState"))
+    recording["joint_states"]["/joint_states"]["publishers"] = {"writer_1": 200, "writer_2": 20}
 
 
 @fault(

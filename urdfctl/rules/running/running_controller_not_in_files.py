@@ -7,7 +7,7 @@ from urdfctl.rules.running.samples import Recorded, controller, controllers_in, 
 
 
 def _break(recording: Recorded) -> None:
-    controllers_in(recording)[1] = controller("old_head", "active", "a/B", ["pan/position"])
+    controllers_in(recording).append(controller("old_head", "active", "a/B", ["pan/position"]))
 
 
 @fault(
