@@ -83,7 +83,7 @@ def test_the_exit_status_tells_what_was_found(folder: Folder, text: str, words: 
             "urdfctl: 'nowhere/x' cannot be written: No such file or directory\n",
         ),
         (["arm.urdf", "--fail-on", "fatal"], "urdfctl: --fail-on must be error, warning or info, not 'fatal'\n"),
-        (["arm.urdf", "--select", "UC8"], "urdfctl: no rule's code begins with 'UC8'; see urdfctl rules\n"),
+        (["arm.urdf", "--select", "UC87"], "urdfctl: no rule's code begins with 'UC87'; see urdfctl rules\n"),
         (["arm.urdf", "--workspace", "nowhere"], "urdfctl: folder 'nowhere' does not exist\n"),
         (["arm.urdf", "--workspace", ""], "urdfctl: folder '' does not exist\n"),
         (

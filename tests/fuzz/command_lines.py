@@ -136,6 +136,12 @@ def _explain(files: _Files) -> Line:
     return Line("explain", ["explain", files.choose(logs), *more])
 
 
+def _doctor(files: _Files) -> Line:
+    recordings = files.ending(".json") or sorted(files.tree)
+    more = files.choose([[], ["--in", "."], ["--format", "json"]])
+    return Line("doctor", ["doctor", files.choose(recordings), *files.distro, *more])
+
+
 def _convert(files: _Files) -> Line:
     words = ["convert", files.robot, "--to", "mjcf", *files.choose([[], ["--base", "free"], ["--joints", "elb.*"]])]
     return Line("convert", [*words, "-o", files.choose(["made.xml", "made/robot.xml"])], _INSIDE)
@@ -192,7 +198,7 @@ def _interpreter() -> str:
 
 
 LINES: Mapping[Callable[[_Files], Line], int] = {
-    _lint: 4, _fix: 4, _smoke: 2, _why: 2, _diff: 3, _graph: 2, _view: 2, _show: 1, _expand: 1, _explain: 1,
+    _lint: 4, _fix: 4, _smoke: 2, _why: 2, _diff: 3, _graph: 2, _view: 2, _show: 1, _expand: 1, _explain: 1, _doctor: 1,
     _convert: 1, _schema: 2, _init: 1, _migrate: 3, _generate: 3, _check: 1, _server: 2,
 }  # fmt: skip
 """What makes a command, and how often."""

@@ -270,7 +270,7 @@ def test_the_longest_beginning_of_a_code_decides(chosen: Selection, admitted: se
 def test_a_beginning_that_no_code_has_is_the_users_mistake() -> None:
     made = Selection(("UC2",), ("UC201",), ("UC1",), (("UC1", "off"),))
     assert validate_selection(made) is made
-    for mistaken in ("UC8", "201", "transmission-joint-without-interface"):
+    for mistaken in ("UC87", "201", "transmission-joint-without-interface"):
         with pytest.raises(UserError, match=f"no rule's code begins with '{mistaken}'"):
             validate_selection(Selection(ignore=(mistaken,)))
 

@@ -13,13 +13,18 @@ from urdfctl.fault import Example, Fault
 from urdfctl.fix.edits import Splice, edited
 from urdfctl.lint.examples import written
 from urdfctl.rule import Rule
-from urdfctl.rules import FAMILIES, all_faults, faults_found_by
+from urdfctl.rules import FAMILIES, all_faults, command_of, faults_found_by
 from urdfctl.rules.examples import Mark, marked_lines, unmarked
 
 FAULTS = all_faults()
 LINTED = [fault for fault in faults_found_by("lint") if fault.code != "UC000"]
 BAD = {f"{fault.code}-{number}": (fault, example) for fault in LINTED for number, example in enumerate(fault.bad, 1)}
-GOOD = {f"{fault.code}-{number}": (fault, example) for fault in FAULTS for number, example in enumerate(fault.good, 1)}
+GOOD = {
+    f"{fault.code}-{number}": (fault, example)
+    for fault in FAULTS
+    if command_of(fault.code) != "doctor"  # whose examples are recordings
+    for number, example in enumerate(fault.good, 1)
+}
 
 
 def findings(folder: Path, example: Example) -> list[Diagnostic]:

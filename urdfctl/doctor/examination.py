@@ -69,4 +69,11 @@ class Examination(NamedTuple):
 
 def ailment(fault: FaultWithMessage, at: str = "", notes: Sequence[str] = (), **facts: object) -> Ailment:
     """Return what is wrong, with the message that a fault makes of the facts."""
-    return Ailment(fault.code, fault.name, fault.severity, fault.message(**facts), at, tuple(notes))
+    return Ailment(
+        code=fault.code,
+        name=fault.name,
+        severity=fault.severity,
+        message=fault.message(**facts),
+        at=at,
+        notes=tuple(notes),
+    )

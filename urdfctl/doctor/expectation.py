@@ -170,7 +170,7 @@ def _controllers(project: Project, managers: Mapping[str, None]) -> Iterator[Exp
                 yield _expected(controller, manager, state)
     for (manager, name), (state, at) in spawned.items():
         if (manager, name) not in known and at is not None:
-            yield ExpectedController(name, manager, state, None, {}, _shown(at))
+            yield ExpectedController(name=name, manager=manager, state=state, type=None, parameters={}, at=_shown(at))
 
 
 def _managers_of(controller: Controller, managers: Mapping[str, None]) -> list[str]:
@@ -182,7 +182,14 @@ def _expected(controller: Controller, manager: str, state: str) -> ExpectedContr
     known = {name: value for name, value in given_values(controller.parameters).items() if _is_plain(value)}
     kind = controller.type.text if controller.type and is_known(controller.type.text) else None
     place = controller.declared_at or (controller.sections[0].at if controller.sections else None)
-    return ExpectedController(controller.name, manager, state, kind, known, _shown(place) if place else "")
+    return ExpectedController(
+        name=controller.name,
+        manager=manager,
+        state=state,
+        type=kind,
+        parameters=known,
+        at=_shown(place) if place else "",
+    )
 
 
 def _is_plain(value: object) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.commands.declaring import OUTPUT, Command, argument, option
+from urdfctl.commands.declaring import CHECKED_FOR, OUTPUT, Command, Reads, argument, option
 from urdfctl.commands.options import TEXT_OR_JSON, TargetOptions
 from urdfctl.commands.robot_targets import robots_of
 from urdfctl.commands.words import configured, output_of, settings_from, split_arguments
@@ -18,14 +18,21 @@ class DoctorOptions(TargetOptions):
     """Say what is wrong in a running system: compare a recording of it with the files, and name the cause first.
 
     \b
-    Example: urdfctl doctor snapshot.json
+    Example: urdfctl doctor snapshot.json --in src/my_robot
     """
 
     words: tuple[str, ...] = argument(
-        "The recording, then the files or folders of what was started (default: the package around the current "
-        "folder), and name:=value arguments.",
-        metavar="SNAPSHOT.json [PATH]... [NAME:=VALUE]...",
+        "The recording, and name:=value arguments of the robot.",
+        metavar="SNAPSHOT.json [NAME:=VALUE]...",
         is_required=True,
+        reads=Reads.PLACE,
+    )
+    folders: tuple[str, ...] = option(
+        CHECKED_FOR,
+        "File or folder of what was started. Default: the package around the current folder.",
+        "--in",
+        metavar="PATH",
+        reads=Reads.WORKSPACE,
     )
     output_format: str = option(
         OUTPUT,
@@ -40,14 +47,15 @@ def run_doctor(options: DoctorOptions) -> int:
     """Print what is wrong, and return the exit status: 1 if anything is, otherwise 0."""
     paths, arguments = split_arguments(options.words)
     output, file = output_of(options.output_format, TEXT_OR_JSON)
-    if not paths:
-        raise UserError("doctor needs a recording: urdfctl doctor SNAPSHOT.json")
+    config = configured(options.folders, options)
+    settings = settings_from(config, options, distro=options.distro, simulator=options.simulator, named=options.folders)
+    if len(paths) != 1:
+        raise UserError("doctor needs one recording: urdfctl doctor SNAPSHOT.json; --in names the files it is about")
     recording = read_recording(paths[0])
-    config = configured(paths[1:], options)
-    distro = options.distro or config.distro or recording.distro
-    settings = settings_from(config, options, distro=distro, simulator=options.simulator, named=paths[1:])
+    if not (options.distro or config.distro):
+        settings = settings._replace(distro=recording.distro)
     given = [f"{name}:={value}" for name, value in arguments.items()]
-    report = doctor(recording, robots_of([*paths[1:], *given], config, settings), settings)
+    report = doctor(recording, robots_of([*options.folders, *given], config, settings), settings)
     text = json_of(report) if output == "json" else text_of(report)
     if file is not None:
         write_file(file, text, force=True)

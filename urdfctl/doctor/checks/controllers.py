@@ -10,10 +10,10 @@ from urdfctl.doctor.examination import Ailment, Examination, ailment
 from urdfctl.doctor.expectation import ExpectedController
 from urdfctl.doctor.recording import RecordedController, RecordedManager
 from urdfctl.names import enumerated
-from urdfctl.rules.running.hardware_not_active import hardware_not_active
 from urdfctl.rules.running.running_controller_not_active import running_controller_not_active
 from urdfctl.rules.running.running_controller_not_in_files import running_controller_not_in_files
 from urdfctl.rules.running.running_controller_not_loaded import running_controller_not_loaded
+from urdfctl.rules.running.running_hardware_not_active import running_hardware_not_active
 from urdfctl.rules.running.running_parameter_differs import running_parameter_differs
 from urdfctl.rules.running.running_type_unknown import running_type_unknown
 
@@ -28,7 +28,9 @@ def check_hardware(exam: Examination) -> Iterator[Ailment]:
     for name in exam.managers:
         for component in exam.manager(name).hardware:
             if component.state not in ("active", ""):
-                yield ailment(hardware_not_active, component=component.name, state=component.state, manager=name)
+                yield ailment(
+                    running_hardware_not_active, component=component.name, state=component.state, manager=name
+                )
 
 
 def check_controllers(exam: Examination) -> Iterator[Ailment]:

@@ -10,10 +10,10 @@ from urdfctl.doctor.recording import JointStates, RecordedTopic
 from urdfctl.names import enumerated
 from urdfctl.rules.running.joint_states_incomplete import joint_states_incomplete
 from urdfctl.rules.running.joint_states_not_finite import joint_states_not_finite
-from urdfctl.rules.running.joint_states_not_published import joint_states_not_published
 from urdfctl.rules.running.joint_states_not_read import joint_states_not_read
-from urdfctl.rules.running.joint_states_published_twice import joint_states_published_twice
 from urdfctl.rules.running.joint_states_too_slow import joint_states_too_slow
+from urdfctl.rules.running.no_joint_states import no_joint_states
+from urdfctl.rules.running.two_joint_state_publishers import two_joint_state_publishers
 
 _STATES = "sensor_msgs/msg/JointState"
 _SLOWEST = 0.5
@@ -32,7 +32,7 @@ def check_joint_states(exam: Examination) -> Iterator[Ailment]:
         writers = sorted({end.node for end in topic.publishers})
         sent = exam.recording.joint_states.get(topic.name)
         if len(writers) > 1 and (sent is None or sent.writers != 1):
-            yield ailment(joint_states_published_twice, topic=topic.name, nodes=enumerated(writers))
+            yield ailment(two_joint_state_publishers, topic=topic.name, nodes=enumerated(writers))
     for topic in topics:
         readers = [end.node for end in topic.subscriptions if end.node.endswith(_PUBLISHER)]
         if readers and not topic.publishers and published:
@@ -48,7 +48,7 @@ def _of_robot(exam: Examination, expected: Expectation, published: list[Recorded
     home = expected.managers[0].rpartition("/")[0]
     near = [topic for topic in published if topic.name.startswith(f"{home}/")]
     if not near:
-        yield ailment(joint_states_not_published, topic=f"{home}/joint_states")
+        yield ailment(no_joint_states, topic=f"{home}/joint_states")
         return
     received = [one for topic in near if (one := exam.recording.joint_states.get(topic.name)) and one.received]
     if not received:

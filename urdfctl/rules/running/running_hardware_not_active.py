@@ -18,7 +18,7 @@ def _break(recording: Recorded) -> None:
     bad=[example(_break)],
     good=[example()],
 )
-def hardware_not_active(component: str, state: str, manager: str) -> str:
+def running_hardware_not_active(component: str, state: str, manager: str) -> str:
     """Hardware component is not active.
 
     Its states may still be published, but no controller that commands it can be activated. It was started so by

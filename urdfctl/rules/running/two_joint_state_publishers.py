@@ -20,7 +20,7 @@ def _break(recording: Recorded) -> None:
     bad=[example(_break)],
     good=[example()],
 )
-def joint_states_published_twice(topic: str, nodes: str) -> str:
+def two_joint_state_publishers(topic: str, nodes: str) -> str:
     """Several nodes publish the same joint states.
 
     joint_state_publisher is for robots without a controller manager. The robot jumps between the values of both.

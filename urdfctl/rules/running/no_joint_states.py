@@ -19,7 +19,7 @@ def _break(recording: Recorded) -> None:
     bad=[example(_break)],
     good=[example()],
 )
-def joint_states_not_published(topic: str) -> str:
+def no_joint_states(topic: str) -> str:
     """Nobody publishes the joint states.
 
     robot_state_publisher and planners wait for them. A joint_state_broadcaster publishes them while it is active.
