@@ -60,11 +60,30 @@ class PluginChild(NamedTuple):
     note: str | None = None
 
 
+class Behaviour(NamedTuple):
+    """What a plugin that runs a controller manager does in one step, in one distro.
+
+    does: `load`, `validate`, `read` or `write`. authority: file and lines.
+    first: of the command interfaces of a joint that are claimed together, only the first of these is applied.
+    needs: parameters of the manager without which it gives up.
+    strict: whether an interface that is described, but not exported, is refused.
+    description: what it gets the robot from: the parameters of a `node`, or a `topic`.
+    """
+
+    does: str
+    authority: str
+    first: tuple[str, ...] = ()
+    needs: tuple[str, ...] = ()
+    strict: bool = True
+    description: str | None = None
+
+
 class SimulatorPlugin(NamedTuple):
     """A simulator plugin in one distro.
 
     filenames: the file names of its library. names: its classes; empty if the name is free.
     old_names: classes that are accepted with a warning. replacement: the id of the plugin that replaces it.
+    behaviour: what it does, step by step.
     external: whether it is from another package than the simulator's own; its distros are then uncertain.
     """
 
@@ -82,6 +101,11 @@ class SimulatorPlugin(NamedTuple):
     deprecated: bool = False
     replacement: str | None = None
     external: bool = False
+    behaviour: tuple[Behaviour, ...] = ()
+
+    def when(self, does: str) -> Behaviour | None:
+        """Return what it does in a step; None if that is not known."""
+        return next((each for each in self.behaviour if each.does == does), None)
 
 
 class HardwareInterface(NamedTuple):
@@ -158,6 +182,7 @@ def simulator_plugin(own: Plain, distro: str) -> SimulatorPlugin:
         deprecated=_holds(own.get("deprecated"), distro),
         replacement=own.get("replacement"),
         external="origin" in own,
+        behaviour=tuple(_behaviour(each) for each in own.get("behaviour", ()) if in_distro(each, distro)),
     )
 
 
@@ -186,6 +211,17 @@ def transmission_type(own: Plain, distro: str) -> TransmissionType:
         actuator_roles=tuple(own.get("actuator_roles", ())),
         interfaces=tuple(own.get("interfaces", ())),
         legacy=own.get("legacy", False),
+    )
+
+
+def _behaviour(own: Plain) -> Behaviour:
+    return Behaviour(
+        does=own["does"],
+        authority=own["authority"],
+        first=tuple(own.get("first", ())),
+        needs=tuple(own.get("needs", ())),
+        strict=own.get("strict", True),
+        description=own.get("description"),
     )
 
 

@@ -1,8 +1,9 @@
 """Interfaces that the components of `<ros2_control>` offer.
 
 The hardware plugin gets all interfaces listed in the tag, and the manager refuses a plugin that does not export them
-(resource_manager.cpp, validate_storage). A plugin may export more. The simulated ones in the catalogue do not, except
-for command interfaces that parameters of mock hardware add (mock_components/src/generic_system.cpp).
+(resource_manager.cpp, validate_storage), except in Gazebo, where what it does not export is only missing. A plugin may
+export more. The simulated ones in the catalogue do not, except for command interfaces that parameters of mock hardware
+add (mock_components/src/generic_system.cpp).
 """
 
 from __future__ import annotations
@@ -11,9 +12,11 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.hardware import HardwareType
+from urdfctl.control.hardware.behaviour import validates
 from urdfctl.control.hardware.interfaces import UNKNOWN_HARDWARE, Offer, OfferedHardware, by_component, fixed_joints
 from urdfctl.model.robot import ComponentPart, Interface, Robot, Ros2Control
 from urdfctl.source.opaque import UNKNOWN
+from urdfctl.startup.records import NamedTuple
 
 
 def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> OfferedHardware:
@@ -28,8 +31,10 @@ def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> OfferedHa
     is_open = False
     for control in controls:
         plugin = _hardware_type(control, catalog, distro)
-        command += _commands(control, plugin)
-        state += [offer for part in control.parts for offer in _offers(control, part, part.states)]
+        known = _Exported(plugin, strict=validates(catalog, control.plugin, distro))
+        command += _renamed(known.commands(_commands(control, plugin), control), plugin)
+        offered = (offer for part in control.parts for offer in _offers(control, part, part.states))
+        state += known.states(offered, control)
         if _exports_only_described(plugin):
             exact |= {part.name.strip() for part in control.parts if part.name}
         else:
@@ -70,9 +75,29 @@ def _commands(control: Ros2Control, plugin: HardwareType | None) -> Iterator[Off
     added = _commanded_states(control, plugin)
     for part in control.parts:
         if control.type != "sensor" and part.kind != "sensor":
-            yield from _renamed(_offers(control, part, part.commands), plugin)
+            yield from _offers(control, part, part.commands)
         if part.kind in added:
             yield from _offers(control, part, part.states)
+
+
+class _Exported(NamedTuple):
+    """What a plugin exports of the described interfaces of its joints."""
+
+    plugin: HardwareType | None
+    strict: bool
+    """Whether it is refused if it does not export all of them."""
+
+    def commands(self, offers: Iterator[Offer], control: Ros2Control) -> Iterator[Offer]:
+        return self._of(offers, control, self.plugin.command_interfaces if self.plugin else None)
+
+    def states(self, offers: Iterator[Offer], control: Ros2Control) -> Iterator[Offer]:
+        return self._of(offers, control, self.plugin.state_interfaces if self.plugin else None)
+
+    def _of(self, offers: Iterator[Offer], control: Ros2Control, names: tuple[str, ...] | None) -> Iterator[Offer]:
+        if self.strict or names is None:
+            return offers
+        joints = {(part.name or "").strip() for part in control.parts if part.kind == "joint"}
+        return (offer for offer in offers if offer.interface in names or offer.component not in joints)
 
 
 def _renamed(offers: Iterator[Offer], plugin: HardwareType | None) -> Iterator[Offer]:

@@ -7,6 +7,7 @@ from urdfctl.rules.claims.chained_controller_exports_nothing import chained_cont
 from urdfctl.rules.claims.chained_controller_not_started import chained_controller_not_started
 from urdfctl.rules.claims.chained_interface_not_exported import chained_interface_not_exported
 from urdfctl.rules.claims.command_interface_not_exported import command_interface_not_exported
+from urdfctl.rules.claims.command_overridden_in_simulator import command_overridden_in_simulator
 from urdfctl.rules.claims.controllers_chained_in_a_circle import controllers_chained_in_a_circle
 from urdfctl.rules.claims.controllers_in_conflict import controllers_in_conflict
 from urdfctl.rules.claims.controllers_without_hardware import controllers_without_hardware
@@ -53,4 +54,5 @@ FAULTS: tuple[Fault, ...] = (
     sensor_frame_not_a_link,
     wheel_speed_beyond_limit,
     state_of_other_data_type,
+    command_overridden_in_simulator,
 )

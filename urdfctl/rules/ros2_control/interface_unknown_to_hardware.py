@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.hardware import HardwareType
+from urdfctl.control.hardware.behaviour import validates
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known, label, severity_where
@@ -14,11 +15,12 @@ from urdfctl.rules.ros2_control.common import called, known_hardware, parts
 
 @rule(
     "UC355",
-    severity=Severity.ERROR,
-    runtime="refuses",
+    severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
-    authority='ros2_control hardware_interface/src/resource_manager.cpp: "Wrong state or command interface '
-    'configuration. missing command interfaces: elbow/acceleration"',
+    authority="gz_ros2_control gz_ros2_control_plugin.cpp: GZResourceManager imports the components without "
+    'validate_storage(); elsewhere ros2_control resource_manager.cpp: "Wrong state or command interface configuration. '
+    'missing command interfaces: elbow/acceleration"',
     bad=[
         {
             "robot.urdf": """
@@ -55,7 +57,8 @@ def interface_unknown_to_hardware(project: Project) -> Iterator[Finding]:
     """Interface is not provided by the hardware.
 
     A simulator provides position, velocity and effort; Gazebo Classic also provides two with a PID. Any other interface
-    is missing when the exported interfaces are compared with the description, which is then rejected.
+    is ignored: a controller that claims it is not activated. Outside of Gazebo the exported interfaces are compared with
+    the description, which is then rejected.
     """
     for control, part in parts(project, "joint"):
         hardware = known_hardware(project, control)
@@ -67,9 +70,8 @@ def interface_unknown_to_hardware(project: Project) -> Iterator[Finding]:
             if any(names is None or name in names for names in exported):
                 continue
             known = exported[-1] or ()
-            severity = (
-                severity_where(project, (each.distro for each in hardware)) if hardware[0].host else Severity.WARNING
-            )
+            strict = (each.distro for each in hardware if validates(project.catalog, each.type, each.distro))
+            severity = severity_where(project, strict) if hardware[0].host else Severity.WARNING
             hint = did_you_mean(name, known) or f"; it provides {in_words(known, len(known))}"
             message = f"'{hardware[0].type}' has no {called(interface)} for {label('joint', part.name)}{hint}"
             yield Finding(interface.at["name"], message, severity=severity)
