@@ -19,6 +19,7 @@ from urdfctl.rules.reading.launch_file_not_python import launch_file_not_python
 from urdfctl.rules.reading.macro_call_mismatch import macro_call_mismatch
 from urdfctl.rules.reading.macro_defined_twice import macro_defined_twice
 from urdfctl.rules.reading.macro_named_after_other_file import macro_named_after_other_file
+from urdfctl.rules.reading.merge_conflict_left import merge_conflict_left
 from urdfctl.rules.reading.outside_workspace import outside_workspace
 from urdfctl.rules.reading.over_budget import over_budget
 from urdfctl.rules.reading.package_not_found import package_not_found
@@ -75,4 +76,5 @@ FAULTS: tuple[Fault, ...] = (
     python_tag,
     text_not_expanded,
     suppression_unused,
+    merge_conflict_left,
 )

@@ -42,6 +42,7 @@ _OF_PROBLEMS = {
     ProblemKind.YAML_TAB: "yaml_tab",
     ProblemKind.PYTHON_SYNTAX: "launch_file_not_python",
     ProblemKind.PYTHON_TAG: "python_tag",
+    ProblemKind.MERGE_CONFLICT: "merge_conflict_left",
 }
 _OF_FAULTS = {
     "LOST_INDENTATION": "indentation_lost",

@@ -63,6 +63,11 @@ def read_python(source: SourceText, surroundings: Surroundings) -> Script:
     try:
         tree = _parsed(source)
     except SyntaxError as error:
+        from urdfctl.source.conflicts import merge_conflict
+
+        conflict = merge_conflict(source)
+        if conflict is not None:
+            return Script(None, conflict)
         offset = source.offset(error.lineno or 1, error.offset or 1)
         at = Place(source, offset, end=offset)
         return Script(None, Problem(ProblemKind.PYTHON_SYNTAX, at, f"Python syntax error: {error.msg}"))

@@ -18,6 +18,7 @@ from urdfctl.source.xml.dom import Document, Element, XmlNode
 
 _TOLD = {
     ProblemKind.XML_SYNTAX,
+    ProblemKind.MERGE_CONFLICT,
     ProblemKind.DOCTYPE,
     ProblemKind.BUDGET,
     ProblemKind.FORBIDDEN_EXPRESSION,

@@ -52,8 +52,12 @@ def parse(
     try:
         builder.parser.Parse(data, True)  # noqa: FBT003 (expat's call)
     except ExpatError as error:
+        from urdfctl.source.conflicts import merge_conflict
         from urdfctl.source.xml.mistakes import syntax_problem
 
+        conflict = merge_conflict(source)
+        if conflict is not None:
+            raise ReadError(conflict) from None
         open_element = builder.current if isinstance(builder.current, Element) else None
         at, said = builder.parser.ErrorByteIndex, str(error)
         raise ReadError(syntax_problem(source, at, said, builder.document.documentElement, open_element)) from None

@@ -341,6 +341,11 @@ class _EventReader:
         return ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"YAML does not allow {what}"))
 
     def _syntax(self, error: yaml.MarkedYAMLError) -> ReadError:
+        from urdfctl.source.conflicts import merge_conflict
+
+        conflict = merge_conflict(self.source)
+        if conflict is not None:
+            return ReadError(conflict)
         mark = error.problem_mark or error.context_mark
         if error.context_mark and (error.context or "").startswith(_OPENED):  # the place where it should end is unknown
             mark = error.context_mark
