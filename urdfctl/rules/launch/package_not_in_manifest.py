@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import MAINTAINED
-from urdfctl.control.hardware.simulator_plugins import components
+from urdfctl.control.hardware.simulator_plugins import components, control_plugins
 from urdfctl.model.launch import Launch, Package
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_conditional
@@ -47,6 +47,16 @@ def _using(packages: str, declared: str, root: str = '<package format="3">') -> 
     }
 
 
+def _simulated(declared: str, root: str = '<package format="2">') -> dict[str, str]:
+    """Return the files of a package of ROS 1 whose robot runs ros_control in Gazebo."""
+    return {
+        "options": "--distro=noetic",
+        "robot.urdf": '<gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>',
+        "arm.launch": '<launch><param name="robot_description" textfile="$(find arm)/robot.urdf"/></launch>',
+        "package.xml": f"{root}<name>arm</name><exec_depend>rviz</exec_depend>{declared}</package>",
+    }
+
+
 @rule(
     "UC614",
     runtime="works",
@@ -62,10 +72,12 @@ def _using(packages: str, declared: str, root: str = '<package format="3">') -> 
             declared="rviz2",
             root='«<package format="3">»',
         ),
+        _simulated("", root='«<package format="2">»'),
     ],
     good=[
         SOUND,
         _using("controller_manager", declared="ros2_control"),
+        _simulated("<exec_depend>gazebo_ros_control</exec_depend>"),
         _using("controller_manager", declared="ros_control"),
         _using("controller_manager gazebo_ros", declared="gazebo_ros_control"),
         _using("controller_manager gazebo_ros", declared="gazebo_ros2_control"),
@@ -100,14 +112,15 @@ def package_not_in_manifest(project: Project) -> Iterator[Finding]:
     for name, at, severity in _used(project, launch, package):
         if name and name not in reported and not _is_declared(name, package):
             reported.add(name)
-            message = f"launch file uses package '{name}', but package.xml has no <{package.tag}> for it"
+            user = "launch file" if at.source.path == launch.path else "package"
+            message = f"{user} uses package '{name}', but package.xml has no <{package.tag}> for it"
             yield Finding(package.at, message, (Note("the package is used here", at),), _fix(package, name), severity)
 
 
 def _used(project: Project, launch: Launch, package: Package) -> Iterator[tuple[str, Place, Severity]]:
     """Yield the packages that the package's own launch files use in every case, with place and severity.
 
-    A missing controller is a warning, since the robot does not move. Other missing packages are noticed at once. A
+    A missing controller or plugin is a warning, since the robot does not move. Other missing packages are noticed at once. A
     hardware plugin counts if the package describes the robot itself.
     """
     for spawn in launch.spawns:
@@ -117,6 +130,9 @@ def _used(project: Project, launch: Launch, package: Package) -> Iterator[tuple[
         if word.text in _CHECKED and package.holds(word.at):
             severity = Severity.WARNING if word.text == "controller_manager" else Severity.INFO
             yield word.text, word.at, severity
+    for sim_plugin in control_plugins(project):
+        if sim_plugin.known and package.holds(sim_plugin.plugin.at) and launch.ros == 1:
+            yield sim_plugin.known[-1].package or "", sim_plugin.plugin.at, Severity.WARNING
     for control in components(project):
         at = control.hardware[-1].plugins[0].at
         if package.holds(at) and not is_conditional(control.hardware[-1].at):
