@@ -365,7 +365,7 @@ def test_the_package_of_the_examples_is_whole() -> None:
 def test_the_package_of_the_hardware_belongs_into_the_manifest_too(folder: Folder) -> None:
     simulated = samples.ROBOT.replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem")
     files = {**samples.SOUND, "arm.urdf": simulated}
-    message = "launch file uses package 'gz_ros2_control', but package.xml has no <exec_depend> for it"
+    message = "robot uses package 'gz_ros2_control', but package.xml has no <exec_depend> for it"
     assert found(folder, files, "UC614", distro="jazzy") == [("UC614", "info", message)]
     declared = MANIFEST.replace("</package>", "  <exec_depend>gz_ros2_control</exec_depend>\n</package>")
     assert found(folder, {**files, "package.xml": declared}, "UC614", distro="jazzy") == []

@@ -125,6 +125,32 @@ def _of_alike_package(package: str, name: str, types: list[str]) -> str | None:
     return None
 
 
+def may_be_installed(project: Project, kind: str) -> bool | None:
+    """Return whether a package that package.xml names may bring a type: the one that the type is called after, or one
+    about control that the catalogue does not have. None without a package.xml.
+    """
+    package = project.launch.package if project.launch else None
+    if package is None:
+        return None
+    named = kind.replace("::", "/").partition("/")[0]
+    others = {name for name in package.dependencies if "control" in name or name.endswith(("_hw", "_hardware"))}
+    return named == package.name or package.reaches(named) or not others <= _upstream(project.catalog)
+
+
+@once_for_the_last
+def _upstream(catalog: Catalog) -> frozenset[str]:
+    """The packages about control of which the catalogue knows all controllers."""
+    return frozenset(package for packages in _known(catalog) for package in packages.values()) | _WITHOUT_CONTROLLERS
+
+
+_WITHOUT_CONTROLLERS = frozenset(
+    "controller_manager controller_manager_msgs controller_interface control_msgs control_toolbox ros_control "
+    "ros_controllers ros2_control ros2_controllers ros2controlcli gazebo_ros_control gazebo_ros2_control "
+    "gz_ros2_control ign_ros2_control mujoco_ros2_control joint_state_publisher rqt_controller_manager rqt_joint_trajectory_controller "
+    "moveit_ros_control_interface moveit_simple_controller_manager moveit_controller_manager_example".split()
+)
+
+
 def instead_of(project: Project, kind: str, distro: str) -> tuple[Replacement | None, str]:
     """Return the replacement of a type in a distro, and the advice: `use 'x/Y' with 'interface_name: position'`."""
     replacement = project.catalog.replacement(kind, distro)

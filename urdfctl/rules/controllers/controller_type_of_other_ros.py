@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation
-from urdfctl.control.parameters.controller_types import TypedController, instead_of, typed
+from urdfctl.control.parameters.controller_types import TypedController, instead_of, may_be_installed, typed
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 
 
@@ -31,6 +31,10 @@ from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
                     state_interfaces: [position]
             """
         },
+        {
+            "options": "--distro=noetic",
+            "controllers.yaml": "base: {type: «mecanum_drive_controller/MecanumDriveController»}",
+        },
     ],
     good=[
         {
@@ -46,23 +50,43 @@ from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
                     state_interfaces: [position]
             """
         },
+        *(
+            {
+                "options": "--distro=noetic",
+                "arm.launch": """
+                    <launch>
+                      <rosparam command="load" file="$(find arm)/controllers.yaml"/>
+                      <node name="spawner" pkg="controller_manager" type="spawner" args="base"/>
+                    </launch>
+                """,
+                "controllers.yaml": "base: {type: mecanum_drive_controller/MecanumDriveController}",
+                "package.xml": "<package><name>arm</name><depend>controller_manager</depend>"
+                f"<exec_depend>{package}</exec_depend></package>",
+            }
+            for package in ("ridge_control", "mecanum_drive_controller", "ridge_hw", "ridge_hardware")
+        ),
     ],
 )
 def controller_type_of_other_ros(project: Project) -> Iterator[Finding]:
     """Controller type of the other ROS generation.
 
-    ROS 2 cannot load controllers of ROS 1, nor ROS 1 those of ROS 2. Most types have a successor with another name.
+    ROS 2 cannot load controllers of ROS 1, nor ROS 1 those of ROS 2. Most types have a successor with another name. A
+    type without one is a warning: a package that urdfctl does not know may bring a controller of that name.
     """
     for controller in typed(project):
         ros = controller.ros
         if not controller.known_in or any(generation(distro) == ros for distro in controller.known_in):
             continue
         replacement, advice = instead_of(project, controller.type, controller.distros[-1])
-        advice = advice or _namesake(project, controller) or f"no ROS {ros} package provides a controller of this type"
+        advice = advice or _namesake(project, controller)
+        if not advice and may_be_installed(project, controller.type):
+            continue
+        severity = None if advice else Severity.WARNING
+        advice = advice or f"no package with a controller of this type for ROS {ros} is known to urdfctl"
         message = f"'{controller.type}' is a controller type of ROS {3 - ros}; {advice}"
         fix = Fix(f"write '{replacement.type}'") if replacement else None
         notes = (Note(replacement.note),) if replacement and replacement.note else ()
-        yield Finding(controller.at.at, message, notes, fix)
+        yield Finding(controller.at.at, message, notes, fix, severity)
 
 
 def _namesake(project: Project, controller: TypedController) -> str:

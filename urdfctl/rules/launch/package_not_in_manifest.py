@@ -112,7 +112,7 @@ def package_not_in_manifest(project: Project) -> Iterator[Finding]:
     for name, at, severity in _used(project, launch, package):
         if name and name not in reported and not _is_declared(name, package):
             reported.add(name)
-            user = "launch file" if at.source.path == launch.path else "package"
+            user = "robot" if at.source.is_xacro or at.source.path.endswith(".urdf") else "launch file"
             message = f"{user} uses package '{name}', but package.xml has no <{package.tag}> for it"
             yield Finding(package.at, message, (Note("the package is used here", at),), _fix(package, name), severity)
 
