@@ -146,7 +146,7 @@ def _upstream(catalog: Catalog) -> frozenset[str]:
 _WITHOUT_CONTROLLERS = frozenset(
     "controller_manager controller_manager_msgs controller_interface control_msgs control_toolbox ros_control "
     "ros_controllers ros2_control ros2_controllers ros2controlcli gazebo_ros_control gazebo_ros2_control "
-    "gz_ros2_control ign_ros2_control mujoco_ros2_control joint_state_publisher rqt_controller_manager rqt_joint_trajectory_controller "
+    "gz_ros2_control ign_ros2_control mujoco_ros2_control rqt_controller_manager rqt_joint_trajectory_controller "
     "moveit_ros_control_interface moveit_simple_controller_manager moveit_controller_manager_example".split()
 )
 

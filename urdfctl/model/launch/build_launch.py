@@ -227,7 +227,11 @@ class _LaunchBuilder:
         given = [argument for argument in arguments if argument.attrs.get("name") == "paused"]
         paused = texts.truth(given[-1].attrs.get("value", "")) if given else False
         at = given[-1].at if given else element.at
-        self.simulations.append(Simulation("gazebo-classic", at, paused, scope.sure))
+        clocks = [
+            child for child in arguments if child.attrs.get("name") == "use_sim_time" and child.attrs.get("value")
+        ]
+        clock = Word(texts.resolve(clocks[-1].attrs["value"]), clocks[-1].at["value"]) if clocks else None
+        self.simulations.append(Simulation("gazebo-classic", at, paused, scope.sure, clock))
 
     def _param(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))

@@ -225,12 +225,14 @@ class Simulation(NamedTuple):
 
     simulator: `gz` or `gazebo-classic`.
     paused: whether it starts paused; None if unknown.
+    clock: ROS 1: the value of use_sim_time; None if not given.
     """
 
     simulator: str
     at: Place
     paused: bool | None = None
     sure: bool = True
+    clock: Word | None = None
 
 
 class LaunchedFile(NamedTuple):

@@ -5,8 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.parameters.controller_types import meant_by, typed
+from urdfctl.control.parameters.controller_types import may_be_installed, meant_by, typed
 from urdfctl.rule import Finding, Project, Severity, rule
+
+_LAUNCH = """
+    <launch>
+      <rosparam command="load" file="$(find arm)/controllers.yaml"/>
+      <node name="spawner" pkg="controller_manager" type="spawner" args="base"/>
+    </launch>
+"""
+_MANIFEST = "<package><name>arm</name><depend>%s</depend></package>"
 
 
 @rule(
@@ -24,6 +32,12 @@ from urdfctl.rule import Finding, Project, Severity, rule
                     arm: {type: «our_controllers/ImpedanceController»}
             """
         },
+        {
+            "options": "--distro=noetic",
+            "arm.launch": _LAUNCH,
+            "controllers.yaml": "base: {type: «my_wheels/WheelController»}",
+            "package.xml": _MANIFEST % "controller_manager",
+        },
     ],
     good=[
         {
@@ -34,13 +48,20 @@ from urdfctl.rule import Finding, Project, Severity, rule
                     joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
             """
         },
+        {
+            "options": "--distro=noetic",
+            "arm.launch": _LAUNCH,
+            "controllers.yaml": "base: {type: my_wheels/WheelController}",
+            "package.xml": _MANIFEST % "controller_manager</depend><depend>my_wheels",
+        },
     ],
 )
 def controller_type_not_catalogued(project: Project) -> Iterator[Finding]:
     """Controller type is not in the catalogue.
 
-    Its parameters and interfaces cannot be checked. The type may be correct: many packages bring their own. Add it to
-    urdfctl.toml to have its parameters checked.
+    Its parameters and interfaces cannot be checked. The type may be correct: many packages bring their own. But if
+    package.xml names none that may have it, the controller manager hardly finds it. Add it to urdfctl.toml to have its
+    parameters checked.
     """
     reported = set()
     for controller in typed(project):
@@ -56,8 +77,15 @@ def controller_type_not_catalogued(project: Project) -> Iterator[Finding]:
         if not set(distros) & set(ROS2) and not _is_named_like_a_controller(kind):
             continue  # in ROS 1 other things have a type too, and no manager's section lists the controllers
         reported.add(kind)
-        message = f"controller type '{kind}' is not in the catalogue; its parameters and interfaces are not checked"
-        yield Finding(controller.at.at, message)
+        declared = may_be_installed(project, kind)
+        if declared is False:
+            message = (
+                f"controller type '{kind}' is unknown to urdfctl, and package.xml names no package that may have it"
+            )
+            yield Finding(controller.at.at, message, severity=Severity.WARNING)
+        elif declared is None:
+            message = f"controller type '{kind}' is unknown to urdfctl; its parameters and interfaces are not checked"
+            yield Finding(controller.at.at, message)
 
 
 def _is_named_like_a_controller(name: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.parameters.controller_types import TypedController, may_be_installed, meant_by, typed
+from urdfctl.control.parameters.controller_types import TypedController, meant_by, typed
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
 
@@ -30,17 +30,6 @@ from urdfctl.rules.common import replaced
                     interface_name: position
             """
         },
-        {
-            "options": "--distro=noetic",
-            "arm.launch": """
-                <launch>
-                  <rosparam command="load" file="$(find arm)/controllers.yaml"/>
-                  <node name="spawner" pkg="controller_manager" type="spawner" args="base"/>
-                </launch>
-            """,
-            "controllers.yaml": "base: {type: «my_wheels/Wheels»}",
-            "package.xml": "<package><name>arm</name><depend>controller_manager</depend></package>",
-        },
     ],
     good=[
         {
@@ -61,8 +50,7 @@ def controller_type_unknown(project: Project) -> Iterator[Finding]:
     """Unknown controller type.
 
     The controller manager compares the whole string with the types that installed packages declare. Every letter
-    counts, and the part before the slash must be the package for which the type is declared. A type like no other is a
-    warning: a package that urdfctl does not know may declare it, unless package.xml names none.
+    counts, and the part before the slash must be the package for which the type is declared.
     """
     for controller in typed(project):
         if controller.known_in or not controller.type.strip():
@@ -75,11 +63,6 @@ def controller_type_unknown(project: Project) -> Iterator[Finding]:
         if meant is not None:
             message = f"controller type '{controller.type}' is unknown; did you mean '{meant}'?"
             yield Finding(at, message, fix=replaced(at, controller.type, meant))
-        elif may_be_installed(project, controller.type) is False:
-            message = (
-                f"controller type '{controller.type}' is unknown to urdfctl, and package.xml names no package of it"
-            )
-            yield Finding(at, message, severity=Severity.WARNING)
 
 
 def _is_hardware(project: Project, controller: TypedController) -> bool:

@@ -19,7 +19,7 @@ _LAUNCH = """
               <node name="spawner" pkg="controller_manager" type="spawner" args="joint_state_controller"/>
             </launch>
 """
-_MANIFEST = "<package><name>arm</name><exec_depend>controller_manager</exec_depend><exec_depend>gazebo_ros</exec_depend></package>"
+_MANIFEST = "<package><name>arm</name><exec_depend>controller_manager</exec_depend><exec_depend>gazebo_ros_control</exec_depend></package>"
 _PLUGIN = '<gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>'
 _OTHERS = (
     "".join(f"<exec_depend>{name}</exec_depend>" for name in ("rviz", "move_base", "robot_localization")) + "</package>"

@@ -31,7 +31,7 @@ def _files(namespace: str) -> dict[str, str]:
             </launch>
         """,
         "arm.urdf": _robot(namespace),
-        "package.xml": "<package><name>arm</name></package>",
+        "package.xml": "<package><name>arm</name><run_depend>gazebo_ros_control</run_depend></package>",
     }
 
 

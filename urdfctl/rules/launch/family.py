@@ -17,20 +17,24 @@ from urdfctl.rules.launch.include_argument_unknown import include_argument_unkno
 from urdfctl.rules.launch.installed_file_missing import installed_file_missing
 from urdfctl.rules.launch.joint_state_publisher_beside_broadcaster import joint_state_publisher_beside_broadcaster
 from urdfctl.rules.launch.joint_states_of_nobody import joint_states_of_nobody
+from urdfctl.rules.launch.joint_states_of_other_namespace import joint_states_of_other_namespace
 from urdfctl.rules.launch.launched_file_missing import launched_file_missing
 from urdfctl.rules.launch.listed_joint_unknown import listed_joint_unknown
 from urdfctl.rules.launch.manager_beside_simulator import manager_beside_simulator
 from urdfctl.rules.launch.mesh_not_on_model_path import mesh_not_on_model_path
+from urdfctl.rules.launch.model_spawned_twice import model_spawned_twice
 from urdfctl.rules.launch.node_name_twice import node_name_twice
 from urdfctl.rules.launch.package_misspelt import package_misspelt
 from urdfctl.rules.launch.package_not_in_manifest import package_not_in_manifest
 from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_not_given_to_controller
 from urdfctl.rules.launch.publisher_of_older_distro import publisher_of_older_distro
+from urdfctl.rules.launch.simulated_time_off import simulated_time_off
 from urdfctl.rules.launch.simulation_paused import simulation_paused
 from urdfctl.rules.launch.spawned_controller_unknown import spawned_controller_unknown
 from urdfctl.rules.launch.spawner_of_other_manager import spawner_of_other_manager
 from urdfctl.rules.launch.spawner_option_unknown import spawner_option_unknown
 from urdfctl.rules.launch.spawner_program_gone import spawner_program_gone
+from urdfctl.rules.launch.spawner_remapped import spawner_remapped
 from urdfctl.rules.launch.spawner_without_manager import spawner_without_manager
 from urdfctl.rules.launch.xacro_command_malformed import xacro_command_malformed
 from urdfctl.rules.launch.xacro_program_gone import xacro_program_gone
@@ -67,4 +71,8 @@ FAULTS: tuple[Fault, ...] = (
     control_plugin_not_loaded,
     publisher_of_older_distro,
     description_is_a_path,
+    model_spawned_twice,
+    spawner_remapped,
+    joint_states_of_other_namespace,
+    simulated_time_off,
 )

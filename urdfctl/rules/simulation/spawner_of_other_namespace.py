@@ -34,7 +34,7 @@ _MODEL_SPAWNERS = ("gazebo_ros", "spawn_model", "urdf_spawner")
                   </plugin>
                 </gazebo>
             """,
-            "package.xml": "<package><name>arm</name><exec_depend>controller_manager</exec_depend></package>",
+            "package.xml": "<package><name>arm</name><exec_depend>gazebo_ros_control</exec_depend></package>",
             "arm.launch": """
                 <launch>
                   <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
@@ -52,7 +52,7 @@ _MODEL_SPAWNERS = ("gazebo_ros", "spawn_model", "urdf_spawner")
                   </plugin>
                 </gazebo>
             """,
-            "package.xml": "<package><name>arm</name><exec_depend>controller_manager</exec_depend></package>",
+            "package.xml": "<package><name>arm</name><exec_depend>gazebo_ros_control</exec_depend></package>",
             "arm.launch": """
                 <launch>
                   <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
