@@ -87,7 +87,7 @@ def diagnostics_of(
         if trouble.code in suppressed.get(trouble.subject, ()):
             continue
         fault = fault_of(trouble.code)
-        its_place = placed.get(trouble.subject) or placed[ROBOT]
+        its_place = placed.get(trouble.subject) or placed.get(f"controller:{trouble.controller}") or placed[ROBOT]
         why = not_started.get(trouble.controller or "") if fault.severity is Severity.ERROR else None
         notes = (*trouble.notes, why) if why else trouble.notes
         yield its_place._replace(

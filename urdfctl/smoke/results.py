@@ -60,7 +60,8 @@ class ControllerResult(NamedTuple):
 class Trouble(NamedTuple):
     """A finding before it has a place in a file.
 
-    `subject` is `controller:NAME`, `joint:NAME`, `link:NAME`, `lint:...` (where lint reports an error) or ROBOT.
+    `subject` is `controller:NAME`, `gain:CONTROLLER/PARAMETER`, `joint:NAME`, `link:NAME`, `lint:...` (where lint
+    reports an error) or ROBOT.
     `controller` is the name of the controller whose verdict it changes, or None.
     """
 

@@ -36,10 +36,9 @@ def pivot(name: str, place: str) -> str:
 
 
 def robot(parts: str, controls: dict[str, str]) -> str:
-    part = '<joint name="{}"><command_interface name="{}"/>{}</joint>'
-    joints = "".join(part.format(name, interface, STATES) for name, interface in controls.items())
-    base = f'<link name="base_link">{BODY.format(mass=20)}</link>'
-    return f'<robot name="base">{base}{parts}{ARMS}{joints}</ros2_control></robot>'
+    joints = "".join(f'<joint name="{n}"><command_interface name="{i}"/>{STATES}</joint>' for n, i in controls.items())
+    links = BODY.format(mass=20)
+    return f'<robot name="base"><link name="base_link">{links}</link>{parts}{ARMS}{joints}</ros2_control></robot>'
 
 
 def controllers(kind: str, parameters: str) -> str:

@@ -16,6 +16,8 @@ FORWARD = "forward_command_controller/ForwardCommandController"
 PID = "pid_controller/PidController"
 TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 
+_LOW = (PidGains(p=10.0, d=1.0, prefix="gains.shoulder."), PidGains(p=11.0, d=1.0, prefix="gains.elbow."))
+
 
 def tasks(**controllers: tuple[str, str]) -> dict[str, ControllerTask]:
     """Return the tasks of controllers with some types and parameters, by name."""
@@ -42,7 +44,11 @@ def test_a_controller_that_forwards_moves_the_joints_that_it_claims() -> None:
 )
 def test_a_pid_controller_holds_what_it_is_given(held: str, family: MotionFamily) -> None:
     made = tasks(low=loop("elbow", held))["low"]
-    assert (made.family, made.interface, made.gains) == (family, "effort", (PidGains(p=10.0, d=1.0),))
+    assert (made.family, made.interface, made.gains) == (
+        family,
+        "effort",
+        (PidGains(p=10.0, d=1.0, prefix="gains.elbow."),),
+    )
 
 
 # -- chains ----------------------------------------------------------------------------------------------------------
@@ -53,7 +59,7 @@ def test_a_trajectory_through_loops_moves_their_joints_with_their_gains() -> Non
     made = tasks(low=loop("shoulder, elbow"), high=(TRAJECTORY, f"{high}, state_interfaces: [position, velocity]"))
     task = made["high"]
     assert (task.family, task.joints, task.interface) == (MotionFamily.TRAJECTORY, ("shoulder", "elbow"), "effort")
-    assert (task.through, task.gains) == (("low",), (PidGains(p=10.0, d=1.0), PidGains(p=11.0, d=1.0)))
+    assert (task.through, task.gains) == (("low",), _LOW)
 
 
 @pytest.mark.parametrize(
@@ -64,7 +70,7 @@ def test_a_command_that_is_forwarded_to_a_loop_is_held_by_it(held: str, family: 
         "high"
     ]
     assert (made.family, made.joints, made.interface) == (family, ("elbow",), "effort")
-    assert (made.gains, made.through) == ((PidGains(p=11.0, d=1.0),), ("low",))
+    assert (made.gains, made.through) == (_LOW[1:], ("low",))
 
 
 def test_a_loop_around_a_loop_is_not_simulated() -> None:
@@ -132,14 +138,14 @@ def test_a_controller_of_positions_that_commands_something_else_closes_a_loop(
 @pytest.mark.parametrize("place", ["gains.j.", "j.pid.", "pid.", "gains.", ""])
 def test_gains_are_read_from_wherever_controllers_read_them(place: str) -> None:
     given = {f"{place}p": 1.0, f"{place}i": 2, f"{place}d": 0.5, f"{place}i_clamp": -3.0}
-    assert gains_of(given, "j") == PidGains(1.0, 2.0, 0.5, 3.0)
-    assert gains_of({f"{place}d": 0.5}, "j") == PidGains(0.0, 0.0, 0.5, math.inf)
+    assert gains_of(given, "j") == PidGains(1.0, 2.0, 0.5, 3.0, prefix=place)
+    assert gains_of({f"{place}d": 0.5}, "j") == PidGains(0.0, 0.0, 0.5, prefix=place)
 
 
 def test_the_gains_of_the_joint_come_before_common_ones() -> None:
     assert gains_of({"gains.j.p": 1.0, "pid.p": 2.0, "p": 3.0}, "j").p == 1.0
     assert gains_of({"gains.other.p": 1.0, "p": 3.0}, "j").p == 3.0
-    assert gains_of({"gains.j.p": "high", "gains.j.i": True}, "j") == PidGains()
+    assert gains_of({"gains.j.p": "high", "gains.j.i": True}, "j") == PidGains(prefix="gains.j.")
 
 
 @pytest.mark.parametrize(

@@ -43,6 +43,7 @@ from urdfctl.rules.smoke.loop_too_soft import loop_too_soft
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
 from urdfctl.rules.smoke.loop_unstable import loop_unstable
+from urdfctl.rules.smoke.loop_without_gain import loop_without_gain
 from urdfctl.rules.smoke.loose_robot_tips_over import loose_robot_tips_over
 from urdfctl.rules.smoke.mass_in_grams import mass_in_grams
 from urdfctl.rules.smoke.mass_outside_of_link import mass_outside_of_link
@@ -138,4 +139,5 @@ FAULTS: tuple[Fault, ...] = (
     wheel_slower_than_commanded,
     wheel_eccentric,
     base_leans,
+    loop_without_gain,
 )

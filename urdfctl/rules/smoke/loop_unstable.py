@@ -28,15 +28,19 @@ from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
     bad=[
         {
             "robot.urdf": LIFT,
-            "controllers.yaml": (GAINS % "«mover»").replace("d: 400.0", "d: 9000.0"),
+            "controllers.yaml": (GAINS % "mover").replace("d: 400.0", "«d»: 9000.0"),
+        },
+        {
+            "robot.urdf": LIFT,
+            "controllers.yaml": (GAINS % "mover").replace("p: 4000.0", "«p»: -4000.0"),
         },
     ],
     good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],
 )
-def loop_unstable(controller: str, rate: float) -> str:
+def loop_unstable(controller: str, rate: float, why: str) -> str:
     """Unstable controller gains.
 
     The gains are too high for the mass that they move and for the update rate, or have the wrong sign. The stability of
     the closed loop is computed for the robot at spawn, with all joints of the controller together.
     """
-    return f"the gains of controller '{controller}' are unstable at {rate:g} Hz: its joints swing more and more"
+    return f"the gains of controller '{controller}' are unstable at {rate:g} Hz: {why}"

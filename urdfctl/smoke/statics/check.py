@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.diagnostic import Diagnostic, Severity
@@ -39,6 +39,7 @@ from urdfctl.smoke.tasks import ControllerTask, TaskFile, tasks_of, with_inferre
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
+_GAINS = ("p", "i", "d")
 UNKNOWN_ROBOT = "not simulated: the robot is not known, or some of its parts are not"
 """Why a controller does not move if no engine can move it."""
 RATES = {1: 1000.0, 2: 100.0}
@@ -98,9 +99,8 @@ class StaticCheck(NamedTuple):
         project = self.seen.project
         places = {each.name: place_of(each.configured.controller, project) for each in self.lifecycle.controllers}
         of_tasks = [(each.subject, self.given.place_of(each)) for each in self.given.user_tasks] if self.given else []
-        return of_tasks + list(
-            subject_places(project, {name: place for name, place in places.items() if place is not None})
-        )
+        known = {name: place for name, place in places.items() if place is not None}
+        return [*of_tasks, *subject_places(project, known), *_gain_places(self.lifecycle)]
 
     def placed(self) -> dict[str, Diagnostic]:
         """Return the place of everything that a finding of an engine can be about."""
@@ -118,12 +118,25 @@ class StaticCheck(NamedTuple):
         troubles = [trouble for trouble in self.troubles if self.wants(trouble.controller)]
         placed = {
             **self.lifecycle.causes,
-            **placed_diagnostics(self._places, {trouble.subject for trouble in troubles}),
+            **placed_diagnostics(self._places, _subjects_of(troubles)),
         }
         diagnostics = list(diagnostics_of(troubles, placed, self.suppressed_codes(), self.not_started))
         crashes = [finding for finding in of_lint if finding.code == rule_crashed.code]
         outcome = Outcome([*crashes, *diagnostics], [], linted.outcome.crashed)
         return RobotResult(linted._replace(outcome=outcome), self.results, self.lifecycle.distro, part_of=self.part_of)
+
+
+def _subjects_of(troubles: Iterable[Trouble]) -> set[str]:
+    """The subjects of findings, and the controllers that take the place of those that have none."""
+    return {subject for trouble in troubles for subject in (trouble.subject, f"controller:{trouble.controller}")}
+
+
+def _gain_places(lifecycle: RobotLifecycle) -> Iterator[tuple[str, Place]]:
+    """The places of gains, for findings about one of them."""
+    for each in lifecycle.controllers:
+        for parameter in each.configured.controller.parameters.leaves:
+            if parameter.last in _GAINS:
+                yield f"gain:{each.name}/{parameter.name}", parameter.key
 
 
 def check_statically(

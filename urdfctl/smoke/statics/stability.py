@@ -15,9 +15,11 @@ from urdfctl.rules.smoke.loop_too_soft import loop_too_soft
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
 from urdfctl.rules.smoke.loop_unstable import loop_unstable
+from urdfctl.rules.smoke.loop_without_gain import loop_without_gain
 from urdfctl.smoke.matrices import eigenvalues, exponential, identity_matrix, inverted, matrix_product
 from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.robot import Hinge, Mechanism, gravity_load
+from urdfctl.smoke.statics.gain_faults import gain_fault
 from urdfctl.smoke.tasks import ControllerTask, MotionFamily, PidGains
 
 MOST_GROWTH = 1.0003
@@ -37,14 +39,13 @@ def loop_troubles(mechanism: Mechanism, tasks: Sequence[ControllerTask], rate: f
     """Yield the control loops that are not stable or not damped, at an update rate in Hz."""
     for task in tasks:
         hinges = [mechanism.hinge(name) for name in task.joints]
-        if (
-            not task.is_loop
-            or task.through
-            or task.family is MotionFamily.VELOCITY_PID
-            or not all(h and h.moves for h in hinges)
-        ):
+        if not task.is_loop or task.through or not all(h and h.moves for h in hinges):
             continue
         known = [hinge for hinge in hinges if hinge]
+        idle = _without_gain(task, known)
+        if idle:
+            yield idle
+            continue
         groups = [range(len(known))] if len(known) <= MOST_JOINTS else [range(n, n + 1) for n in range(len(known))]
         for group in groups:
             chosen = [known[n] for n in group]
@@ -58,23 +59,67 @@ def _judged(
     mechanism: Mechanism, hinges: list[Hinge], gains: list[PidGains], period: float, task: ControllerTask
 ) -> Trouble | None:
     subject, controller = f"controller:{task.controller}", task.controller
+    holds_speed = task.family is MotionFamily.VELOCITY_PID
+    if holds_speed:
+        gains = [_of_speed(gain) for gain in gains]
     inertia = mass_matrix(mechanism, hinges)
     if any(not 0 < inertia[n][n] < math.inf for n in range(len(hinges))):
         return None
-    stiffness = _stiffness(mechanism, hinges)
+    stiffness = [[0.0] * len(hinges) for _ in hinges] if holds_speed else _stiffness(mechanism, hinges)
     damping = [hinge.damping for hinge in hinges]
     growth, ratio = closed_loop(inertia, stiffness, damping, gains, period)
-    if growth > MOST_GROWTH:
-        for n in range(len(hinges)):
-            inertia[n][n] += ROTOR
-        growth_with_rotors, _ = closed_loop(inertia, stiffness, damping, gains, period)
-        if growth_with_rotors <= MOST_GROWTH:
+    if growth > MOST_GROWTH or (ratio < 0 and any(min(gain.p, gain.i, gain.d) < 0 for gain in gains)):
+        heavier = [[each + ROTOR * (n == m) for m, each in enumerate(row)] for n, row in enumerate(inertia)]
+        growth_with_rotors, _ = closed_loop(heavier, stiffness, damping, gains, period)
+        if growth > MOST_GROWTH >= growth_with_rotors:
             note = f"a motor's rotor of {ROTOR:g} kg m² would steady the joint; simulators do not model rotors"
             return trouble_of(loop_too_stiff_without_rotor, subject, controller, (note,), rate=1 / period)
-        return trouble_of(loop_unstable, subject, controller, _advice(gains), rate=1 / period)
+        return _unstable(hinges, gains, (inertia, stiffness, damping), period, task)
+    if holds_speed:
+        return None
     if ratio < LEAST_DAMPING:
         return trouble_of(loop_underdamped, subject, controller, _advice(gains), ratio=ratio, least=LEAST_DAMPING)
     return _sagging(mechanism, hinges, gains, task)
+
+
+def _without_gain(task: ControllerTask, hinges: Sequence[Hinge]) -> Trouble | None:
+    """The finding that a joint has no gain at all, or None."""
+    for hinge, gain in zip(hinges, task.gains, strict=True):
+        if not gain.p and not gain.i and not gain.feed:
+            at = f"gain:{task.controller}/{gain.prefix}p"
+            return trouble_of(loop_without_gain, at, task.controller, (), joint=hinge.name)
+    return None
+
+
+def _of_speed(gain: PidGains) -> PidGains:
+    """The gains of a loop that holds a velocity, as gains on the position: it is the integral of the velocity."""
+    return gain._replace(p=gain.i, i=0.0, d=gain.p)
+
+
+def _unstable(
+    hinges: Sequence[Hinge],
+    gains: Sequence[PidGains],
+    model: tuple[Square, Square, Sequence[float]],
+    period: float,
+    task: ControllerTask,
+) -> Trouble:
+    """The finding that a loop is unstable, with the gain of the joint that is so by itself."""
+    inertia, stiffness, damping = model
+    for n, (hinge, gain) in enumerate(zip(hinges, gains, strict=True)):
+
+        def is_stable(tried: PidGains, n: int = n) -> bool:
+            growth, _ = closed_loop([[inertia[n][n]]], [[stiffness[n][n]]], [damping[n]], [tried], period)
+            return growth <= MOST_GROWTH
+
+        fault = gain_fault(hinge, gain, inertia[n][n], 1 / period, is_stable)
+        if fault:
+            names = {"p": "i", "d": "p"} if task.family is MotionFamily.VELOCITY_PID else {}
+            name = names.get(fault.gain, fault.gain)
+            why = name + fault.why.removeprefix(fault.gain)
+            at = f"gain:{task.controller}/{gain.prefix}{name}"
+            return trouble_of(loop_unstable, at, task.controller, (), rate=1 / period, why=why)
+    why, advice = "its joints swing more and more", _advice(gains)
+    return trouble_of(loop_unstable, f"controller:{task.controller}", task.controller, advice, rate=1 / period, why=why)
 
 
 def _sagging(

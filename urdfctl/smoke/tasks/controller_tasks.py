@@ -229,7 +229,7 @@ def gains_of(given: Mapping[str, object], joint: str) -> PidGains:
             p, i, d = (_float(given.get(f"{place}{name}")) for name in "pid")
             clamps = (given.get(f"{place}{name}") for name in ("i_clamp", "i_clamp_max"))
             clamp = next((abs(_float(value)) for value in clamps if _float(value)), math.inf)
-            return PidGains(p, i, d, clamp, feed)
+            return PidGains(p, i, d, clamp=clamp, feed=feed, prefix=place)
     return PidGains(feed=feed)
 
 

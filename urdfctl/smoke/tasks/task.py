@@ -31,6 +31,7 @@ class PidGains(NamedTuple):
 
     clamp: limits the integral part, in the unit of the command.
     feed: the fraction of the target velocity that is added to the command.
+    prefix: the beginning of the names of their parameters.
     """
 
     p: float = 0.0
@@ -38,6 +39,7 @@ class PidGains(NamedTuple):
     d: float = 0.0
     clamp: float = math.inf
     feed: float = 0.0
+    prefix: str = ""
 
 
 class Drive(NamedTuple):
