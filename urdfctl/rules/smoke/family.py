@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.base_too_slow import base_too_slow
 from urdfctl.rules.smoke.base_without_mass import base_without_mass
 from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
 from urdfctl.rules.smoke.command_range_too_small import command_range_too_small
+from urdfctl.rules.smoke.continuous_with_limits import continuous_with_limits
 from urdfctl.rules.smoke.controller_not_activated import controller_not_activated
 from urdfctl.rules.smoke.controller_not_configured import controller_not_configured
 from urdfctl.rules.smoke.controller_not_loaded import controller_not_loaded
@@ -23,11 +24,13 @@ from urdfctl.rules.smoke.effort_too_weak_to_move import effort_too_weak_to_move
 from urdfctl.rules.smoke.engine_died import engine_died
 from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
 from urdfctl.rules.smoke.engines_disagree import engines_disagree
+from urdfctl.rules.smoke.fingers_move_alike import fingers_move_alike
 from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
 from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.rules.smoke.initial_position_beyond_limits import initial_position_beyond_limits
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
+from urdfctl.rules.smoke.joint_hangs_loose import joint_hangs_loose
 from urdfctl.rules.smoke.joint_held_still import joint_held_still
 from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
 from urdfctl.rules.smoke.joint_moves_wrong_way import joint_moves_wrong_way
@@ -54,6 +57,7 @@ from urdfctl.rules.smoke.reduction_of_zero import reduction_of_zero
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
+from urdfctl.rules.smoke.soft_limits_without_range import soft_limits_without_range
 from urdfctl.rules.smoke.steering_range_too_small import steering_range_too_small
 from urdfctl.rules.smoke.steering_turns_backwards import steering_turns_backwards
 from urdfctl.rules.smoke.task_not_performed import task_not_performed
@@ -140,4 +144,8 @@ FAULTS: tuple[Fault, ...] = (
     wheel_eccentric,
     base_leans,
     loop_without_gain,
+    joint_hangs_loose,
+    fingers_move_alike,
+    soft_limits_without_range,
+    continuous_with_limits,
 )

@@ -28,6 +28,7 @@ from urdfctl.smoke.lifecycle import (
 )
 from urdfctl.smoke.results import ROBOT, ControllerResult, RobotResult, Trouble, Verdict, trouble_of
 from urdfctl.smoke.robot import Mechanism, Shapes, mechanism_of, shapes_of, with_rims
+from urdfctl.smoke.statics.loose_joints import loose_troubles
 from urdfctl.smoke.statics.overlaps import overlap_troubles
 from urdfctl.smoke.statics.physics import static_troubles
 from urdfctl.smoke.statics.plausibility import plausibility_troubles
@@ -35,6 +36,7 @@ from urdfctl.smoke.statics.simulators import in_simulation
 from urdfctl.smoke.statics.stability import loop_troubles
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
+from urdfctl.smoke.statics.written_limits import written_limit_troubles
 from urdfctl.smoke.tasks import ControllerTask, TaskFile, tasks_of, with_inferred_drives
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
@@ -188,6 +190,8 @@ def _with_physics(
     tasks = with_transmissions(transmissions, with_inferred_drives(mechanism, shapes, check.tasks))
     troubles = [*check.troubles, *unlikely, *transmission_troubles(transmissions, tasks)]
     troubles += static_troubles(mechanism, tasks, robot, shapes)
+    troubles += written_limit_troubles(mechanism, robot)
+    troubles += loose_troubles(mechanism, tasks, robot, falls=in_simulation(project, distro))
     mechanism = mechanism.within_command_ranges()
     troubles += loop_troubles(mechanism, tasks, check.rate)
     troubles += overlap_troubles(mechanism, shapes, _allowed(project))

@@ -18,6 +18,7 @@ from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.robot import Hinge, Mechanism, Shapes
 from urdfctl.smoke.statics.drives import drive_troubles
 from urdfctl.smoke.statics.efforts import effort_troubles
+from urdfctl.smoke.statics.fingers import finger_troubles
 from urdfctl.smoke.statics.ground import ground_troubles
 from urdfctl.smoke.tasks import ControllerTask
 
@@ -43,6 +44,7 @@ def static_troubles(
         if not task.through:  # the controllers that it commands are checked
             yield from _limits(mechanism, task)
     yield from _mimics(mechanism)
+    yield from finger_troubles(mechanism)
     yield from _starts(mechanism)
     if not unusable:
         yield from effort_troubles(limited, tasks)
