@@ -26,6 +26,7 @@ from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
 from urdfctl.rules.smoke.engines_disagree import engines_disagree
 from urdfctl.rules.smoke.fingers_move_alike import fingers_move_alike
 from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
+from urdfctl.rules.smoke.inertia_too_large import inertia_too_large
 from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.rules.smoke.initial_position_beyond_limits import initial_position_beyond_limits
@@ -148,4 +149,5 @@ FAULTS: tuple[Fault, ...] = (
     fingers_move_alike,
     soft_limits_without_range,
     continuous_with_limits,
+    inertia_too_large,
 )

@@ -198,7 +198,9 @@ def _with_physics(
     support = _support(mechanism, shapes, tasks)
     if support.tips and in_simulation(project, distro):
         troubles.append(trouble_of(loose_robot_tips_over, ROBOT, when=support.tips))
-    return check._replace(mechanism=mechanism, tasks=tasks, troubles=tuple(troubles), support=support)
+    explained = {(each.controller, fault.code) for each in troubles for fault in fault_of(each.code).explains}
+    shown = tuple(each for each in troubles if (each.controller, each.code) not in explained)
+    return check._replace(mechanism=mechanism, tasks=tasks, troubles=shown, support=support)
 
 
 def _link_elsewhere(project: Project) -> str | None:

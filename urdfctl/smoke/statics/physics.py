@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.model.robot import Robot
 from urdfctl.rules.smoke.command_range_too_small import command_range_too_small
+from urdfctl.rules.smoke.inertia_too_large import inertia_too_large
 from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.rules.smoke.initial_position_beyond_limits import initial_position_beyond_limits
@@ -24,6 +25,8 @@ from urdfctl.smoke.tasks import ControllerTask
 
 LEAST_REACH = 1 / 30
 """The radius of gyration of a link should be at least this fraction of its largest dimension."""
+MOST_REACH = 5.0
+"""The radius of gyration of a link is at most this multiple of its largest dimension."""
 LEAST_MASS = 0.01
 """Lighter links are not judged by their inertia, in kg."""
 LEAST_RANGE = 0.01
@@ -66,11 +69,12 @@ def _masses(mechanism: Mechanism) -> Iterator[Trouble]:
 
 def _inertias(mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robot) -> Iterator[Trouble]:
     """The links that are moved by efforts: their inertia decides how they move."""
-    pushed = {joint for task in tasks if task.interface == "effort" for joint in task.joints}
-    moved: set[str] = set()
+    pushed = {joint: task.controller for task in tasks if task.interface == "effort" for joint in task.joints}
+    moved: dict[str, str] = {}
     for hinge in mechanism.hinges:
-        if hinge.name in pushed or hinge.parent in moved:
-            moved.add(hinge.child)
+        owner = pushed.get(hinge.name, moved.get(hinge.parent))
+        if owner:
+            moved[hinge.child] = owner
     for link in robot.links:
         body = mechanism.bodies.get(link.name or "")
         if body is None or body.name not in moved or body.mass < LEAST_MASS:
@@ -78,10 +82,15 @@ def _inertias(mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robo
         size = size_of(link)
         most = max(body.inertia[n][n] for n in range(3))
         reach = math.sqrt(most / body.mass)
-        if size and 0 < reach < LEAST_REACH * size:
-            times = (size / math.sqrt(12) / reach) ** 2
-            fields = {"link": body.name, "times": f"{times:.1g}", "mass": f"{body.mass:g}", "size": f"{size:g}"}
-            yield trouble_of(inertia_too_small, f"link:{body.name}", None, (), **fields)
+        if not size or reach <= 0 or LEAST_REACH * size <= reach <= MOST_REACH * size:
+            continue
+        times = (size / math.sqrt(12) / reach) ** 2
+        fields = {"link": body.name, "mass": f"{body.mass:g}", "size": f"{size:g}"}
+        if times > 1:
+            yield trouble_of(inertia_too_small, f"link:{body.name}", None, (), **fields, times=f"{times:.1g}")
+        else:
+            owner = moved[body.name]
+            yield trouble_of(inertia_too_large, f"link:{body.name}", owner, (), **fields, times=f"{1 / times:.1g}")
 
 
 # -- joints ----------------------------------------------------------------------------------------------------------
