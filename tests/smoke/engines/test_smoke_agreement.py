@@ -6,10 +6,12 @@ from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.smoke.motion.engine_agreement import compared, decided, is_certain
 from urdfctl.smoke.motion.plan import SimulationResult
-from urdfctl.smoke.results import Trouble, trouble_of
+from urdfctl.smoke.results import Curve, Trouble, trouble_of
 
 LATE = trouble_of(joint_does_not_follow, "joint:j", "arm", joint="j", expected=0.2, actual=0.1, unit="rad")
 FAST = trouble_of(joint_too_fast, "joint:j", "arm", joint="j", fastest=2.0, limit=1.0, unit="rad")
+
+BOTH = ("pybullet", "mujoco")
 
 
 def result(*troubles: Trouble, moved: tuple[str, ...] = ("arm",), left: tuple[str, ...] = ()) -> SimulationResult:
@@ -27,21 +29,25 @@ def test_a_result_with_an_error_or_a_controller_that_was_not_judged_is_not_certa
     assert not is_certain(result(left=("arm",)))
 
 
-def test_an_error_that_the_second_engine_does_not_see_is_left_out() -> None:
-    assert codes(decided(result(LATE), result())) == []
-    assert decided(result(LATE), result()).moved == ("arm",)
+def test_an_error_that_the_second_engine_does_not_see_is_a_warning_with_what_that_measured() -> None:
+    curve = Curve("arm", "j", "position", (0.0, 1.0), (0.0, 0.2), (0.0, 0.19))
+    [doubt] = decided(result(LATE), result()._replace(curves=(curve,)), BOTH).troubles
+    assert (doubt.code, doubt.controller) == ("UC963", "arm")
+    assert doubt.message.startswith("pybullet and mujoco disagree; only pybullet reports: controller 'arm'")
+    assert doubt.notes == ("mujoco: position of 'j' ended at 0.19 of 0.2 rad",)
+    assert decided(result(LATE), result(), BOTH).moved == ("arm",)
 
 
-def test_an_error_that_only_the_second_engine_sees_is_left_out() -> None:
-    assert codes(decided(result(), result(LATE, FAST))) == ["UC937"]
+def test_an_error_that_only_the_second_engine_sees_is_a_warning() -> None:
+    assert sorted(codes(decided(result(), result(LATE, FAST), BOTH))) == ["UC937", "UC963"]
 
 
 def test_an_error_that_both_engines_see_stays() -> None:
-    assert codes(decided(result(LATE), result(LATE))) == ["UC932"]
+    assert codes(decided(result(LATE), result(LATE), BOTH)) == ["UC932"]
 
 
 def test_a_controller_that_the_first_engine_cannot_judge_is_judged_by_the_second() -> None:
-    assert codes(decided(result(moved=(), left=("arm",)), result(LATE))) == ["UC932"]
+    assert codes(decided(result(moved=(), left=("arm",)), result(LATE), BOTH)) == ["UC932"]
 
 
 def test_compared_engines_that_disagree_give_a_warning_that_names_both() -> None:
@@ -62,8 +68,8 @@ def test_an_engine_that_could_not_judge_a_controller_does_not_disagree() -> None
 
 def test_a_controller_that_one_engine_moved_is_not_unjudged() -> None:
     first, second = SimulationResult(moved=("a",)), SimulationResult(unjudged={"a": "too slow", "b": "no range"})
-    assert decided(first, second).unjudged == {"b": "no range"}
-    assert decided(first._replace(times={"a": 0.5}), second._replace(times={"a": 0.25, "b": 1.0})).times == {
+    assert decided(first, second, BOTH).unjudged == {"b": "no range"}
+    assert decided(first._replace(times={"a": 0.5}), second._replace(times={"a": 0.25, "b": 1.0}), BOTH).times == {
         "a": 0.75,
         "b": 1.0,
     }

@@ -18,7 +18,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT
 def engines_disagree(engine: str, others: str, what: str) -> str:
     """Physics engines disagree.
 
-    With `--engine both`, only one engine sees the controller fail. One of them is wrong, or the robot is on the edge:
+    Only one engine sees the controller fail, with `--engine both` or where `auto` asked a second one. One of them is wrong, or the robot is on the edge:
     read what the engine reports, and decide. Such a controller does not fail.
     """
     return f"{engine} and {others} disagree; only {engine} reports: {what}"

@@ -1,4 +1,4 @@
-"""The agreement of two engines: a controller fails only if both of them see it fail."""
+"""The agreement of two engines: a controller fails only if both of them see it fail; else they disagree."""
 
 from __future__ import annotations
 
@@ -29,14 +29,16 @@ def _about(trouble: Trouble) -> _About:
     return trouble.controller, "" if trouble.controller else trouble.code
 
 
-def decided(first: SimulationResult, second: SimulationResult) -> SimulationResult:
-    """Return what two engines found, of which the second one decides. Errors that only one of them sees are left out.
+def decided(first: SimulationResult, second: SimulationResult, engines: tuple[str, str]) -> SimulationResult:
+    """Return what two engines found. An error that only one of them sees is a warning that they disagree.
 
     A controller that the first engine could not judge is judged by the second one alone.
+
+    engines: their names.
     """
-    seen = {_about(trouble) for trouble in first.troubles if is_error(trouble)}
-    alone = {(name, "") for name in first.left_to_others}
-    troubles = [t for t in second.troubles if not is_error(t) or _about(t) in seen or _about(t) in alone]
+    (_, of_first), (_, of_second) = _disagreeing([(engines[0], first), (engines[1], second)])
+    doubts = [trouble for trouble in of_first.troubles if trouble.code == engines_disagree.code]
+    troubles = [*of_second.troubles, *doubts]
     moved = tuple(dict.fromkeys((*second.moved, *first.moved)))
     unjudged = {name: why for name, why in second.unjudged.items() if name not in moved}
     tested = {**first.tested, **second.tested}
@@ -80,9 +82,17 @@ def _disagreeing(results: Sequence[tuple[str, SimulationResult]]) -> Iterator[tu
             if lonely:
                 names = " and ".join(results[m][0] for m in others)
                 fields = {"engine": engine, "others": names, "what": trouble.message}
-                troubles.setdefault(
-                    (about, True), trouble_of(engines_disagree, trouble.subject, trouble.controller, (), **fields)
-                )
+                notes = tuple(note for m in others for note in _measured(*results[m], trouble.controller))
+                doubt = trouble_of(engines_disagree, trouble.subject, trouble.controller, notes, **fields)
+                troubles.setdefault((about, True), doubt)
             else:
                 troubles[(trouble.code, trouble.subject), False] = trouble
         yield engine, result._replace(troubles=tuple(troubles.values()))
+
+
+def _measured(engine: str, result: SimulationResult, controller: str | None) -> Iterator[str]:
+    """What an engine measured of a controller that did not fail there."""
+    for curve in result.curves:
+        if curve.controller == controller and curve.measured and curve.commanded:
+            ends = f"{curve.measured[-1]:.3g} of {curve.commanded[-1]:.3g} {curve.unit}"
+            yield f"{engine}: {curve.quantity} of '{curve.joint}' ended at {ends}"

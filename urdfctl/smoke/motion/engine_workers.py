@@ -76,7 +76,7 @@ class EngineWorkers:
         second = next(self.run_plan([plan._replace(engine=name)], 1, folder))
         if not isinstance(second, SimulationResult) or second.refused or self.interrupted:
             return plan.engine, first
-        return f"{plan.engine} and {name}", decided(first, second)
+        return f"{plan.engine} and {name}", decided(first, second, (plan.engine, name))
 
     def run_plan(
         self, plans: Sequence[MotionPlan], parallel: int, folder: str
