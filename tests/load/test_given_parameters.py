@@ -98,3 +98,55 @@ def test_controllers_of_ros1_are_declared_in_the_launch_file_alone(folder: Folde
     ran = folder.run("lint", ".", "--distro", "noetic", "--format", "json", "--exit-zero")
     errors = {(one["code"], one["file"], one["line"]) for one in json.loads(ran.stdout)["findings"]}
     assert ("UC440", "launch/r.launch", 2) in errors
+
+
+RATE = 'DeclareLaunchArgument("rate", default_value="50")'
+
+
+@pytest.mark.parametrize(
+    ("rate", "is_wrong"),
+    [
+        ('LaunchConfiguration("rate")', False),
+        ('[LaunchConfiguration("rate")]', False),
+        ('["1", LaunchConfiguration("rate")]', False),
+        ('ParameterValue(LaunchConfiguration("rate"))', False),
+        ('ParameterValue(LaunchConfiguration("rate"), value_type=int)', False),
+        ('TextSubstitution(text="50")', False),
+        ("50", False),
+        ('"50"', True),
+        ('ParameterValue("50")', True),
+        ('ParameterValue(LaunchConfiguration("rate"), value_type=str)', True),
+        ("""TextSubstitution(text="'50'")""", True),
+        ('["fast", LaunchConfiguration("rate")]', True),
+    ],
+)
+def test_the_text_of_a_substitution_in_a_dict_is_read_as_yaml(rate: str, is_wrong: bool, folder: Folder) -> None:
+    launch = LAUNCH.replace("PARAMETERS", f'{{"update_rate": {rate}}}, file').replace("NAMESPACE", "")
+    launch = "from launch_ros.parameter_descriptions import ParameterValue\n" + launch
+    launch = "from launch.actions import DeclareLaunchArgument\n" + launch.replace(
+        "import Command\n", "import Command, LaunchConfiguration, TextSubstitution\n"
+    ).replace("LaunchDescription([\n", f"LaunchDescription([\n        {RATE},\n")
+    folder.write({"package.xml": MANIFEST, "r.urdf": ROBOT, "launch/r.launch.py": launch, "c.yaml": SECTIONS % FORWARD})
+    ran = folder.run("lint", "launch/r.launch.py", "--distro", "jazzy", "--select", "UC432", "--exit-zero")
+    assert ("UC432" in ran.stdout) == is_wrong
+
+
+@pytest.mark.parametrize(
+    ("given", "is_wrong"),
+    [
+        ('value="50"', False),
+        ('value="$(var rate)"', False),
+        ('value="$(var rate)" type="int"', False),
+        ('value="50" type="str"', True),
+        ('value="fast"', True),
+    ],
+)
+def test_a_value_in_xml_is_read_as_yaml_unless_it_has_a_type(given: str, is_wrong: bool, folder: Folder) -> None:
+    launch = (
+        '<launch><arg name="rate" default="50"/><node pkg="controller_manager" exec="ros2_control_node">'
+        '<param name="robot_description" value="$(command \'cat $(find-pkg-share p)/r.urdf\')"/>'
+        f'<param name="update_rate" {given}/><param from="$(find-pkg-share p)/c.yaml"/></node></launch>'
+    )
+    folder.write({"package.xml": MANIFEST, "r.urdf": ROBOT, "r.launch.xml": launch, "c.yaml": SECTIONS % FORWARD})
+    ran = folder.run("lint", "r.launch.xml", "--distro", "jazzy", "--select", "UC432", "--exit-zero")
+    assert ("UC432" in ran.stdout) == is_wrong

@@ -173,6 +173,8 @@ def _parameter(entity: Entity) -> Term:
     value = _text(entity, "value")
     if "type" in entity.attributes:
         value = Called("ParameterValue", value.at, [value], {"value_type": _text(entity, "type")})
+    elif isinstance(value, Constant):
+        value = Called("TextSubstitution", value.at, [value])  # launch reads it as YAML, and a string in Python not
     table.put(entity.attributes.get("name") or UnknownTerm(entity.at), value)
     return table
 
