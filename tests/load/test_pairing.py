@@ -400,3 +400,29 @@ def test_a_file_in_a_folder_without_manifest_is_for_ros_2_where_all_packages_bes
     assert project(Target("no/such/folder/config/c.yaml"), Settings()).problems
     folder.write({"s/b/package.xml": "<package><name>b</name><buildtool_depend>catkin</buildtool_depend></package>"})
     assert project(Target("s/c/config/c.yaml"), Settings()).distro_from == "its controllers' types"
+
+
+@pytest.mark.parametrize(("of_moveit", "is_wrong"), [("r.urdf", True), ("welder.urdf", False)])
+def test_an_srdf_is_for_the_description_that_move_group_gets(of_moveit: str, is_wrong: bool, folder: Folder) -> None:
+    launch = XML_MOVEIT.replace("OF_MOVEIT", of_moveit)
+    robot = "<robot name='r'><link name='base'/></robot>"
+    welder = "<robot name='r'><link name='base'/><link name='torch'/><joint name='j' type='fixed'>"
+    welder += "<parent link='base'/><child link='torch'/></joint></robot>"
+    semantic = "<robot name='r'><group name='all'><link name='torch'/></group></robot>"
+    folder.write({"p/package.xml": MANIFEST2, "p/r.urdf": robot, "p/welder.urdf": welder, "p/r.srdf": semantic})
+    folder.write({"p/launch/l.launch.xml": launch})
+    assert ("UC658" in [code for code, _, _ in codes(folder, "p/launch/l.launch.xml")]) == is_wrong
+
+
+XML_MOVEIT = """\
+<launch>
+  <node pkg="robot_state_publisher" exec="robot_state_publisher">
+    <param name="robot_description" value="$(command 'xacro $(find-pkg-share p)/r.urdf')"/>
+  </node>
+  <node pkg="moveit_ros_move_group" exec="move_group">
+    <param name="robot_description" value="$(command 'xacro $(find-pkg-share p)/OF_MOVEIT')"/>
+    <param name="robot_description_semantic" value="$(command 'cat $(find-pkg-share p)/r.srdf')"/>
+  </node>
+</launch>
+"""
+MANIFEST2 = "<package format='3'><name>p</name><export><build_type>ament_cmake</build_type></export></package>"

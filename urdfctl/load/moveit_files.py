@@ -63,7 +63,15 @@ def _given(launch: Launch) -> MoveItFiles:
             controllers=first.controllers or other.controllers,
             pipelines=first.pipelines or other.pipelines,
         )
-    return first
+    return first._replace(semantic=None, limits=None) if _has_other_robot(launch, home) else first
+
+
+def _has_other_robot(launch: Launch, home: str | None) -> bool:
+    """Whether move_group gets another file as description than the robot: its SRDF is for that one."""
+    robot = launch.description
+    near = (one for one in launch.descriptions if home is None or one.namespace in {None, home})
+    of_moveit = {one.file.path for one in near if one.node == "move_group" and one.file.path}
+    return robot is not None and bool(of_moveit) and robot.file.path not in of_moveit
 
 
 def _beside(path: str, controllers: Sequence[str]) -> MoveItFiles | None:
