@@ -153,7 +153,7 @@ def test_a_launch_file_that_fits_no_robot_is_named_last_with_the_fact_that_is_mi
     assert unjoined == {
         "launch": "arm/launch/control.launch",
         "robot": "arm/arm.urdf",
-        "lacks": {"joints": ["elbow_1", "wrist_1"], "controllers": []},
+        "lacks": {"joints": ["elbow_1", "wrist_1"], "controllers": [], "packages": []},
     }
     assert "arm/launch/control.launch  (starts controllers without a robot: " in folder.run("show", "arm").stdout
 
@@ -170,3 +170,36 @@ def test_the_robot_that_the_last_line_asks_for_is_checked_with_the_launch_file(f
     folder.write({**package("arm", "shoulder"), **control("arm", elbow="elbow_1", wrist="wrist_1")})
     ran = folder.run("lint", "arm/arm.urdf", "arm/launch/control.launch", "--distro", "noetic")
     assert "arm/c.yaml:1:66: error UC440 controller 'elbow' names joint 'elbow_1'" in ran.stdout
+
+
+def test_a_launch_file_of_roslaunch_in_a_package_of_ros_2_is_joined_with_no_start_of_ros_2(folder: Folder) -> None:
+    display = (
+        "from launch import LaunchDescription\nfrom launch.substitutions import Command\n"
+        "from launch_ros.actions import Node\nfrom ament_index_python.packages import get_package_share_directory\n\n\n"
+        "def generate_launch_description():\n"
+        "    text = Command(['cat ', get_package_share_directory('arm'), '/arm.urdf'])\n"
+        "    return LaunchDescription([Node(package='robot_state_publisher', executable='robot_state_publisher',\n"
+        "                                   parameters=[{'robot_description': text}])])\n"
+    )
+    folder.write({"arm/arm.urdf": robot("arm", "shoulder"), "arm/launch/display.launch.py": display})
+    folder.write(
+        {**control("arm", turn="shoulder"), "arm/package.xml": MANIFEST.format("arm").replace("catkin", "ament_cmake")}
+    )
+    given = json.loads(folder.run("lint", ".", "--format", "json", "--exit-zero").stdout)
+    assert [each["beside"] for each in given["targets"] if each["launch"] == "arm/launch/display.launch.py"] in (
+        [[]],
+        [],
+    )
+    assert not [each for each in given["targets"] if "arm/launch/control.launch" in each["beside"]]
+
+
+@pytest.mark.parametrize(
+    "where", ["textfile='$(find crane_description)/crane.urdf'", "command='xacro $(find crane_description)/c.xacro'"]
+)
+def test_a_description_in_a_package_that_is_not_here_is_the_fact_that_is_missing(where: str, folder: Folder) -> None:
+    text = launch(f"<param name='robot_description' {where}/>", LOADED.format("arm", "c.yaml"), SPAWNED.format("turn"))
+    folder.write({**package("arm", "shoulder"), "arm/c.yaml": controllers(turn="boom"), "arm/launch/c.launch": text})
+    [unjoined] = json.loads(folder.run("lint", "arm", "--format", "json").stdout)["unjoined"]
+    assert unjoined["lacks"] == {"joints": [], "controllers": [], "packages": ["crane_description"]}
+    said = folder.run("show", "arm").stdout
+    assert "its description is in package 'crane_description', not in this workspace" in said

@@ -178,7 +178,13 @@ def names_without_namespace(names: Iterable[str]) -> set[str]:
 
 def starts_of_generation(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     """Return the starts of the generation of ROS that a launch file is for, as far as both are known."""
-    return [start for start in starts if None in (start.first.ros, lonely.ros) or start.first.ros == lonely.ros]
+    return [start for start in starts if _is_of_generation(start.first, lonely)]
+
+
+def _is_of_generation(start: TargetResult, lonely: TargetResult) -> bool:
+    """Whether what starts a robot is run as a launch file without one is: by its form, otherwise by what is known."""
+    run_as, wanted = (each.joining.form or each.ros for each in (start, lonely))
+    return None in (run_as, wanted) or run_as == wanted
 
 
 def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
@@ -249,6 +255,8 @@ def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjo
 
 
 def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
+    if lonely.joining.described_in:
+        return Unjoined(lonely.path, packages=lonely.joining.described_in)
     reasons = [_missing_in(lonely, start) for start in starts]
     return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=Unjoined(lonely.path))
 

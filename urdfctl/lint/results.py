@@ -108,17 +108,19 @@ class Unjoined(NamedTuple):
     robot: the description that fits best; None if nothing starts or describes a robot.
     joints: those that its controllers command, and that robot lacks.
     controllers: those that it spawns, and nothing declares for that robot.
+    packages: those that are not here and that it takes the description from.
     """
 
     path: str
     robot: str | None = None
     joints: tuple[str, ...] = ()
     controllers: tuple[str, ...] = ()
+    packages: tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Unjoined:
         """Return what `_asdict` and JSON made `data` from."""
-        lists = {name: tuple(data[name]) for name in ("joints", "controllers")}
+        lists = {name: tuple(data[name]) for name in ("joints", "controllers", "packages")}
         return cls(**{**data, **lists})
 
 

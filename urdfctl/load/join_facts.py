@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
+from urdfctl.model.launch import Launch
 from urdfctl.model.project import Project
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
+
+_OUTSIDE = rf"(?:{UNKNOWN}\(|\$\(find\s+)([\w-]+)\)"
+"""A package whose folder is not known, in a command: of ROS 2, or as roslaunch has it."""
 
 
 class JoinFacts(NamedTuple):
@@ -16,18 +21,22 @@ class JoinFacts(NamedTuple):
     claimed: without a robot: the joints that its controllers command, each with the namespace of its manager.
     declared: the controllers that its parameter files declare, with their namespaces if known.
     manages: whether it starts a simulator, or a controller manager.
+    form: the generation of ROS that the launch file is written for; None if there is none.
+    described_in: without a robot: the packages that its description is in, and that are not here.
     """
 
     joints: tuple[str, ...] = ()
     claimed: tuple[tuple[str, str], ...] = ()
     declared: tuple[str, ...] = ()
     manages: bool = False
+    form: int | None = None
+    described_in: tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> JoinFacts:
         """Return the facts that `_asdict` and JSON made `data` from."""
         claimed = tuple((namespace, joint) for namespace, joint in data["claimed"])
-        lists = {"joints": tuple(data["joints"]), "declared": tuple(data["declared"]), "claimed": claimed}
+        lists = {name: tuple(data[name]) for name in ("joints", "declared", "described_in")} | {"claimed": claimed}
         return cls(**{**data, **lists})
 
 
@@ -41,7 +50,15 @@ def join_facts(project: Project) -> JoinFacts:
         declared=tuple(each.full_name for each in controllers if each.declared_at is not None),
         manages=launch is not None
         and (bool(launch.simulations) or any(node.executable.text == "ros2_control_node" for node in launch.nodes)),
+        form=launch.ros if launch else None,
+        described_in=_described_in(launch) if project.robot is None and launch else (),
     )
+
+
+def _described_in(launch: Launch) -> tuple[str, ...]:
+    """The packages that are not here and that a launch file takes its descriptions from."""
+    commands = (each.command or "" for each in launch.descriptions if each.file.path is None)
+    return tuple(dict.fromkeys(name for command in commands for name in re.findall(_OUTSIDE, command)))
 
 
 def _claimed(project: Project) -> tuple[tuple[str, str], ...]:

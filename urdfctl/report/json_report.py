@@ -55,7 +55,11 @@ def target_document(target: TargetResult) -> dict[str, Any]:
 def unjoined_document(unjoined: Unjoined) -> dict[str, Any]:
     """Return a launch file that starts controllers without a robot as plain data."""
     robot = shown(unjoined.robot) if unjoined.robot else None
-    lacks = {"joints": list(unjoined.joints), "controllers": list(unjoined.controllers)}
+    lacks = {
+        "joints": list(unjoined.joints),
+        "controllers": list(unjoined.controllers),
+        "packages": list(unjoined.packages),
+    }
     return {"launch": shown(unjoined.path), "robot": robot, "lacks": lacks}
 
 

@@ -39,6 +39,8 @@ def about_unjoined(unjoined: Sequence[Unjoined]) -> str:
 
 def missing_fact(unjoined: Unjoined) -> str:
     """Return why a launch file that starts controllers is joined with no robot."""
+    if unjoined.packages:
+        return f"its description is in {_quoted('package', unjoined.packages)}, not in this workspace"
     if unjoined.robot is None:
         return "nothing here starts or describes a robot"
     robot = shown(unjoined.robot)

@@ -40,12 +40,12 @@ def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -
     if term.short == "Command":
         return _of_substitution(term, texts)
     if term.short == "FileContent":
-        return Content(known_path(texts.of(term.given("path", 0))), (), term.at, as_yaml=True)
+        return _of_file(texts.of(term.given("path", 0)), (), term.at)._replace(as_yaml=True)
     if term.name in _TEXTS:
         return _of_process(term.of, texts, term.at)
     if term.name in _READING and isinstance(term.of, Called):
         if term.of.short == "open":
-            return Content(known_path(texts.of(term.of.given("file", 0))), (), term.at)
+            return _of_file(texts.of(term.of.given("file", 0)), (), term.at)
         return _of_program(term.of, texts)
     return None
 
@@ -142,7 +142,13 @@ def _of_process(term: Term | None, texts: Texts, at: Place) -> Content | None:
     if term.given("mappings") is not None and mappings is None:
         whole = False
     names = tuple(mappings.keys.items()) if mappings else ()
-    return Content(known_path(texts.of(file)), tuple(values.items()) if whole else None, at, names)
+    return _of_file(texts.of(file), tuple(values.items()) if whole else None, at)._replace(names=names)
+
+
+def _of_file(text: str, arguments: tuple[tuple[str, str], ...] | None, at: Place) -> Content:
+    """The description in a file; of one that is not known, what is known of its path is in a command."""
+    path = known_path(text)
+    return Content(path, arguments, at, command=None if path else f"cat {text}")
 
 
 def _of_moveit(term: Member, texts: Texts, exists: Callable[[str], bool]) -> Content | None:
