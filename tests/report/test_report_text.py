@@ -12,6 +12,8 @@ import pytest
 from folder import Folder, environment
 
 from urdfctl.diagnostic import CallStep, Diagnostic, Finding, Location, Remark, Repair, Severity, ShownEdit, diagnosed
+from urdfctl.lint.causes import EXPLAINS
+from urdfctl.lint.ranking import causes_first
 from urdfctl.lint.results import Outcome, Report, TargetResult
 from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json
 from urdfctl.output.printing import visible
@@ -67,6 +69,7 @@ def test_a_finding_shows_its_line_its_way_its_notes_and_its_fix(folder: Folder) 
         "  note: it was said here (line 3)\n"
         "  note: or there (b:1:2)\n"
         "  fix: make it right (by hand)\n"
+        "\n"
         "1 warning in r.xacro (noetic)\n"
     )
     assert concise.render(Report((robot(folder),), (one,))) == (
@@ -111,7 +114,7 @@ def test_the_caret_stands_under_what_is_meant(folder: Folder, line: str, columns
     where = at(folder, "r.xacro", (1, columns[0]), (1, columns[1]))
     told = text.render(Report((), (fault(where, line),)))
     if not under:
-        assert told.splitlines()[1] == "1 error in 0 robots"
+        assert told.splitlines()[1:] == ["", "1 error in 0 robots"]
         return
     assert caret(told) == (under, "^" * len(under))
 
@@ -186,7 +189,7 @@ def test_a_path_in_an_address_of_a_file_is_shown_in_the_same_way(folder: Folder)
         ("", "no findings"),
         ("e", "1 error"),
         ("eew", "2 errors, 1 warning"),
-        ("wwi", "2 warnings, 1 info"),
+        ("wwi", "2 warnings, 1 info (--verbose shows it)"),
         ("iii", "3 info"),
     ],
 )
@@ -306,7 +309,7 @@ def test_statistics_count_the_findings_of_each_rule_the_most_frequent_first(fold
     warned = other._replace(severity=Severity.WARNING, name="odd")
     found = (one, *[warned] * 11, other)
     told = text.render(Report((robot(folder),), found, statistics=True)).splitlines()
-    assert told[13:] == [
+    assert told[26:] == [
         "    11  warning UC900 odd",
         "     1  error   UC900 wrong",
         "     1  error   UC901 wrong",
@@ -337,3 +340,86 @@ def test_the_last_line_counts_what_can_be_fixed(folder: Folder) -> None:
     assert last(safe) == "1 fixable with --fix"
     assert last(unsafe, by_hand) == "1 fixable with --unsafe-fixes"
     assert last(by_hand) == ""
+
+
+# -- order, blank lines, and what is folded --------------------------------------------------------------------------
+
+
+def found(folder: Folder, *lines: tuple[str, str, str, int]) -> Report:
+    by_letter = {"e": Severity.ERROR, "w": Severity.WARNING, "i": Severity.INFO}
+    findings = [
+        fault(at(folder, name, (line, 1)), message=f"{code} is wrong")._replace(code=code, severity=by_letter[letter])
+        for letter, code, name, line in lines
+    ]
+    return Report((robot(folder),), tuple(causes_first(findings)))
+
+
+def test_errors_come_first_and_what_the_runtime_meets_first_before_the_rest(folder: Folder) -> None:
+    told = text.render(
+        found(
+            folder,
+            ("w", "UC156", "a.xacro", 1),
+            ("e", "UC450", "b.yaml", 2),
+            ("e", "UC508", "c.xacro", 3),
+            ("e", "UC201", "c.xacro", 1),
+            ("e", "UC002", "d.xacro", 4),
+        )
+    )
+    assert told.splitlines() == [
+        "d.xacro:4:1: error UC002 UC002 is wrong",
+        "",
+        "c.xacro:1:1: error UC201 UC201 is wrong",
+        "",
+        "c.xacro:3:1: error UC508 UC508 is wrong",
+        "",
+        "b.yaml:2:1: error UC450 UC450 is wrong",
+        "",
+        "a.xacro:1:1: warning UC156 UC156 is wrong",
+        "",
+        "4 errors, 1 warning in r.xacro (noetic)",
+    ]
+
+
+def test_of_one_severity_what_explains_others_comes_first(folder: Folder) -> None:
+    first, second = found(folder, ("e", "UC101", "a", 1), ("e", "UC601", "b", 1)).findings
+    cause = second._replace(notes=(Remark(f"{EXPLAINS}2 findings of UC603, not shown"),))
+    assert causes_first([first, cause]) == [cause, first]
+
+
+def test_info_is_a_count_beside_anything_worse(folder: Folder) -> None:
+    report = found(folder, ("i", "UC616", "a", 1), ("w", "UC156", "b", 1), ("i", "UC616", "c", 1))
+    assert text.render(report).splitlines() == [
+        "b:1:1: warning UC156 UC156 is wrong",
+        "",
+        "1 warning, 2 info (--verbose shows it) in r.xacro (noetic)",
+    ]
+    for shown_all in (report._replace(verbose=True), report._replace(fail_on=Severity.INFO)):
+        assert text.render(shown_all).count("info UC616") == 2
+    assert concise.render(report).count("info UC616") == 2
+    alone = found(folder, ("i", "UC616", "a", 1))
+    assert text.render(alone).splitlines()[0] == "a:1:1: info UC616 UC616 is wrong"
+    assert text.render(alone).splitlines()[-1] == "1 info in r.xacro (noetic)"
+
+
+def test_what_holds_for_all_is_said_once_at_the_end(folder: Folder) -> None:
+    same, own = Remark("applies to ROS 1"), Remark("see there")
+    report = found(folder, ("e", "UC201", "a", 1), ("w", "UC156", "b", 1), ("w", "UC157", "c", 1))
+    first, second, third = report.findings
+    noted = (first._replace(notes=(same,)), second._replace(notes=(own, same)), third._replace(notes=(same,)))
+    said = text.render(report._replace(findings=noted[1:]))
+    assert (said.count("applies to ROS 1"), "all of these: applies to ROS 1\n" in said, "note: see there" in said) == (
+        1,
+        True,
+        True,
+    )
+    assert "all warnings: applies to ROS 1\n" in text.render(report._replace(findings=(first, *noted[1:])))
+    assert "note: applies to ROS 1" in text.render(report._replace(findings=noted))  # of the only error
+
+
+@pytest.mark.parametrize(("start", "cut"), [(1, "abcdefg"), (500, "…"), (995, "…")])
+def test_where_a_long_line_goes_on_stands_an_ellipsis(folder: Folder, start: int, cut: str) -> None:
+    line = "".join(chr(ord("a") + number % 26) for number in range(1000))
+    told = text.render(Report((), (fault(at(folder, "r.xacro", (1, start), (1, start + 5)), line),)))
+    shown_line = told.splitlines()[1].removeprefix("  1 | ")
+    assert shown_line.startswith(cut)
+    assert shown_line.endswith("…") is (start < 900)

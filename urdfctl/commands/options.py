@@ -81,6 +81,7 @@ class ReportOptions(Options):
         metavar="FILE",
     )
     quiet: bool = option(OUTPUT, "Show only the findings.", "-q", "--quiet")
+    verbose: bool = option(OUTPUT, "Show info too where there are errors or warnings.", "-v", "--verbose")
     statistics: bool = option(OUTPUT, "Count the findings of each rule.")
     report: str | None = option(
         OUTPUT,

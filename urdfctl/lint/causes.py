@@ -11,6 +11,8 @@ from urdfctl.startup.records import NamedTuple
 
 Explains = Callable[[Diagnostic, Diagnostic], bool]
 """Whether a cause, the first finding, explains the second."""
+EXPLAINS = "this explains "
+"""How the note of a cause on the findings that it explains begins."""
 
 
 def at_its_place(cause: Diagnostic, finding: Diagnostic) -> bool:
@@ -107,7 +109,7 @@ def _with(cause: Diagnostic, consequences: Iterable[Diagnostic]) -> Diagnostic:
     worst = max((cause, *consequences), key=lambda finding: finding.severity.weight).severity
     elsewhere = Counter(one.code for one in consequences if not at_its_place(cause, one))
     counts = [f"{number} finding{'s' * (number > 1)} of {code}" for code, number in elsewhere.items()]
-    notes = (Remark(f"this explains {' and '.join(counts)}, not shown"),) if counts else ()
+    notes = (Remark(f"{EXPLAINS}{' and '.join(counts)}, not shown"),) if counts else ()
     return cause._replace(severity=worst, notes=(*cause.notes, *notes))
 
 

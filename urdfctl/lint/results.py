@@ -128,7 +128,7 @@ class Report(NamedTuple):
     """What a run found.
 
     targets: the robots it looked at, and controllers' files and launch files named alone.
-    findings: in their stable order.
+    findings: causes first.
     unused: the other files that were linted: macro libraries, fragments and controller files in folders.
     unjoined: the launch files that start controllers without a robot.
     fail_on: from which severity on findings make it fail.
@@ -136,6 +136,7 @@ class Report(NamedTuple):
     statistics: whether the rules are to be counted.
     missing_packages: the declared packages that are not in the workspace.
     quiet: whether only the findings are shown.
+    verbose: whether the text shows info beside errors and warnings.
     uncontrolled: the path of the robot if nothing controls it.
     """
 
@@ -148,6 +149,7 @@ class Report(NamedTuple):
     statistics: bool = False
     missing_packages: tuple[str, ...] = ()
     quiet: bool = False
+    verbose: bool = False
     uncontrolled: str = ""
 
     @property

@@ -19,6 +19,7 @@ from urdfctl.lint.grouping import grouped
 from urdfctl.lint.job import launch_variants, lint_all
 from urdfctl.lint.judging import LintRun, judge
 from urdfctl.lint.planning import Arguments, Plan, of_shard
+from urdfctl.lint.ranking import causes_first
 from urdfctl.lint.results import Report, TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.load.loader import Loader
@@ -197,7 +198,7 @@ def report(
         left = unknown(findings, {file for result in run.results for file in result.files})
     return Report(
         targets=tuple(run.robots),
-        findings=tuple(grouped(left)),
+        findings=tuple(causes_first(grouped(left))),
         unused=tuple(result.path for result in run.unused),
         fail_on=fail_on,
         known=len(findings) - len(left),

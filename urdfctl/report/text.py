@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.catalog.distros import APPLIES, span_in_words
-from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.diagnostic import Diagnostic, Remark, Severity
 from urdfctl.lint.results import Report
 from urdfctl.output.printing import visible
 from urdfctl.report.common import about_missing_packages, counted, is_robot, relative, shown
@@ -59,13 +59,46 @@ def print_pieces(parts: Iterable[Piece]) -> None:
 
 
 def pieces(report: Report, width: int = WIDTH) -> Iterator[Piece]:
-    """Yield the parts of the report. Lines are at most `width` columns wide."""
-    for diagnostic in report.findings:
-        yield from _finding(relative(diagnostic), width)
+    """Yield the parts of the report, with a blank line between findings. Lines are at most `width` columns wide."""
+    shown_findings = _shown_findings(report)
+    common = _common_notes(shown_findings)
+    for number, diagnostic in enumerate(shown_findings):
+        if number:
+            yield Piece("\n")
+        notes_left = tuple(note for note in diagnostic.notes if diagnostic.severity not in common.get(note, ()))
+        yield from _finding(relative(diagnostic._replace(notes=notes_left)), width)
+    if shown_findings and (common or report.statistics or not report.quiet):
+        yield Piece("\n")
+    for note, severities in common.items():
+        yield Piece(wrapped(visible(_common_note(note, severities, shown_findings)), width))
     if report.statistics:
         yield from _statistics(report)
     if not report.quiet:
         yield from _summary(report, width)
+
+
+def _shown_findings(report: Report) -> Sequence[Diagnostic]:
+    """The findings without info, if there is something worse and info was not asked for."""
+    worse = [finding for finding in report.findings if finding.severity is not Severity.INFO]
+    is_asked = report.verbose or report.fail_on is Severity.INFO
+    return report.findings if is_asked or not worse else worse
+
+
+def _common_notes(findings: Sequence[Diagnostic]) -> dict[Remark, list[Severity]]:
+    """The notes that all findings of a severity have, if there are several: they are said once."""
+    common: dict[Remark, list[Severity]] = {}
+    for severity in Severity:
+        alike = [finding for finding in findings if finding.severity is severity]
+        for note in alike[0].notes if len(alike) > 1 else ():
+            if note.at is None and all(note in one.notes for one in alike):
+                common.setdefault(note, []).append(severity)
+    return common
+
+
+def _common_note(note: Remark, severities: Sequence[Severity], findings: Sequence[Diagnostic]) -> str:
+    is_of_all = all(finding.severity in severities for finding in findings)
+    names = " and ".join(_plural(severity, 2) for severity in severities)
+    return f"all {'of these' if is_of_all else names}: {note.message}"
 
 
 def _finding(diagnostic: Diagnostic, width: int) -> Iterator[Piece]:
@@ -92,12 +125,20 @@ def _excerpt(diagnostic: Diagnostic, width: int) -> Iterator[Piece]:
     room = width - len(f"  {number} | ")
     text, start = _with_single_columns(diagnostic.excerpt), at.column - diagnostic.excerpt_column
     cut = min(max(0, start - room // 2), max(0, len(text) - room)) if len(text) > room else 0
+    is_begun, is_ended = cut == 0 and diagnostic.excerpt_column == 1, cut + room >= len(text)
     text, start = text[cut : cut + room], max(0, min(start - cut, room - 1))
+    text = _with_ellipses(text, at_start=not is_begun and start > 0, at_end=not is_ended and start < room - 1)
     end = start + at.end_column - at.column if at.end_line == at.line else len(text.rstrip())
     yield Piece(f"  {number} | ", "dim")
     yield Piece(f"{text}\n")
     yield Piece(f"  {margin} | ", "dim")
     yield Piece(f"{' ' * start}{'^' * max(min(end, len(text)) - start, 1)}\n", _COLOURS[diagnostic.severity])
+
+
+def _with_ellipses(text: str, *, at_start: bool, at_end: bool) -> str:
+    """Return a part of a line as wide as before, with an ellipsis where the line goes on."""
+    text = f"…{text[1:]}" if at_start else text
+    return f"{text[:-1]}…" if at_end else text
 
 
 def _with_single_columns(text: str) -> str:
@@ -120,20 +161,22 @@ def _summary(report: Report, width: int) -> Iterator[Piece]:
         yield Piece(wrapped(visible(_unused(report.unused)), width))
     if report.unjoined:
         yield Piece(wrapped(visible(about_unjoined(report.unjoined)), width))
-    yield from _open_distro(report)
+    yield from _open_distro(report, width)
     if report.uncontrolled:
         hint = f"nothing controls the robot's joints; to generate control: urdfctl gen-all {shown(report.uncontrolled)}"
         yield Piece(wrapped(visible(hint), width))
     if report.missing_packages:
         yield Piece(wrapped(visible(about_missing_packages(report.missing_packages)), width))
-    counts = [
-        f"{number} {severity.value if severity is Severity.INFO or number == 1 else severity.value + 's'}"
-        for severity in Severity
-        if (number := report.count(severity))
-    ]
+    counts = [f"{number} {_plural(severity, number)}" for severity in Severity if (number := report.count(severity))]
+    if len(_shown_findings(report)) < len(report.findings):
+        counts[-1] += " (--verbose shows it)"
     summary = f"{', '.join(counts) or 'no findings'} in {_scope(report)}{_details(report)}"
     summary += f"; {report.known} hidden by the baseline" if report.known else ""
     yield Piece(wrapped(visible(summary + _fixable(report)), width), "bold")
+
+
+def _plural(severity: Severity, number: int) -> str:
+    return severity.value if severity is Severity.INFO or number == 1 else f"{severity.value}s"
 
 
 def _fixable(report: Report) -> str:
@@ -146,16 +189,15 @@ def _fixable(report: Report) -> str:
     return f"; {len(fixes)} fixable with {'--fix' if safe else '--unsafe-fixes'}" if fixes else ""
 
 
-def _open_distro(report: Report) -> Iterator[Piece]:
+def _open_distro(report: Report, width: int) -> Iterator[Piece]:
     """That the distro is unknown, if that matters: a robot is controlled, or a finding is for some distros only."""
     possible = {distro for target in report.targets if target.distro is None for distro in target.distros}
     controlled = any(target.ros and target.distro is None for target in report.targets)
     partial = (note.message.startswith(APPLIES) for finding in report.findings for note in finding.notes)
     if len(possible) > 1 and (controlled or any(partial)):
         names = span_in_words(possible)
-        yield Piece(
-            f'ROS distro unknown ({names}): add --distro NAME, or distro = "NAME" to urdfctl.toml, to check for yours\n'
-        )
+        how = 'add --distro NAME, or distro = "NAME" to urdfctl.toml, to check for yours'
+        yield Piece(wrapped(f"ROS distro unknown ({names}): {how}", width))
 
 
 def _scope(report: Report) -> str:

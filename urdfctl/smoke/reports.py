@@ -65,6 +65,8 @@ def text_pieces(report: SmokeReport) -> Iterator[Piece]:
         return
     for robot in report.robots:
         yield from robot_pieces(robot)
+    if report.found.findings:
+        yield Piece("\n")
     yield from pieces(report.found)
     yield Piece(visible(summary(report)) + "\n", "bold")
 

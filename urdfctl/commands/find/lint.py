@@ -92,7 +92,7 @@ def run_lint(options: LintOptions) -> int:
 
     def reported(run: LintRun) -> Report:
         made = report(run, request, fail_on=fail_on, unknown=baseline and baseline.unknown)
-        made = made._replace(statistics=options.statistics, quiet=options.quiet)
+        made = made._replace(statistics=options.statistics, quiet=options.quiet, verbose=options.verbose)
         _deliver(made, outputs, options)
         if options.report is not None:
             _write_page(made, run, request, options.report, began)
