@@ -85,9 +85,39 @@ def test_a_rule_as_json_has_the_same_form_as_in_the_list_of_rules() -> None:
     assert (rule["code"], rule["name"]) == ("UC201", "transmission-joint-without-interface")
 
 
-def test_an_unknown_text_is_reported_and_has_status_0() -> None:
+def test_an_unknown_text_has_status_1_and_can_be_reported() -> None:
     ran = command("foo bar baz")
-    assert (ran.exit_code, ran.stdout) == (0, "urdfctl does not know this message:\nfoo bar baz\n")
+    assert ran.exit_code == 1
+    assert ran.stdout.startswith("urdfctl does not know this message:\nfoo bar baz\n\nTo have it explained, report it")
+    assert "repository of urdfctl" in " ".join(ran.stdout.split())
+
+
+@pytest.mark.parametrize(
+    ("text", "debian"),
+    [
+        ("package 'robot_teleop' is not found", "ros-$ROS_DISTRO-robot-teleop"),
+        ("[rospack] Error: package 'robot_\nteleop' not found", "ros-$ROS_DISTRO-robot-teleop"),
+        ("Resource not found: robot_\n   teleop\nROS path [0]=/opt/ros/melodic/share/ros", "ros-melodic-robot-teleop"),
+        ('Could not find a package configuration file provided by "robot_teleop"', "ros-$ROS_DISTRO-robot-teleop"),
+    ],
+)
+def test_a_missing_package_is_named_as_it_is_and_as_debian_names_it(text: str, debian: str) -> None:
+    said = " ".join(command(text).stdout.split())
+    assert "ackage 'robot_teleop'" in said
+    assert f"sudo apt install {debian}" in said
+
+
+def test_the_distro_of_the_user_names_the_debian_package() -> None:
+    assert "ros-kinetic-robot-teleop" in command("--distro", "kinetic", "package 'robot_teleop' not found").stdout
+    with pytest.raises(UserError, match="unknown distro 'kinetik'; did you mean 'kinetic'"):
+        command("--distro", "kinetik", "package 'robot_teleop' not found")
+
+
+def test_a_rule_says_what_is_printed_because_of_its_fault() -> None:
+    printed = "No valid hardware interface element found in joint 'JOINT'."
+    assert f"\n  {printed} (ros_control's transmission parser)\n" in command("UC201").stdout
+    assert printed in json.loads(command("UC201", "--format", "json").stdout)["prints"]
+    assert "Printed in the log" not in command("UC016").stdout
 
 
 def test_the_nearest_message_is_offered() -> None:

@@ -44,7 +44,7 @@ def test_the_rules_as_json_tell_all_of_them() -> None:
     assert [rule["code"] for rule in given] == [fault.code for fault in FAULTS]
     assert set(given[0]) == {
         *("code", "name", "severity", "summary", "why", "runtime", "because", "authority", "distros"),
-        "origin",
+        *("origin", "prints"),
     }
 
 

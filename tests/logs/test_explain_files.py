@@ -95,8 +95,3 @@ def test_the_distro_of_the_files_can_be_named(robot: Folder) -> None:
     )
     assert "found:" not in command("-", "--in", "arm", "--distro", "noetic", given=prefixed).stdout
     assert "(UC226)" in command("-", "--in", "arm", "--distro", "indigo", given=prefixed).stdout
-
-
-def test_a_distro_without_a_folder_is_the_user_s_error() -> None:
-    with pytest.raises(UserError, match="--distro is for --in"):
-        command("-", "--distro", "noetic")

@@ -10,6 +10,7 @@ from difflib import unified_diff
 from urdfctl.catalog.distros import in_words
 from urdfctl.catalog.log_messages import Cause, LogMessage, log_messages
 from urdfctl.fault import Fault
+from urdfctl.logs.printed import with_capitals
 from urdfctl.rules import all_faults
 from urdfctl.rules.prose import as_markdown
 
@@ -46,7 +47,7 @@ def cookbook() -> str:
 
 
 def _section(message: LogMessage, faults: Mapping[str, Fault], shown: str) -> Iterator[str]:
-    first, *others = (f"`{_named(pattern)}`" for pattern in message.patterns[:2])
+    first, *others = (f"`{with_capitals(pattern)}`" for pattern in message.patterns[:2])
     yield f"## {first}\n"
     printed = f"Printed by {message.by} ({in_words(message.distros)})"
     yield f"{printed}{''.join(f', also as {other}' for other in others)}. {_prose(message.meaning)}\n"
@@ -77,14 +78,9 @@ def _example(fault: Fault) -> Iterator[str]:
     yield "```\n"
 
 
-def _named(text: str) -> str:
-    """A text of the catalogue with its placeholders in capitals."""
-    return re.sub(r"\{\{|\}\}|\{(\w+)(:\w+)?\}", lambda gap: gap[1].upper() if gap[1] else gap[0][0], text)
-
-
 def _prose(text: str) -> str:
     """The same as Markdown."""
-    return as_markdown(_named(text))
+    return as_markdown(with_capitals(text))
 
 
 if __name__ == "__main__":

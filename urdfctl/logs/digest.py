@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from itertools import chain, islice
 
 from urdfctl.catalog.distros import ALL
@@ -30,6 +30,7 @@ _SHORT = 40
 _TRACED = re.compile(r'^\W*File ".+", line \d+, in \S+$')
 _EVERYWHERE = "*"
 """Stands for all processes."""
+_WITHIN_NAME = re.compile(r"[A-Za-z0-9]_$")
 _INSTALLED = "/opt/ros/"
 _LEVELS = ("error", "warning", "", "info")
 _URGENT = ("failure", "consequence", "warning")
@@ -90,18 +91,32 @@ class Digest(NamedTuple):
     distro: str = ""
 
 
-def digest(lines: Iterable[str], *, pasted: bool) -> Digest:
+def digest(lines: Iterable[str], *, pasted: bool, distro: str | None = None) -> Digest:
     """Return the messages in the lines.
 
     pasted: search every line for partial messages; otherwise only lines that look like errors, or all lines without
-    a level if there are few.
+    a level if there are few. distro: of the user; by default the one that the log shows.
     """
-    rest = iter(lines)
+    rest = _with_whole_names(lines) if pasted else iter(lines)
     first = list(islice(rest, _SHORT + 1))
-    reader = _LogReader(pasted=pasted, short=len(first) <= _SHORT)
+    reader = _LogReader(pasted=pasted, short=len(first) <= _SHORT, distro=distro)
     for line in chain(first, rest):
         reader.read(line)
     return reader.finished()
+
+
+def _with_whole_names(lines: Iterable[str]) -> Iterator[str]:
+    """Pasted lines, joined where one ends within a name, after an underscore."""
+    begun = ""
+    for line in lines:
+        begun += line.lstrip() if begun else line
+        if not _WITHIN_NAME.search(begun.rstrip()):
+            yield begun
+            begun = ""
+        else:
+            begun = begun.rstrip()
+    if begun:
+        yield begun
 
 
 class _Wrapped(NamedTuple):
@@ -121,13 +136,13 @@ class _Wrapped(NamedTuple):
 class _LogReader:
     """Read lines one by one and collect the messages."""
 
-    def __init__(self, *, pasted: bool, short: bool) -> None:
+    def __init__(self, *, pasted: bool, short: bool, distro: str | None = None) -> None:
         self._index = index()
         self._partial = partial()
         self._pasted = pasted
         self._short = short
         self._number = 0
-        self._distro = ""
+        self._distro = distro or ""
         self._known: dict[str, KnownMessage] = {}
         self._last: dict[str, dict[str, int]] = {}
         """By the id of a message, the last line in which each process prints it."""
@@ -180,7 +195,7 @@ class _LogReader:
         message = known.message
         return known._replace(
             settled=self._settled(message.id) if message.kind in _URGENT else 0,
-            reading=reading(message, known.values[0], frozenset(seen)),
+            reading=reading(message, known.values[0], frozenset(seen), self._distro),
         )
 
     def _settled(self, name: str) -> int:

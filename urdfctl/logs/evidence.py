@@ -22,6 +22,7 @@ from urdfctl.logs.pattern import filled
 from urdfctl.names import nearest
 from urdfctl.startup.records import NamedTuple
 
+_PACKAGE = re.compile(r"[a-z][a-z0-9_-]+")
 _LEAST_NAME = 3
 """Letters of a value that is looked for in findings."""
 
@@ -74,9 +75,12 @@ class MessageMeaning(NamedTuple):
         return self.causes[0].fix if self.causes and self.causes[0].fix else self.fix
 
 
-def reading(message: LogMessage, values: Mapping[str, str], seen: Collection[str]) -> MessageMeaning:
-    """Return the meaning, causes and fix of a message with these values, in a log with the messages `seen`."""
-    values = {**values, **_meant(message, values)}
+def reading(message: LogMessage, values: Mapping[str, str], seen: Collection[str], distro: str = "") -> MessageMeaning:
+    """Return the meaning, causes and fix of a message with these values, in a log with the messages `seen`.
+
+    distro: the ROS distro, for names of Debian packages.
+    """
+    values = {**values, **_meant(message, values), "debian": _debian(values.get("package", ""), distro)}
     causes = [cause for cause in message.causes if not cause.only_if or holds(cause.only_if, values, seen)]
     causes.sort(key=lambda cause: not (cause.first_if and holds(cause.first_if, values, seen)))
     likely = [LikelyCause(filled(cause.text, values), cause.rules, filled(cause.fix, values)) for cause in causes]
@@ -143,6 +147,12 @@ def _meant(message: LogMessage, values: Mapping[str, str]) -> dict[str, str]:
                 meant = nearest(value, known) or ("" if other == "known" else _by_class(value, known))
                 return {"meant": meant} if meant else {}
     return {}
+
+
+def _debian(package: str, distro: str) -> str:
+    """The name of the Debian package of a ROS package."""
+    name = package if _PACKAGE.fullmatch(package) else "PACKAGE"
+    return f"ros-{distro or '$ROS_DISTRO'}-{name.replace('_', '-')}"
 
 
 def _by_class(value: str, known: Sequence[str]) -> str | None:

@@ -13,6 +13,10 @@ from collections.abc import Mapping
 from urdfctl.startup.records import NamedTuple
 
 _GAP = re.compile(r"\{\{|\}\}|\{(\w*)(:word|:first)?\}")
+_OPENING, _CLOSING = ("'", '"', "["), ("'", '"', "]")
+_VERB = re.compile(r"(?<=\S) (?:is|was|are|were|has|had|could|can|does|did)$")
+_WRAPPED = re.compile(r"(?<=[a-z0-9]_) (?=[a-z0-9_]+$)|(?<=[a-z0-9]) (?=_[a-z0-9_]*$)")
+"""A blank where a line was wrapped within a name."""
 _AROUND_WORD = "',;:)]}\""
 """Marks behind a word that are not part of it."""
 
@@ -22,11 +26,13 @@ class Gap(NamedTuple):
 
     name: empty if the value is not used. word: whether the value is a single word.
     first: whether the value is the first word of what is there.
+    quoted: whether the value is printed between quotes or brackets, which a loose comparison does not see.
     """
 
     name: str
     word: bool = False
     first: bool = False
+    quoted: bool = False
 
 
 class MessagePattern(NamedTuple):
@@ -67,7 +73,8 @@ def parsed(text: str) -> MessagePattern:
         if gap[0] in {"{{", "}}"}:
             literals[-1] += gap[0][0]
         else:
-            gaps.append(Gap(gap[1], gap[2] == ":word", gap[2] == ":first"))
+            is_quoted = text[gap.start() - 1 : gap.start()] in _OPENING and text[gap.end() : gap.end() + 1] in _CLOSING
+            gaps.append(Gap(gap[1], gap[2] == ":word", gap[2] == ":first", quoted=is_quoted))
             literals.append("")
     literals[-1] += text[at:]
     return MessagePattern(tuple(literals), tuple(gaps))
@@ -120,5 +127,5 @@ def _values(pattern: MessagePattern, line: str, places: list[tuple[int, int]]) -
         if (gap.word or gap.first) and (not value or " " in value):
             return None
         if gap.name:
-            values.setdefault(gap.name, value)
+            values.setdefault(gap.name, _WRAPPED.sub("", _VERB.sub("", value)) if gap.quoted else value)
     return values

@@ -13,6 +13,7 @@ from urdfctl.lint.results import Report
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
+from urdfctl.logs.printed import printed_because_of
 from urdfctl.output.scratch import scratch_folder
 from urdfctl.report.common import relative
 from urdfctl.report.text import render
@@ -26,6 +27,7 @@ def fault_explanation(fault: Fault) -> str:
         fault.summary,
         *(textwrap.fill(paragraph, 100) for paragraph in fault.why.split("\n\n")),
         runtime_of(fault),
+        _printed(fault),
         textwrap.fill(f"Authority: {fault.authority}", 100),
     ]
     if fault.bad:
@@ -49,6 +51,12 @@ def runtime_of(fault: Fault) -> str:
     }[fault.runtime]
     because = f"; {fault.severity.value}, because {fault.because}" if fault.because else ""
     return textwrap.fill(f"Runtime: {does}{because}.", 100)
+
+
+def _printed(fault: Fault) -> str:
+    """What the user may see of the fault in a log."""
+    lines = [f"  {message.text} ({message.by})" for message in printed_because_of(fault.code)]
+    return "\n".join(["Printed in the log because of it:", *lines]) if lines else ""
 
 
 def _files(files: dict[str, str]) -> list[str]:

@@ -17,6 +17,7 @@ from urdfctl import __version__
 from urdfctl.diagnostic import CallStep, Diagnostic, Location, Repair, Severity
 from urdfctl.fault import Fault
 from urdfctl.lint.results import Report
+from urdfctl.logs.printed import printed_because_of
 from urdfctl.report.common import as_json, as_text, relative
 from urdfctl.report.fingerprint import fingerprints
 from urdfctl.report.words import fix_in_words, notes
@@ -72,7 +73,9 @@ def _driver(codes: Sequence[str], findings: Sequence[Diagnostic]) -> Json:
 
 
 def _rule(fault: Fault) -> Json:
-    paragraphs = [fault.summary, fault.why, f"Authority: {fault.authority}"]
+    printed = "; ".join(message.text for message in printed_because_of(fault.code))
+    told = f"Printed in the log because of it: {printed}" if printed else ""
+    paragraphs = [fault.summary, fault.why, told, f"Authority: {fault.authority}"]
     described = {"fullDescription": _message(fault.why)} if fault.why else {}
     return {
         "id": fault.code,

@@ -112,9 +112,9 @@ def tested(
     baseline = baseline_of(options, [group.config for group in groups], selection, found_by="smoke")
     tests = smoke(groups, _request(options), watch)
     made = report(tests, groups, selection, unknown=baseline and baseline.unknown, fail_on=fail_on)
-    shown = {"quiet": options.quiet, "verbose": options.verbose, "statistics": options.statistics}
+    found = made.found._replace(quiet=options.quiet, verbose=options.verbose, statistics=options.statistics)
     return tests, made._replace(
-        found=made.found._replace(**shown),
+        found=found,
         allow_empty=options.allow_empty or options.shard is not None,
     )
 

@@ -48,7 +48,7 @@ class ExplainOptions(Options):
     )
     distro: str | None = option(
         CHECKED_FOR,
-        "ROS distro for --in. Default: the one that the log shows, or else detected from the files.",
+        "ROS distro. Default: the one that the log shows, or else with --in, detected from the files.",
         choices=ALL,
         metavar="DISTRO",
     )
@@ -67,31 +67,37 @@ class ExplainOptions(Options):
 def run_explain(options: ExplainOptions) -> int:
     """Explain the rule, message or log that the words name. Without words, or for `-`, read standard input.
 
-    Raises UserError if there is nothing to explain, or for a single word that is neither a rule nor a file.
+    The exit status is 1 if nothing of a pasted text is known. Raises UserError if there is nothing to explain, or for a
+    single word that is neither a rule nor a file.
     """
     check_output(options.output_file)
-    text = explanation(options)
+    text, is_known = _explained(options)
     if options.output_file is None:
         print_text(text)
     else:
         write_file(options.output_file, text, force=True)
-    return 0
+    return 0 if is_known else 1
 
 
 def explanation(options: ExplainOptions) -> str:
     """Return the explanation of what the words name. Raises UserError if they name nothing."""
+    return _explained(options)[0]
+
+
+def _explained(options: ExplainOptions) -> tuple[str, bool]:
+    """The explanation, and whether anything of what was pasted is known."""
     if options.output_format not in TEXT_OR_JSON:
         raise UserError(f"unknown format '{options.output_format}'; known are {', '.join(TEXT_OR_JSON)}")
     text = " ".join(options.what).strip()
     if options.what and not text:
         raise UserError(_NOTHING)
-    if options.distro is not None and options.folder is None:
-        raise UserError("--distro is for --in FOLDER, which checks the robot's files")
+    if options.distro is not None and options.distro not in ALL:
+        raise UserError(f"unknown distro '{options.distro}'{did_you_mean(options.distro, ALL)}")
     if text in {"", "-"}:
         return _explain_log(_standard_input(), options)
     fault = _fault(text)
     if fault is not None:
-        return _explain_fault(fault, options)
+        return _explain_fault(fault, options), True
     if " " not in text and text.lower().endswith(_DESCRIPTIONS):
         raise UserError(f"explain reads rules, messages and logs; to check '{text}', run: urdfctl lint {text}")
     if os.path.isfile(text):
@@ -141,7 +147,7 @@ def _standard_input() -> BinaryIO:
     return sys.stdin.buffer
 
 
-def _explain_file(path: str, options: ExplainOptions) -> str:
+def _explain_file(path: str, options: ExplainOptions) -> tuple[str, bool]:
     try:
         with opened(path) as file:
             return _explain_log(file, options)
@@ -149,25 +155,26 @@ def _explain_file(path: str, options: ExplainOptions) -> str:
         raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
 
 
-def _explain_log(stream: BinaryIO, options: ExplainOptions, *, pasted: bool = False) -> str:
+def _explain_log(stream: BinaryIO, options: ExplainOptions, *, pasted: bool = False) -> tuple[str, bool]:
     from urdfctl.logs.digest import digest
     from urdfctl.logs.reading import Lines
 
     lines = Lines(stream)
-    messages, folder = digest(lines, pasted=pasted), None
+    messages, folder = digest(lines, pasted=pasted, distro=options.distro), None
     if not messages.lines:
         raise UserError(_NOTHING)
     if options.folder is not None:
         from urdfctl.commands.understand.explain_files import checked
 
         messages, folder = checked(messages, options.folder, options.distro)
+    is_known = bool(messages.known) or not pasted
     if options.output_format == "json":
         from urdfctl.report.log_explanation.as_json import render_log_json
 
-        return render_log_json(messages, complete=lines.complete, files=folder)
+        return render_log_json(messages, complete=lines.complete, files=folder), is_known
     from urdfctl.report.log_explanation.as_text import render_log
 
-    return render_log(messages, pasted=pasted, complete=lines.complete, files=folder)
+    return render_log(messages, pasted=pasted, complete=lines.complete, files=folder), is_known
 
 
 command = Command(ExplainOptions, run_explain)

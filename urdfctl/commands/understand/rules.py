@@ -10,6 +10,7 @@ from urdfctl.commands.words import codes
 from urdfctl.errors import UserError
 from urdfctl.fault import Fault
 from urdfctl.lint.selection import Selection, validate_selection
+from urdfctl.logs.printed import printed_because_of
 from urdfctl.output.printing import print_text
 from urdfctl.rules import all_faults, origin_of
 
@@ -60,6 +61,7 @@ def plain_fault(fault: Fault) -> dict[str, object]:
         "authority": fault.authority,
         "distros": list(fault.distros),
         "origin": origin_of(fault.code),
+        "prints": [message.text for message in printed_because_of(fault.code)],
     }
 
 

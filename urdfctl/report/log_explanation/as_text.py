@@ -18,6 +18,10 @@ _LONGEST = 240
 _MOST_OTHERS = 4
 _MOST_UNKNOWN = 5
 _MOST_FOUND = 3
+_REPORT = (
+    "To have it explained, report it with the ROS distro and the program that prints it: an issue in the repository of "
+    "urdfctl."
+)
 _HEADINGS = {
     "failure": "Failures",
     "consequence": "Consequences of a failure",
@@ -44,6 +48,8 @@ def render_log(digest: Digest, *, pasted: bool, complete: bool, files: CheckedFo
         parts += ["\n".join([_where(known, pasted=pasted), *_explained(known, brief=brief)]) for known in chosen]
         if pasted:
             parts += [_source(known) for known in chosen if single]
+    if pasted and digest.unknown and not digest.known:
+        parts.append("\n".join(_paragraph(_REPORT, "", "")))
     commands = next_commands(digest.known, files)
     if commands:
         width = max(len(command.text) for command in commands)
