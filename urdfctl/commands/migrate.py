@@ -29,6 +29,8 @@ from urdfctl.output.patch import patch
 from urdfctl.output.printing import print_bytes, print_message, print_messages, print_text
 from urdfctl.output.writing import encoded
 from urdfctl.run.git import has_changes
+from urdfctl.source.disk.gate import exists
+from urdfctl.source.workspaces.packages import package_around, package_folders
 
 REPORT = "MIGRATION.md"
 _LAUNCH_FORMS = ("py", "xml")
@@ -110,6 +112,12 @@ def run_migrate(options: MigrateOptions) -> int:
     print_messages(restore_unfinished())
     with closing(Scratch(paths)) as scratch:
         _check_destination(options, [scratch.real(folder) for folder in scratch.folders])
+        real = [scratch.real(folder) for folder in scratch.folders]
+        if not any(package_around(folder) or next(package_folders(folder), None) for folder in real):
+            where = ", ".join(paths)
+            raise UserError(
+                f"no package in {where}: migrate needs a package.xml, which says what ROS builds and installs"
+            )
         result = migrate(scratch, migration, settings_in(scratch, options), Lint(scratch, with_progress), STEPS)
         return _finish(result, scratch, options, migration)
 
@@ -127,11 +135,10 @@ def migration_of(options: MigrateOptions) -> MigrationOptions:
     """Return the migration that the options ask for. Raises UserError if they do not fit together."""
     if options.to is None:
         raise UserError("--to requires the distro to migrate to, e.g. --to jazzy")
-    for name, distro, known in (("--to", options.to, ROS2), ("--from", options.source, ALL)):
+    for name, distro, known in (("--to", options.to, _TARGETS), ("--from", options.source, ALL)):
         if distro is not None and distro not in known:
-            raise UserError(
-                f"{name}: unknown distro '{distro}'{did_you_mean(distro, known)}; known are {', '.join(known)}"
-            )
+            what = "is no target: its support ended" if distro in ROS2 else f"is unknown{did_you_mean(distro, known)}"
+            raise UserError(f"{name}: distro '{distro}' {what}; known are {', '.join(known)}")
     if options.source in ROS2 and ROS2.index(options.source) > ROS2.index(options.to):
         raise UserError(f"'{options.to}' is earlier than '{options.source}'; urdfctl migrates to later distros only")
     if options.simulator is not None and options.simulator not in SIMULATORS:
@@ -176,7 +183,8 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, migrat
     is_written = options.in_place or options.output is not None
     path = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
     check_output(path)
-    is_reported = path is not None and bool(result.changes or (options.report and result.lines))
+    is_new = path is not None and (bool(options.report) or not exists(path))
+    is_reported = path is not None and bool(result.changes or (is_new and result.lines))
     render = as_json if path and path.endswith(".json") else as_markdown
     text = encoded(render(result.lines, migration.source, migration.target, base)) if is_reported else b""
     report = (path, text) if path is not None and is_reported else None

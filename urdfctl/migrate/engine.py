@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from urdfctl.catalog.distros import ROS1
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.grouping import grouped
@@ -12,6 +13,7 @@ from urdfctl.migrate.acceptance import Before, Objection, before
 from urdfctl.migrate.attempt import Attempt, Key, Noted
 from urdfctl.migrate.fixes import fixes_of_lint
 from urdfctl.migrate.installs import installs_for_launch_files
+from urdfctl.migrate.inventory import inventory
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.packages import Lint, Linted, MigratedPackages
@@ -75,6 +77,8 @@ def migrate(
     lines = [*_done(scratch, noted)]
     if changes or left_out:
         lines += [*_not_done(scratch, left_out, found), *_left(scratch, first, attempt, found)]
+    from_ros1 = options.source in ROS1 or any(result.ros == 1 for _, result in first)
+    lines += inventory(scratch, options.target, changes, from_ros1=from_ros1)
     return Migration(changes, tuple(lines))
 
 

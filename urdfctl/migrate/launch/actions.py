@@ -41,6 +41,7 @@ class Action(NamedTuple):
     value: the default or value; the file of an include; the namespace of a group or node.
     package: of a node.
     pairs: the arguments of an include, the parameters of a node, by name.
+    env: the environment variables of a node.
     """
 
     kind: str
@@ -57,6 +58,7 @@ class Action(NamedTuple):
     condition: ActionCondition | None = None
     inner: tuple[Action, ...] = ()
     flags: tuple[tuple[str, str], ...] = ()
+    env: tuple[tuple[str, Text], ...] = ()
 
 
 def literal(text: str) -> Text:

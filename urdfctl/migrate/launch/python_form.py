@@ -18,6 +18,7 @@ _NAMES = {
         "IncludeLaunchDescription",
         "SetEnvironmentVariable",
         "SetLaunchConfiguration",
+        "Shutdown",
     ),
     "launch.conditions": ("IfCondition", "UnlessCondition"),
     "launch.launch_description_sources": ("AnyLaunchDescriptionSource",),
@@ -119,8 +120,16 @@ def _node(node: Action, depth: int) -> Iterator[str]:
     if node.remaps:
         pairs = [f"({_text(old)}, {_text(new)})" for old, new in node.remaps]
         yield f"remappings={_items(pairs, depth + 1)}"
+    if node.env:
+        yield f"additional_env={{{', '.join(f'{python_text(name)}: {_text(value)}' for name, value in node.env)}}}"
     for name, value in node.flags:
-        yield f"{name}={value if value in {'True', 'False'} else python_text(value)}"
+        yield f"{name}={_flag(name, value)}"
+
+
+def _flag(name: str, value: str) -> str:
+    if name == "on_exit":
+        return "Shutdown()"
+    return value if value in {"True", "False"} or name == "respawn_delay" else python_text(value)
 
 
 def _items(items: Sequence[str], depth: int) -> str:

@@ -85,6 +85,8 @@ def _children(node: Action) -> Iterator[str]:
         yield f'<param from="{_text(file)}"/>'
     for name, value in node.pairs:
         yield f'<param name="{name}" value="{_text(value)}"/>'
+    for name, value in node.env:
+        yield f'<env name="{name}" value="{_text(value)}"/>'
     for old, new in node.remaps:
         yield f'<remap from="{_text(old)}" to="{_text(new)}"/>'
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 
 from urdfctl.migrate.launch.actions import (
     Action,
@@ -35,6 +36,8 @@ _DESCRIPTION = "robot_description"
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
 _LAUNCH_ENDINGS = (".launch.xml", ".launch", ".xml")
 _SURE_ENDINGS = (".launch.xml", ".launch")
+_MOST_CHOICES = 3
+"""Conditions in one node or include; it is written once for each combination."""
 _WITHOUT_COUNTERPART = {
     "machine": "has no counterpart: start the launch file on that machine",
     "test": "has no counterpart: write the test with launch_testing",
@@ -66,9 +69,32 @@ class LaunchReading(Notes):
                 if text and "<" not in text:
                     yield Action("comment", text)
             elif isinstance(node, Element):
-                for action in self._element(node, root, description, files):
+                for action in self._with_choices(node, root, description, files):
                     yield self._conditional(action, node)
             node = node.nextSibling
+
+    def _with_choices(
+        self, element: Element, root: Element, description: Text, files: Sequence[Text]
+    ) -> Iterator[Action]:
+        """The actions of an element. Conditions inside of a node or an include choose between two of these."""
+        choices = _choices_in(element) if element.tagName in ("node", "include") else []
+        if not choices:
+            yield from self._element(element, root, description, files)
+            return
+        if len(choices) > _MOST_CHOICES:
+            self.left.append(f"choose inside of '{_name_of(element)}' by {', '.join(choices)}: all of it is written")
+            yield from self._element(element, root, description, files)
+            return
+        first, both = choices[0], []
+        for is_true in (True, False):
+            with _chosen(element, first, is_true=is_true):
+                both.append(list(self._with_choices(element, root, description, files)))
+        if both[0] == both[1]:
+            yield from both[0]
+            return
+        for negated, inner in enumerate(both):
+            if inner:
+                yield Action("group", inner=tuple(inner), condition=ActionCondition(parsed(first), bool(negated)))
 
     def _conditional(self, action: Action, element: Element) -> Action:
         for name in ("if", "unless"):
@@ -276,6 +302,41 @@ class LaunchReading(Notes):
             files=(file,),
             remaps=((literal("~/robot_description"), parsed(topic)),) if self.target.remaps_description else (),
         )
+
+
+def _choices_in(element: Element) -> list[str]:
+    """The texts of the conditions of what is in a node or an include, each once."""
+    found = (child.attrs[name] for child in element.elements() for name in ("if", "unless") if name in child.attrs)
+    return list(dict.fromkeys(found))
+
+
+@contextmanager
+def _chosen(element: Element, condition: str, *, is_true: bool) -> Iterator[None]:
+    """Within it, an element has only those children that a condition leaves, without that condition."""
+    children = list(element.children())
+    changed: list[tuple[Element, str]] = []
+    for child in children:
+        if isinstance(child, Element):
+            for name, wanted in (("if", True), ("unless", False)):
+                if child.attrs.get(name) == condition:
+                    changed.append((child, name))
+                    if is_true is not wanted:
+                        element.removeChild(child)
+    for child, name in changed:
+        del child.attrs[name]
+    try:
+        yield
+    finally:
+        for child, name in changed:
+            child.attrs[name] = condition
+        for child in list(element.children()):
+            element.removeChild(child)
+        for child in children:
+            element.appendChild(child)
+
+
+def _name_of(element: Element) -> str:
+    return element.attrs.get("name") or element.attrs.get("type") or element.attrs.get("file", "")
 
 
 def _is_idle(action: Action) -> bool:

@@ -104,6 +104,7 @@ _SAME = frozenset(
 """Packages of ROS 1 that exist for ROS 2, with programs of the same names."""
 _ARGUMENTS = {"world": "world_name", "gui": "gui", "pause": "paused", "verbose": "verbose"}
 """The arguments of gazebo.launch.py, with their names in empty_world.launch of ROS 1."""
+_NUMBER = re.compile(r"\d+(\.\d*)?")
 _POSES = ("-x", "-y", "-z", "-R", "-P", "-Y")
 _OF_ROS1 = ("-urdf", "-sdf", "-unpause", "-wait", "-b")
 """Options of ROS 1's spawn_model that ROS 2's spawn_entity.py does not have, or has with another meaning."""
@@ -113,7 +114,12 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
     """Yield the actions for a node. What is left to a person is added to the reading."""
     package, program = element.attrs.get("pkg", ""), element.attrs.get("type", "")
     words = words_of(parsed(element.attrs.get("args", "")))
-    if package == "controller_manager" and program in ("spawner", "controller_manager", "unspawner"):
+    reading.left += lost_attributes(element)
+    if package == "controller_manager" and program == "unspawner":
+        names = " ".join(plain(word) for word in words if is_literal(word))
+        text = f"'unspawner {names}' waited, and stopped the controllers when it ended: ROS 2 has 'ros2 run "
+        reading.left.append(f"{text}controller_manager unspawner {names}', which stops them at once")
+    elif package == "controller_manager" and program in ("spawner", "controller_manager"):
         yield from _spawner(reading, element, words, files)
     elif package == "gazebo_ros" and program == "spawn_model":
         reading.unpauses |= any(plain(word) == "-unpause" for word in words)
@@ -152,8 +158,6 @@ def _plain(element: Element, package: str, program: str) -> Action:
     children = element.elements()
     files = [parsed(one.attrs["file"]) for one in children if one.tagName == "rosparam" and "file" in one.attrs]
     remaps = [remapping(one) for one in children if one.tagName == "remap"]
-    flags = [("output", attrs["output"])] if attrs.get("output") in {"screen", "log"} else []
-    flags += [("respawn", "True")] if attrs.get("respawn", "").lower() == "true" else []
     return Action(
         "node",
         program,
@@ -164,8 +168,49 @@ def _plain(element: Element, package: str, program: str) -> Action:
         pairs=tuple(parameters_of(element)),
         files=tuple(files),
         remaps=tuple(remaps),
-        flags=tuple(flags),
+        flags=tuple(_flags(attrs)),
+        env=tuple(
+            (one.attrs.get("name", ""), parsed(one.attrs.get("value", ""))) for one in children if one.tagName == "env"
+        ),
     )
+
+
+def _flags(attrs: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+    """The options of a node in ROS 2 for its attributes in ROS 1 (roslaunch/XML/node on wiki.ros.org; launch_ros Node)."""
+    if attrs.get("output") in {"screen", "log"}:
+        yield "output", attrs["output"]
+    if _is_true(attrs.get("respawn")):
+        yield "respawn", "True"
+        delay = attrs.get("respawn_delay", "")
+        if _NUMBER.fullmatch(delay):
+            yield "respawn_delay", str(float(delay))
+    if _is_true(attrs.get("required")):
+        yield "on_exit", "shutdown"
+    if attrs.get("launch-prefix") and "$(" not in attrs["launch-prefix"]:
+        yield "prefix", attrs["launch-prefix"]
+
+
+def _is_true(text: str | None) -> bool:
+    return (text or "").strip().lower() in ("true", "1")
+
+
+def lost_attributes(element: Element) -> Iterator[str]:
+    """Yield what a person must do because of attributes of a node that have no counterpart."""
+    attrs, node = element.attrs, f"node '{element.attrs.get('name') or element.attrs.get('type', '')}'"
+    if "machine" in attrs:
+        yield f"{node} ran on machine '{attrs['machine']}': start its launch file there"
+    if attrs.get("cwd") == "node":
+        yield f'{node} had cwd="node", the folder of its program: give it cwd=FOLDER if it reads files from there'
+    if _is_true(attrs.get("clear_params")):
+        yield f"{node} had clear_params: parameters of ROS 2 end with their node, nothing is left to clear"
+    delay = attrs.get("respawn_delay", "")
+    if delay and not _NUMBER.fullmatch(delay):
+        yield f'{node} had respawn_delay="{delay}": give it respawn_delay=SECONDS'
+    if "$(" in attrs.get("launch-prefix", ""):
+        yield f'{node} had launch-prefix="{attrs["launch-prefix"]}": give it prefix=[...]'
+    for name in ("respawn", "required"):
+        if "$(" in attrs.get(name, ""):
+            yield f'{node} had {name}="{attrs[name]}": make two nodes of it, each with its condition'
 
 
 def remapping(element: Element) -> tuple[Text, Text]:

@@ -1,0 +1,156 @@
+"""What a migration changes beside its files: code that is left to a person, and topics with another name or type."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+
+from urdfctl.catalog.distros import ROS2, since
+from urdfctl.migrate.report import ReportLine
+from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.step import EntryKind
+from urdfctl.output.change import Change, bytes_of
+from urdfctl.startup.records import NamedTuple
+
+_CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".hh")
+_MOST_BYTES = 1 << 20
+
+
+class _Code(NamedTuple):
+    """Code that a target does not have.
+
+    pattern: what shows it. message: what a person must do. distros: the targets that it is lost in.
+    endings: of the files.
+    """
+
+    pattern: str
+    message: str
+    authority: str
+    distros: tuple[str, ...] = ROS2
+    endings: tuple[str, ...] = _CODE
+
+
+_LOST = (
+    _Code(
+        r"(?m)^\s*(?:import|from)\s+rospy\b",
+        "is a node of rospy, which was not migrated: port it to rclpy",
+        "docs.ros.org, Migrating Python packages from ROS 1 to ROS 2",
+        endings=("", ".py"),
+    ),
+    _Code(
+        r"#\s*include\s*[<\"](?:ros/ros\.h|nodelet/nodelet\.h)[>\"]",
+        "is a node of roscpp, which was not migrated: port it to rclcpp",
+        "docs.ros.org, Migrating C++ packages from ROS 1 to ROS 2",
+    ),
+    _Code(
+        r"#\s*include\s*[<\"](?:hardware_interface/robot_hw\.h|gazebo_ros_control/robot_hw_sim\.h)[>\"]",
+        "is hardware for ros_control, which was not migrated: write a hardware component of ros2_control",
+        "control.ros.org, Writing a Hardware Component",
+    ),
+    _Code(
+        r"#\s*include\s*[<\"]controller_interface/(?:multi_interface_)?controller\.h[>\"]",
+        "is a controller for ros_control, which was not migrated: write it for ros2_control",
+        "control.ros.org, Writing a new controller",
+    ),
+    _Code(
+        r"\bgazebo_msgs\b",
+        "uses gazebo_msgs, which only Gazebo Classic serves: gz has the services of ros_gz_interfaces",
+        "ros_gz README: ros_gz_interfaces",
+        since("jazzy"),
+        endings=("", *_CODE),
+    ),
+    _Code(
+        r"#\s*include\s*[<\"]gazebo/(?:gazebo|common|physics|sensors)[^>\"]*[>\"]",
+        "is a plugin for Gazebo Classic, which was not migrated: write a system of gz",
+        "gazebosim.org, Migration from Gazebo Classic: plugins",
+        since("jazzy"),
+    ),
+    _Code(
+        r"\bon_init\s*\(\s*const\s+(?:hardware_interface::)?HardwareInfo\b",
+        "overrides on_init(const HardwareInfo &), which is gone: override it with HardwareComponentInterfaceParams",
+        "ros2_control hardware_component_interface.hpp: deprecated in jazzy and kilted",
+        since("lyrical"),
+    ),
+    _Code(
+        r"(?m)^\s*Class: rviz/",
+        "is a configuration of RViz 1, which was not migrated: save it anew in RViz 2",
+        "docs.ros.org, rviz: the names of its classes differ",
+        endings=(".rviz",),
+    ),
+)
+
+
+class _Moved(NamedTuple):
+    """A topic that changes with a controller: before, after, and the type of the controller, as in ROS 1."""
+
+    pattern: str
+    message: str
+    authority: str
+
+
+_OF_ROS1 = (
+    _Moved(
+        r"(?:position|velocity|effort)_controllers/Joint(?:Position|Velocity|Effort)Controller\b",
+        "its commands are ~/commands of type std_msgs/msg/Float64MultiArray now, not ~/command of type Float64: change "
+        "who publishes them",
+        "ros2_controllers forward_controllers_base.cpp",
+    ),
+    _Moved(
+        r"(?:position|velocity|effort)_controllers/JointGroup(?:Position|Velocity|Effort)Controller\b",
+        "its commands are on ~/commands now, not on ~/command: change who publishes them",
+        "ros2_controllers forward_controllers_base.cpp",
+    ),
+    _Moved(
+        r"_controllers/JointTrajectoryController\b",
+        "its trajectories are on ~/joint_trajectory now, not on ~/command; the action is control_msgs/action/FollowJointTrajectory",
+        "ros2_controllers joint_trajectory_controller.cpp",
+    ),
+)
+_STAMPED = _Moved(
+    r"\b(?:diff_drive_controller/DiffDriveController|ackermann_steering_controller/|mecanum_drive_controller/)",
+    "it reads geometry_msgs/msg/TwistStamped, not Twist: change who publishes its velocities",
+    "ros2_controllers diff_drive_controller.cpp: create_subscription<TwistStamped>",
+)
+_STAMPED_IN_HUMBLE = _STAMPED._replace(
+    message="it reads geometry_msgs/msg/TwistStamped unless use_stamped_vel is false, which keeps Twist",
+    authority="ros2_controllers humble diff_drive_controller_parameter.yaml: use_stamped_vel",
+)
+
+
+def inventory(scratch: Scratch, target: str, changed: Iterable[Change], *, from_ros1: bool) -> Iterator[ReportLine]:
+    """Yield what is left to a person: code that the target does not have, and topics that changed with the controllers.
+
+    changed: what the migration changed. from_ros1: whether the packages were for ROS 1.
+    """
+    yield from _code(scratch, target)
+    for change in changed if from_ros1 else ():
+        if change.after is not None and change.path.endswith((".yaml", ".yml")):
+            yield from _topics(change, target)
+
+
+def _code(scratch: Scratch, target: str) -> Iterator[ReportLine]:
+    for path in scratch.files():
+        ending = os.path.splitext(path)[1]
+        kinds = [code for code in _LOST if ending in code.endings and target in code.distros]
+        data = (bytes_of(path) or b"")[:_MOST_BYTES] if kinds else b""
+        if not data or (not ending and not data.startswith(b"#!")):
+            continue
+        text = data.decode("utf-8", "replace")
+        for code in kinds:
+            found = re.search(code.pattern, text)
+            if found is not None:
+                line = text.count("\n", 0, found.end()) + 1
+                yield ReportLine(
+                    EntryKind.FOR_YOU, code.message, file=scratch.real(path), line=line, authority=code.authority
+                )
+
+
+def _topics(change: Change, target: str) -> Iterator[ReportLine]:
+    before, after = ((data or b"").decode("utf-8", "replace") for data in (change.before, change.after))
+    stamped = _STAMPED if target in since("jazzy") else _STAMPED_IN_HUMBLE
+    for text, each in (*((before, moved) for moved in _OF_ROS1), (after, stamped)):
+        found = re.search(each.pattern, text)
+        if found is not None:
+            line = after.count("\n", 0, max(after.find(found[0]), 0)) + 1
+            yield ReportLine(EntryKind.FOR_YOU, each.message, file=change.path, line=line, authority=each.authority)
