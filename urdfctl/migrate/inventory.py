@@ -73,6 +73,13 @@ _LOST = (
         since("lyrical"),
     ),
     _Code(
+        r"(?s)\A(?!.*generate_launch_description).*?/(?:cmd_vel|reference)_unstamped\b",
+        "publishes Twist on a topic that is gone: publish TwistStamped on the topic without '_unstamped'",
+        "ros2_controllers#812, #958: ~/cmd_vel is always geometry_msgs/msg/TwistStamped",
+        since("jazzy"),
+        endings=("", *_CODE),
+    ),
+    _Code(
         r"(?m)^\s*Class: rviz/",
         "is a configuration of RViz 1, which was not migrated: save it anew in RViz 2",
         "docs.ros.org, rviz: the names of its classes differ",
@@ -103,7 +110,7 @@ _OF_ROS1 = (
     ),
     _Moved(
         r"_controllers/JointTrajectoryController\b",
-        "its trajectories are on ~/joint_trajectory now, not on ~/command; the action is control_msgs/action/FollowJointTrajectory",
+        "its trajectories are on ~/joint_trajectory now, not on ~/command",
         "ros2_controllers joint_trajectory_controller.cpp",
     ),
 )
@@ -125,7 +132,7 @@ def inventory(scratch: Scratch, target: str, changed: Iterable[Change], *, from_
     """
     yield from _code(scratch, target)
     for change in changed if from_ros1 else ():
-        if change.after is not None and change.path.endswith((".yaml", ".yml")):
+        if change.after is not None and change.file.endswith((".yaml", ".yml")):
             yield from _topics(change, target)
 
 
@@ -153,4 +160,4 @@ def _topics(change: Change, target: str) -> Iterator[ReportLine]:
         found = re.search(each.pattern, text)
         if found is not None:
             line = after.count("\n", 0, max(after.find(found[0]), 0)) + 1
-            yield ReportLine(EntryKind.FOR_YOU, each.message, file=change.path, line=line, authority=each.authority)
+            yield ReportLine(EntryKind.FOR_YOU, each.message, file=change.file, line=line, authority=each.authority)

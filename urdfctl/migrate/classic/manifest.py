@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
@@ -11,6 +12,8 @@ from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz, host_plugin, leaves_classic, simulated_by, system
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
+from urdfctl.source.span import SourceSpan
+from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "rosdistro#41224; ros_gz README"
 _CONTROL = "gazebo_ros2_control"
@@ -35,11 +38,27 @@ def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
             known.update(added)
             indent, kind = indent_of(element), element.tagName
             edits.append(Edit(lines_of(element), "".join(f"{indent}<{kind}>{name}</{kind}>\n" for name in added)))
+        edits += _missing(packages, root, known)
         if edits:
             entry = ReportEntry(
                 EntryKind.DONE, "the package needs gz instead of Gazebo Classic", root.at, authority=_AUTHORITY
             )
             yield Proposal(tuple(edits), entries=(entry,))
+
+
+def _missing(packages: MigratedPackages, root: Element, known: set[str]) -> Iterator[Edit]:
+    """The packages of gz that launch files and robots of the package use, and that it does not name."""
+    gz, host = gz_names(packages.options.target), host_plugin(packages)
+    wanted = dict.fromkeys([gz["package"], gz["bridge"], *([host.package] if host and host.package else [])])
+    folder = os.path.dirname(root.source.path) + os.sep
+    files = [path for path in packages.files(".py", ".xml", ".xacro", ".urdf") if path.startswith(folder)]
+    texts = [packages.read(path).data for path in files if os.path.basename(path) != "package.xml"]
+    needed = [name for name in wanted if name not in known and any(name.encode() in text for text in texts)]
+    last = [element for element in root.elements() if element.tagName.endswith("depend")][-1:]
+    if needed and last:
+        end = lines_of(last[0]).end
+        lines = "".join(f"{indent_of(last[0])}<exec_depend>{name}</exec_depend>\n" for name in needed)
+        yield Edit(SourceSpan(root.source, end, end), lines)
 
 
 def _successors(packages: MigratedPackages, name: str) -> tuple[str, ...] | None:

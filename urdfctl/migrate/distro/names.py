@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from urdfctl.catalog.moves import MovedNames, name_moves
 from urdfctl.diagnostic import Edit
@@ -43,6 +43,8 @@ def _names_in(part: Part, packages: MigratedPackages) -> Iterator[Proposal]:
             for move in moves:
                 if any(_may_hold(source, old, move) for old in move.names):
                     yield from _renamed(source, move, own)
+            if part is Part.MANIFEST:
+                yield from _unconditional(source, moves, packages.options.target)
 
 
 def _may_hold(source: SourceText, old: str, move: MovedNames) -> bool:
@@ -55,6 +57,22 @@ def _renamed(source: SourceText, move: MovedNames, own: set[str | None]) -> Iter
         new = _new_name(text, move)
         if new != text and text not in own:
             yield _proposal(span, text, new, move)
+
+
+_CONDITION = re.compile(rb"""\s+condition=(["'])\s*\$ROS_DISTRO\s*==\s*(\w+)\s*\1""")
+
+
+def _unconditional(source: SourceText, moves: Sequence[MovedNames], target: str) -> Iterator[Proposal]:
+    """The dependencies that are renamed for the target, without the condition that another distro is used (REP 149)."""
+    for found in _CONDITION.finditer(source.data):
+        tag_end = source.data.find(b">", found.end()) + 1
+        text = source.data[tag_end : max(source.data.find(b"<", tag_end), tag_end)].decode("utf-8", "replace").strip()
+        is_renamed = any(_new_name(text, move) != text for move in moves)
+        if tag_end and found[2].decode() != target and is_renamed:
+            at = Place(source, found.start(), end=found.end())
+            what = f"the condition on '{text}' is dropped: its successor is for {target} too"
+            entry = ReportEntry(EntryKind.DONE, what, at, authority="REP 149: condition")
+            yield Proposal((Edit(SourceSpan(source, found.start(), found.end()), ""),), entries=(entry,))
 
 
 def _new_name(text: str, move: MovedNames) -> str:

@@ -77,7 +77,7 @@ def _topics(packages: MigratedPackages) -> Iterator[Proposal]:
     readers = drives(packages)
     for path in packages.files(".py", ".xml", ".launch", ".yaml", ".yml") if readers else ():
         source = packages.read(path)
-        is_read = b"_unstamped" in source.data and (is_launch(path) or path.endswith((".yaml", ".yml")))
+        is_read = b"_unstamped" in source.data and (_starts(path, source.data) or path.endswith((".yaml", ".yml")))
         for token in tokens_in(source) if is_read and packages.may_change(path) else ():
             found = _OLD_TOPIC.search(token.text)
             if found is None or found[1] not in readers:
@@ -86,6 +86,11 @@ def _topics(packages: MigratedPackages) -> Iterator[Proposal]:
             what = f"the topic '{token.text}' is now '{token.text.removesuffix('_unstamped')}'"
             entry = ReportEntry(EntryKind.DONE, what, Place(source, token.start, end=token.end), authority=_STAMPED)
             yield Proposal((Edit(SourceSpan(source, start, token.end), ""),), entries=(entry,))
+
+
+def _starts(path: str, data: bytes) -> bool:
+    """Whether a file starts nodes; other code publishes the message itself, and its type would stay."""
+    return is_launch(path) and (not path.endswith(".py") or b"generate_launch_description" in data)
 
 
 STAMPED = Step(

@@ -40,6 +40,9 @@ _NEW_NAMES: Mapping[str, tuple[str, ...]] = {
     "roslint": (),
     "catkin": (),
     "moveit_fake_controller_manager": (),
+    "amcl": ("nav2_amcl", "nav2_lifecycle_manager"),
+    "map_server": ("nav2_map_server", "nav2_lifecycle_manager"),
+    "move_base": ("nav2_bringup",),
 }
 """By name in ROS 1: the packages of ROS 2 that take its place. Others keep their name."""
 _OF_CLASSIC = ("gazebo", "gazebo_dev", "gazebo_plugins", "libgazebo-dev")
@@ -154,7 +157,10 @@ def _export(root: Element) -> Edit:
     export = child(root, "export")
     build = "<build_type>ament_cmake</build_type>"
     if export is None:
-        at = source.data.rfind(b"\n", 0, root.close or len(source.data)) + 1
+        end = root.close or len(source.data)
+        at = source.data.rfind(b"\n", 0, end) + 1
+        if source.data[at:end].strip():
+            return Edit(SourceSpan(source, end, end), f"<export>{build}</export>")
         return Edit(SourceSpan(source, at, at), f"\n{step}<export>\n{step * 2}{build}\n{step}</export>\n")
     meta = child(export, "metapackage")
     if meta is not None:

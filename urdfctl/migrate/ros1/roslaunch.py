@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
+from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
 from urdfctl.migrate.launch.actions import (
     Action,
     ActionCondition,
@@ -34,6 +35,8 @@ from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 _DESCRIPTION = "robot_description"
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
+_TIMED = ("robot_state_publisher", "controller_manager", CLASSIC_PACKAGE)
+"""Packages whose nodes have the simulation's time, or need none."""
 _LAUNCH_ENDINGS = (".launch.xml", ".launch", ".xml")
 _SURE_ENDINGS = (".launch.xml", ".launch")
 _MOST_CHOICES = 3
@@ -56,6 +59,8 @@ class LaunchReading(Notes):
         if (self.unpauses or must_run(found)) and (started := running(found)) != found:
             found = started
             self.decided.append(DECIDED)
+        if self.target.started != "none" and _needs_simulated_time(found):
+            found = [Action("set_parameter", "use_sim_time", literal("true")), *found]
         has_description = any(action.description for action in all_actions(tuple(found)))
         return found if has_description or self.target.describes else [one for one in found if not _is_idle(one)]
 
@@ -107,9 +112,10 @@ class LaunchReading(Notes):
         if element.tagName == "arg":
             self.defaults[attrs.get("name", "")] = attrs.get("default", attrs.get("value", ""))
             if "value" in attrs:
-                yield Action("let", attrs.get("name", ""), parsed(attrs["value"]))
+                yield Action("let", attrs.get("name", ""), _command_in(attrs["value"]) or parsed(attrs["value"]))
             else:
                 default = self._value(attrs["default"]) if "default" in attrs else None
+                default = _command_in(attrs.get("default", "")) or default
                 yield Action("argument", attrs.get("name", ""), default, about=attrs.get("doc", ""))
         elif element.tagName == "group":
             inner = tuple(self._children(element, root))
@@ -339,6 +345,15 @@ def _name_of(element: Element) -> str:
     return element.attrs.get("name") or element.attrs.get("type") or element.attrs.get("file", "")
 
 
+def _needs_simulated_time(actions: Sequence[Action]) -> bool:
+    """Whether actions start a simulator and a node that needs its time: empty_world.launch set that for all nodes."""
+    every = list(all_actions(tuple(actions)))
+    is_set = any(action.kind == "set_parameter" and action.name == "use_sim_time" for action in every)
+    starts = any(action.kind == "include" and action.value == parsed(CLASSIC_FILE) for action in every)
+    others = (action for action in every if action.kind == "node" and action.package not in _TIMED)
+    return starts and not is_set and any(True for _ in others)
+
+
 def _is_idle(action: Action) -> bool:
     """Whether an action is a robot_state_publisher without a description: the file that has it starts one."""
     return action.kind == "node" and action.package == "robot_state_publisher" and not action.description
@@ -367,7 +382,18 @@ def description_command(element: Element) -> Text:
     """
     if "textfile" in element.attrs:
         return (PartOfText("text", "xacro "), *parsed(element.attrs["textfile"]))
-    words = [_without_quotes(word) for word in words_of(parsed(element.attrs.get("command", "")))]
+    return _command(element.attrs.get("command", ""))
+
+
+def _command_in(text: str) -> Text:
+    """The command of ROS 2 for a text that is a command with xacro; empty for another text."""
+    return _command(text) if re.match(r"\s*\$\(find xacro\)/xacro(\.py)?\s", text) else ()
+
+
+def _command(text: str) -> Text:
+    words = [_without_quotes(word) for word in words_of(parsed(text))]
+    if len(words) == 1 and len(words[0]) == 1 and words[0][0].kind == "arg":
+        return words[0]  # the argument holds the whole command
     start = next((i for i, word in enumerate(words) if re.search(r"(^|/)xacro(\.py)?$", plain(word))), 0)
     shown: list[PartOfText] = [PartOfText("text", "xacro")]
     for word in words[start + 1 :]:

@@ -142,6 +142,9 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
             what = f"parameter '{name}'" if name else "parameters of this <rosparam>"
             text = f"give node '{program}' its {what}: launch files of ROS 2 have no such form"
             reading.left.append(text)
+        if new[0].startswith("nav2_") or package == "move_base":
+            text = f"'{program}' is a lifecycle node of nav2 with other parameters: convert these, and let a "
+            reading.left.append(f"{text}lifecycle_manager of nav2_lifecycle_manager configure and activate it")
         if package == "rviz":
             reading.decided.append("RViz 2 reads other files: convert the .rviz file with rviz1_to_rviz2.py")
         yield _plain(element, *new)
