@@ -206,7 +206,7 @@ def test_a_run_that_is_killed_leaves_all_files_as_they_were_or_as_they_should_be
     [
         (["arm"], "--to requires the distro"),
         (["arm", "--to", "jazy"], "did you mean 'jazzy'"),
-        (["arm", "--to", "noetic"], "--to: unknown distro 'noetic'"),
+        (["arm", "--to", "noetic"], "--to: 'noetic' is a distro of ROS 1"),
         (["arm", "--to", "jazzy", "--only", "yml"], "unknown part 'yml'"),
         (["arm", "--to", "jazzy", "--in-place", "-o", "x"], "exclude each other"),
         (["leg", "--to", "jazzy"], "does not exist"),

@@ -137,8 +137,7 @@ def migration_of(options: MigrateOptions) -> MigrationOptions:
         raise UserError("--to requires the distro to migrate to, e.g. --to jazzy")
     for name, distro, known in (("--to", options.to, _TARGETS), ("--from", options.source, ALL)):
         if distro is not None and distro not in known:
-            what = "is no target: its support ended" if distro in ROS2 else f"is unknown{did_you_mean(distro, known)}"
-            raise UserError(f"{name}: distro '{distro}' {what}; known are {', '.join(known)}")
+            raise UserError(f"{name}: {_why_not(distro, known)}; known are {', '.join(known)}")
     if options.source in ROS2 and ROS2.index(options.source) > ROS2.index(options.to):
         raise UserError(f"'{options.to}' is earlier than '{options.source}'; urdfctl migrates to later distros only")
     if options.simulator is not None and options.simulator not in SIMULATORS:
@@ -154,6 +153,17 @@ def migration_of(options: MigrateOptions) -> MigrationOptions:
         launch=options.launch,
         keep_classic=options.keep_classic,
         only=_parts(options.only),
+    )
+
+
+def _why_not(distro: str, known: Sequence[str]) -> str:
+    """Why a distro is none to migrate to, or from."""
+    if distro in ROS2:
+        return f"support for '{distro}' has ended"
+    return (
+        f"'{distro}' is a distro of ROS 1"
+        if distro in ALL
+        else f"unknown distro '{distro}'{did_you_mean(distro, known)}"
     )
 
 

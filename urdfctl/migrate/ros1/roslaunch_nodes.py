@@ -135,19 +135,25 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
     elif package in {"xacro", "nodelet"}:
         reading.left.append(f"nodes of package '{package}' have another form in ROS 2")
     else:
-        new = _RENAMED.get((package, program), (package, program))
-        if not has_successor(element, reading.target.own):
-            reading.left.append(f"check that package '{package}' exists for ROS 2, and the name of '{program}'")
-        for name in unread_parameters_of(element):
-            what = f"parameter '{name}'" if name else "parameters of this <rosparam>"
-            text = f"give node '{program}' its {what}: launch files of ROS 2 have no such form"
-            reading.left.append(text)
-        if new[0].startswith("nav2_") or package == "move_base":
-            text = f"'{program}' is a lifecycle node of nav2 with other parameters: convert these, and let a "
-            reading.left.append(f"{text}lifecycle_manager of nav2_lifecycle_manager configure and activate it")
-        if package == "rviz":
-            reading.decided.append("RViz 2 reads other files: convert the .rviz file with rviz1_to_rviz2.py")
-        yield _plain(element, *new)
+        yield _other_node(reading, element)
+
+
+def _other_node(reading: Notes, element: Element) -> Action:
+    """A node of any other package, with what is left to a person."""
+    package, program = element.attrs.get("pkg", ""), element.attrs.get("type", "")
+    new = _RENAMED.get((package, program), (package, program))
+    if not has_successor(element, reading.target.own):
+        reading.left.append(f"check that package '{package}' exists for ROS 2, and the name of '{program}'")
+    for name in unread_parameters_of(element):
+        what = f"parameter '{name}'" if name else "parameters of this <rosparam>"
+        text = f"give node '{program}' its {what}: launch files of ROS 2 have no such form"
+        reading.left.append(text)
+    if new[0].startswith("nav2_") or package == "move_base":
+        text = f"'{program}' is a lifecycle node of nav2 with other parameters: convert these, and let a "
+        reading.left.append(f"{text}lifecycle_manager of nav2_lifecycle_manager configure and activate it")
+    if package == "rviz":
+        reading.decided.append("RViz 2 reads other files: convert the .rviz file with rviz1_to_rviz2.py")
+    return _plain(element, *new)
 
 
 def has_successor(node: Element, own: frozenset[str]) -> bool:
