@@ -248,7 +248,7 @@ def test_the_unspawner_and_the_verbs_of_foxy_are_called_otherwise_too(folder: Fo
             [
                 (
                     "warning",
-                    "the spawner has no option '-t' in kilted to rolling; set the type in the parameter file",
+                    "the spawner has no option '-t' in jazzy to rolling; set the type in the parameter file",
                 )
             ],
         ),

@@ -66,10 +66,13 @@ def circle(session: Session, controller: Configured) -> tuple[Configured, ...]:
 def late(session: Session, controller: Configured) -> Iterator[Chained]:
     """Yield the command claims of a started controller to controllers started after it, or not at all.
 
-    If the start order is unknown, only controllers that are not started count.
+    If the start order is unknown, only controllers that are not started count, and those that the same spawner starts
+    later.
     """
     started = session.started or ()
+    later = session.later.get(controller.name, frozenset())
     before = started[: started.index(controller)] if session.in_order and controller in started else started
     for chained in chained_claims(session, controller):
-        if chained.kind is ClaimKind.COMMAND and chained.following not in (*before, controller):
+        is_late = chained.following.name in later or chained.following not in (*before, controller)
+        if chained.kind is ClaimKind.COMMAND and is_late:
             yield chained

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import since
 from urdfctl.catalog.entries import ControllerType
@@ -17,6 +19,9 @@ from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.model.launch import Launch
 
 NOT_KNOWN = Claims(complete=False)
 CHAINING = {ClaimKind.COMMAND: since("humble"), ClaimKind.STATE: since("jazzy")}
@@ -70,6 +75,9 @@ class Session(NamedTuple):
     by_name: Mapping[_Name, Configured]
     """Controllers by namespace and name. Controllers of different namespaces have different managers."""
 
+    later: Mapping[str, frozenset[str]] = MappingProxyType({})
+    """By the name of a controller those that its spawner starts after it, one by one."""
+
     @property
     def candidates(self) -> tuple[Configured, ...]:
         """The started controllers; if unknown, all controllers."""
@@ -105,6 +113,7 @@ def session_of(project: Project, distro: str) -> Session:
         started=started,
         in_order=project.in_order,
         by_name=by_name,
+        later=_later(project.launch) if project.launch else {},
     )
 
 
@@ -149,6 +158,19 @@ def _missing(
 def before_slash(claim: Claim) -> str:
     """Return the part of a claim's name before the first slash, which may be a controller's name."""
     return claim.name.partition("/")[0]
+
+
+def _later(launch: Launch) -> dict[str, frozenset[str]]:
+    """By the name of a controller those that are started after it: by the same spawner, or by one that waits for it."""
+    later: dict[str, frozenset[str]] = {}
+    for spawn in launch.spawns:
+        names = [name.rpartition("/")[2] for name, _ in spawn.names]
+        waiting = (other for other in launch.spawns if set(other.after) & set(names))
+        after = [name.rpartition("/")[2] for other in waiting for name, _ in other.names]
+        one_by_one = spawn.active and spawn.option("--activate-as-group") is None
+        for index, name in enumerate(names):
+            later[name] = frozenset([*after, *(names[index + 1 :] if one_by_one else ())])
+    return later
 
 
 def _started(project: Project, configured: Sequence[Configured]) -> tuple[Configured, ...] | None:

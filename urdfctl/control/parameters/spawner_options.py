@@ -17,8 +17,8 @@ DISTROS = {
     "--controller-manager-timeout": ROS2,
     "-n": between("humble", "jazzy"),
     "--namespace": between("humble", "jazzy"),
-    "-t": until("jazzy"),
-    "--controller-type": until("jazzy"),
+    "-t": until("iron"),
+    "--controller-type": until("iron"),
     "--stopped": until("humble"),
     "--inactive": since("humble"),
     "--switch-timeout": since("humble"),
@@ -29,7 +29,7 @@ DISTROS = {
     "--controller-ros-args": since("jazzy"),
     "--controller": since("jazzy"),
 }
-"""The distros that have each option in at least one of their releases."""
+"""The distros whose current release has each option; jazzy lost --controller-type in 4.14 (ros2_control #1639)."""
 INSTEAD = {
     "--stopped": "use '--inactive'",
     "-n": "use '--ros-args -r __ns:=/name'",

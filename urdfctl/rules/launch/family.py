@@ -21,6 +21,8 @@ from urdfctl.rules.launch.joint_states_of_other_namespace import joint_states_of
 from urdfctl.rules.launch.launched_file_missing import launched_file_missing
 from urdfctl.rules.launch.listed_joint_unknown import listed_joint_unknown
 from urdfctl.rules.launch.manager_beside_simulator import manager_beside_simulator
+from urdfctl.rules.launch.manager_section_not_read import manager_section_not_read
+from urdfctl.rules.launch.manager_without_clock import manager_without_clock
 from urdfctl.rules.launch.mesh_not_on_model_path import mesh_not_on_model_path
 from urdfctl.rules.launch.model_spawned_twice import model_spawned_twice
 from urdfctl.rules.launch.node_name_twice import node_name_twice
@@ -75,4 +77,6 @@ FAULTS: tuple[Fault, ...] = (
     spawner_remapped,
     joint_states_of_other_namespace,
     simulated_time_off,
+    manager_section_not_read,
+    manager_without_clock,
 )

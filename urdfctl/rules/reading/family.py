@@ -75,6 +75,6 @@ FAULTS: tuple[Fault, ...] = (
     indentation_lost,
     python_tag,
     text_not_expanded,
-    suppression_unused,
     merge_conflict_left,
+    suppression_unused,
 )
