@@ -68,6 +68,7 @@ FAULTS: tuple[Fault, ...] = (
     joint_states_of_nobody,
     mesh_not_on_model_path,
     installed_file_missing,
+    manager_without_clock,
     clock_of_other_world,
     package_misspelt,
     control_plugin_not_loaded,
@@ -78,5 +79,4 @@ FAULTS: tuple[Fault, ...] = (
     joint_states_of_other_namespace,
     simulated_time_off,
     manager_section_not_read,
-    manager_without_clock,
 )

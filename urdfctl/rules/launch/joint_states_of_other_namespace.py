@@ -1,4 +1,4 @@
-"""UC679."""
+"""UC648."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _UNMARKED = _PUBLISHER.replace("«", "").replace("»", "")
 
 
 @rule(
-    "UC679",
+    "UC648",
     runtime="misbehaves",
     severity=Severity.WARNING,
     whole_robot=True,

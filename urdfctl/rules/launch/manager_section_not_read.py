@@ -1,4 +1,4 @@
-"""UC681."""
+"""UC650."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _SPAWNERS = spawner("joint_state_broadcaster -c /manager"), spawner(f"arm_contro
 
 
 @rule(
-    "UC681",
+    "UC650",
     severity=Severity.ERROR,
     runtime="refuses",
     stage=StageDependsOn.SPAWNER,

@@ -1,4 +1,4 @@
-"""UC682."""
+"""UC640."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _GIVEN = MANAGER.replace("</node>", '  <param name="«use_sim_time»" value="tru
 
 
 @rule(
-    "UC682",
+    "UC640",
     severity=Severity.ERROR,
     runtime="refuses",
     stage=StageDependsOn.SPAWNER,

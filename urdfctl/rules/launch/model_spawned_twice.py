@@ -1,4 +1,4 @@
-"""UC677."""
+"""UC646."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def _launched(package: str, program: str, *words: str) -> dict[str, str]:
 
 
 @rule(
-    "UC677",
+    "UC646",
     runtime="refuses",
     because="the first model stays",
     severity=Severity.WARNING,

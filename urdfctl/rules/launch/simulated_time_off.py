@@ -1,4 +1,4 @@
-"""UC680."""
+"""UC649."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _MANIFEST = "<package><name>arm</name><exec_depend>gazebo_ros</exec_depend></pac
 
 
 @rule(
-    "UC680",
+    "UC649",
     runtime="misbehaves",
     severity=Severity.WARNING,
     distros=ROS1,

@@ -1,4 +1,4 @@
-"""UC678."""
+"""UC647."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _SOUND = _NODE.replace("«", "").replace("»", "") % "controller_manager/list_co
 
 
 @rule(
-    "UC678",
+    "UC647",
     runtime="ignores",
     severity=Severity.WARNING,
     authority="controller_manager spawner.py, scripts/spawner: a client of the manager's services; the controller is a node "
