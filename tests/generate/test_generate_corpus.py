@@ -33,7 +33,7 @@ def test_a_package_for_a_robot_without_control_adds_nothing_to_what_lint_says_of
     robot, repository = str(CORPUS / path), str(CORPUS / path.partition("/")[0])
     asked = ("--type", kind, "--distro", distro, "--simulator", simulator)
     where = ("--workspace", repository, "--package-path", repository)
-    ran = command("gen-all", robot, *asked, *where, "-o", "made")
+    ran = command("gen-all", robot, *asked, *where, "--force", "-o", "made")
     assert ran.returncode == 0, ran.stderr
     folders = (str(folder.path), repository)
     alone = told(robot, distro, simulator, *folders)

@@ -182,7 +182,7 @@ def test_joints_whose_transmissions_come_from_a_macro_are_left_out(folder: Folde
     made = command("gen-transmissions", "r.xacro", "--type", "trajectory", "--distro", "noetic").stdout
     assert re.findall(r'<joint name="(.*)">', made) == ["left_elbow", "right_elbow"]
     assert made.count("hardware_interface/EffortJointInterface") == 2
-    assert command("gen-all", "r.xacro", "--distro", "noetic", "-o", "made").returncode == 0
+    assert command("gen-all", "r.xacro", "--distro", "noetic", "--force", "-o", "made").returncode == 0
     plain = read((folder.path / "made/config/controllers.yaml").read_text())
     assert [one["joints"] for one in plain.values() if "joints" in one] == [
         ["left_shoulder", "left_elbow"],

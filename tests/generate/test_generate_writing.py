@@ -32,10 +32,8 @@ def test_what_the_robot_itself_cannot_do_is_said_after_writing(folder: Folder) -
         <joint name="other" type="prismatic"><parent link="b"/><child link="c"/><axis xyz="0 0 1"/>
         <limit lower="0" upper="1" effort="20" velocity="1"/><mimic joint="lift"/></joint></robot>"""
     folder.write({"heavy.urdf": arm.format(weight), "light.urdf": arm.format("")})
-    said = {
-        name: command("gen-all", name, "--distro", "noetic", "--simulator", "gazebo-classic", "-o", name[:5]).stderr
-        for name in ("heavy.urdf", "light.urdf")
-    }
+    words = ("gen-all", "--distro", "noetic", "--simulator", "gazebo-classic", "--force")
+    said = {name: command(*words, name, "-o", name[:5]).stderr for name in ("heavy.urdf", "light.urdf")}
     assert (
         "joint 'lift' cannot hold the weight in every pose: 'lift' needs 88.3 N, and its <limit> has effort 20\n"
         in said["heavy.urdf"]

@@ -65,6 +65,11 @@ class GenerateOptions(TargetOptions):
         choices=("python", "xml", "yaml"),
         of=("gen-launch", "gen-all"),
     )
+    fix_inertia: bool = option(
+        OUTPUT,
+        "Copy the robot, with the nearest inertia that a body can have in place of impossible ones.",
+        of=("gen-all",),
+    )
     base: str | None = option(
         OTHER,
         "fixed or free: whether the robot is fixed to the world. Default: free with wheels or legs.",

@@ -6,10 +6,12 @@ import os
 import re
 import shlex
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.commands.declaring import Option
+from urdfctl.commands.generate.judging import RATES, Judgement, judged
 from urdfctl.commands.generate.measuring import measure_work
 from urdfctl.commands.generate.options import GenerateOptions
 from urdfctl.commands.words import configured, settings_from, split_arguments
@@ -30,6 +32,7 @@ from urdfctl.generate.request.choice import chosen, stuck
 from urdfctl.generate.request.joint_list import joints_listed
 from urdfctl.generate.robot.distro import known_distro, made_for_newest, simulator_of
 from urdfctl.generate.robot.facts import NO_ROBOT, JointFacts, RobotFacts
+from urdfctl.generate.robot.inertia_repair import with_valid_inertia
 from urdfctl.generate.robot.job import measure_robot
 from urdfctl.generate.text.scalars import xacro_text
 from urdfctl.generate.text.templates import Templates, template_names
@@ -103,10 +106,12 @@ def generated(options: GenerateOptions) -> Made:
     joints = chosen(robot, listed, options.joints, options.exclude)
     immovable = stuck(robot, joints) if robot and not (listed or options.joints) else ()
     left_out = f"left out because their limits allow no motion: {', '.join(immovable)}. Include them with --joint"
-    notices = (left_out,) if immovable else ()
+    notices: tuple[str, ...] = (left_out,) if immovable else ()
+    if options.fix_inertia and robot and robot.file:
+        notices += with_valid_inertia(_text(robot.file)).changes
     catalog, templates = catalog_with(settings.additions), Templates(options.templates)
 
-    def make(distro: str) -> Made:
+    def make(distro: str, options: GenerateOptions = options) -> Made:
         simulator = settings.simulator or (robot.simulator if robot else None) or simulator_of(distro, command, catalog)
         requested = _requested(options, words, robot, distro, simulator)
         requested, proposal = with_requests(requested, command, options.controller, joints, robot)
@@ -124,15 +129,36 @@ def generated(options: GenerateOptions) -> Made:
 
     distro = known_distro(settings, robot) or (_ANY_DISTRO if command == "convert" else None)
     if distro:
-        return make(distro)
-    made, chosen_distro = made_for_newest(robot, make)
-    return made._replace(notices=(*made.notices, chosen_distro))
+        made = make(distro)
+    else:
+        made, chosen_distro = made_for_newest(robot, make)
+        made = made._replace(notices=(*made.notices, chosen_distro))
+    if command != "gen-all" or options.check or robot is None or listed:
+        return made
+    return _judged(made, options, settings, lambda faster: make(made.options.distro, faster))
+
+
+def _judged(made: Made, options: GenerateOptions, settings: Settings, make: Callable[[GenerateOptions], Made]) -> Made:
+    """A package with what the smoke test says of it; made again for a higher update rate if its gains need one."""
+    asked = settings._replace(distro=made.options.distro, simulator=made.options.simulator)
+    judgement = judged(made.files, made.robot or NO_ROBOT, asked, repaired=options.fix_inertia)
+    for rate in RATES if judgement.gains and not judgement.fatal and options.rate is None else ():
+        faster = make(replace(options, rate=rate))
+        tried = judged(faster.files, faster.robot or NO_ROBOT, asked, repaired=options.fix_inertia)
+        if not tried.gains:
+            made, judgement = faster._replace(notices=made.notices), tried
+            break
+    return made._replace(judgement=judgement)
 
 
 def _delivered(options: GenerateOptions, made: Made) -> int:
     """Write, show or check what was made, and return the exit status."""
     command, output, robot = options.command, options.output, made.robot
     print_messages(made.notices)
+    print_messages(tuple(made.judgement.lines()))
+    if made.judgement.fatal and output and not options.force:
+        print_message(f"nothing was written, because this robot would not start: {_remedy(made)}")
+        return 1
     if made.proposal and not options.check:
         print_message(made.proposal)
     if command == "gen-all" and robot and not robot.package and not made.options.robot_text:
@@ -149,10 +175,17 @@ def _delivered(options: GenerateOptions, made: Made) -> int:
     return deliver(files, writing, many=command == "gen-all", steps=steps)
 
 
+def _remedy(made: Made) -> str:
+    inertial = any("<inertia>" in finding.message for finding in made.judgement.fatal)
+    fix = ", add --fix-inertia for the nearest valid inertia in a copy" if inertial else ""
+    return f"correct what is named{fix}, or add --force"
+
+
 class Made(NamedTuple):
     """Generated files with the options, controllers and robot that they are made from, and the proposal of controllers.
 
     notices: what the user should know about the choices that were made.
+    judgement: what the smoke test says of a package.
     """
 
     options: GeneratorOptions
@@ -161,6 +194,7 @@ class Made(NamedTuple):
     proposal: str
     robot: RobotFacts | None
     notices: tuple[str, ...]
+    judgement: Judgement = Judgement()
 
 
 def _no_joints(robot: RobotFacts | None) -> str:
@@ -224,7 +258,7 @@ def _requested(
 ) -> GeneratorOptions:
     """What the options ask for, with what follows from the robot. words: those of a command that names the robot."""
     defaults = GeneratorOptions(distro)
-    package, copied = _package(options, robot), _copied(options.command, robot)
+    package, copied = _package(options, robot), _copied(options, robot)
     states = None if not options.state else tuple(name for name in _split([options.state]) if name != "none")
     return GeneratorOptions(
         distro=distro,
@@ -279,12 +313,21 @@ def _included(output: str | None, robot: RobotFacts | None) -> str:
     return xacro_text(os.path.relpath(robot.file, os.path.join(output or "", "urdf")).replace(os.sep, "/"))
 
 
-def _copied(command: str, robot: RobotFacts | None) -> tuple[str, str] | None:
-    """Return the path and text of a robot's copy in the package: of one that is in no package and includes no files."""
-    if command != "gen-all" or robot is None or robot.file is None or robot.package:
+def _copied(options: GenerateOptions, robot: RobotFacts | None) -> tuple[str, str] | None:
+    """Return the path and text of a robot's copy in the package: of one that is in no package and includes no files.
+
+    With `--fix-inertia` it is a copy with the nearest valid inertia. UserError if that is not given in numbers there.
+    """
+    repairs = options.command == "gen-all" and options.fix_inertia
+    if options.command != "gen-all" or robot is None or robot.file is None or (robot.package and not repairs):
         return None
     text = _text(robot.file)
-    if "xacro:include" in text:
+    if repairs:
+        repair = with_valid_inertia(text)
+        if not repair.changes:
+            raise UserError(f"--fix-inertia: no inertia in '{robot.file}' is given in numbers and impossible")
+        text = repair.text
+    elif "xacro:include" in text:
         return None
     name = os.path.basename(robot.file)
     return f"urdf/{'base_' if name in _OWN_NAMES else ''}{name}", text

@@ -1,0 +1,82 @@
+"""gen-all judges what it makes, writes nothing that would not start, and repairs impossible inertia in a copy."""
+
+from __future__ import annotations
+
+import pytest
+from folder import Folder
+from generating import command
+
+from urdfctl.generate.robot.inertia_repair import nearest_valid, with_valid_inertia
+
+INERTIA = '<inertia ixx="{}" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>'
+ARM = """\
+<robot name="arm">
+  <link name="world"/>
+  <joint name="foot" type="fixed"><parent link="world"/><child link="base"/></joint>
+  <link name="base"><inertial><mass value="5"/>{base}</inertial></link>
+  <link name="upper">
+    <inertial><origin xyz="0 0 0.1"/><mass value="2"/>{inertia}</inertial>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/><child link="upper"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="50" velocity="2"/>
+  </joint>
+</robot>
+"""
+GOOD, BAD = (ARM.format(base=INERTIA.format(0.01), inertia=INERTIA.format(moment)) for moment in (0.01, 5))
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ([0.02, 0, 0, 0.01, 0, 0.015], None),
+        ([0.02, 0, 0, 0.01, 0, 0.01], None),
+        ([5, 0, 0, 1, 0, 1], [4, 0, 0, 2, 0, 2]),
+        ([1, 0, 0, 1, 0, 5], [2, 0, 0, 2, 0, 4]),
+        ([-1, 0, 0, 1, 0, 1], [0.001, 0, 0, 1, 0, 1]),
+        ([0, 0, 0, 0, 0, 0], [2e-4, 0, 0, 2e-4, 0, 2e-4]),
+    ],
+)
+def test_the_nearest_valid_inertia_is_where_the_greatest_moment_is_the_sum(
+    given: list[float], expected: list[float] | None
+) -> None:
+    valid = nearest_valid(given, 2.0)
+    assert valid == (expected if expected is None else pytest.approx(expected, rel=2e-3, abs=1e-9))
+
+
+def test_a_repaired_inertia_with_products_is_valid() -> None:
+    valid = nearest_valid([0.1, 0.4, 0.0, 0.1, 0.0, 0.1], 1.0)
+    assert valid is not None
+    assert nearest_valid(valid, 1.0) is None
+
+
+def test_only_impossible_inertia_given_in_numbers_is_repaired() -> None:
+    assert with_valid_inertia(GOOD).changes == ()
+    assert with_valid_inertia(BAD).changes == ("inertia of link 'upper': ixx 3.337, iyy 1.67, izz 1.67",)
+    assert with_valid_inertia(BAD.replace('"5"', '"${i}"')).changes == ()
+
+
+def test_a_package_that_gz_would_not_spawn_is_not_written(folder: Folder) -> None:
+    folder.write({"arm.urdf": BAD})
+    done = command(*"gen-all arm.urdf --type trajectory --distro jazzy --simulator gz -o made".split())
+    assert done.returncode == 1
+    assert "arm.urdf:6: UC901 the robot cannot be spawned" in done.stderr
+    assert "add --fix-inertia" in done.stderr
+    assert not (folder.path / "made").exists()
+
+
+def test_the_repaired_copy_is_written_and_is_sound(folder: Folder) -> None:
+    folder.write({"arm.urdf": BAD})
+    done = command(*"gen-all arm.urdf --type trajectory --distro jazzy --simulator gz --fix-inertia -o made".split())
+    assert (done.returncode, "inertia of link 'upper'" in done.stderr) == (0, True)
+    assert command(*"lint made --fail-on warning".split()).returncode == 0
+    assert command(*"smoke made --engine none".split()).returncode == 0
+
+
+def test_a_sound_robot_is_written_without_a_word_about_it(folder: Folder) -> None:
+    folder.write({"arm.urdf": GOOD})
+    done = command(
+        *"gen-all arm.urdf --type trajectory --interface effort --distro jazzy --simulator gz -o made".split()
+    )
+    assert (done.returncode, "UC9" in done.stderr) == (0, False)
+    assert command(*"gen-all arm.urdf --fix-inertia --type trajectory --distro jazzy -o other".split()).returncode == 2

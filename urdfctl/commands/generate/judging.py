@@ -1,0 +1,112 @@
+"""Judge the package that gen-all makes before it is written: by lint and by the smoke test without an engine."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.generate.options import File
+from urdfctl.generate.robot.facts import RobotFacts
+from urdfctl.lint.job import Work, run_on_targets
+from urdfctl.lint.serialising import outcome_from_json, outcome_to_json
+from urdfctl.load.target import Target
+from urdfctl.startup.records import NamedTuple
+
+_ROBOT, _CONTROL, _CONTROLLERS = "urdf/robot.urdf.xacro", "urdf/control.xacro", ".yaml"
+_BASE = "urdf/base_"
+_BESIDE = ".urdfctl-generated-"
+"""The beginning of the names under which the files are read, as if they were beside the robot."""
+_INCLUDE = re.compile(r'(<xacro:include filename=")([^"]*)(")')
+_FATAL = ("UC901", "UC902", "UC903", "UC904", "UC905", "UC910")
+"""What keeps the robot or a controller from starting."""
+_GAINS = ("UC916", "UC917", "UC918", "UC966", "UC987")
+"""What is wrong with gains."""
+RATES = (1000, 2000)
+"""The update rates, in Hz, for which gains are computed again if those for the default rate are not stable."""
+
+
+class Judgement(NamedTuple):
+    """What the smoke test says of a package that is not written yet.
+
+    fatal: what keeps the robot or a controller from starting.
+    gains: the findings about gains.
+    others: what keeps something from moving as it should.
+    """
+
+    fatal: tuple[Diagnostic, ...] = ()
+    gains: tuple[Diagnostic, ...] = ()
+    others: tuple[Diagnostic, ...] = ()
+
+    def lines(self) -> Iterator[str]:
+        """Yield a line for each finding, with its place if that is in a file of the user."""
+        for finding in (*self.fatal, *self.gains, *self.others):
+            own = os.path.basename(finding.at.file).startswith(_BESIDE)
+            place = "" if own else f"{os.path.relpath(finding.at.file)}:{finding.at.line}: "
+            yield f"{place}{finding.code} {finding.message}"
+
+
+def judged(made: list[File], robot: RobotFacts, settings: Settings, *, repaired: bool = False) -> Judgement:
+    """Return what is wrong with the files of a package for a robot; nothing if that cannot be known.
+
+    repaired: whether the package has a copy of the robot that differs from it.
+    """
+    if robot.file is None:
+        return Judgement()
+    path = os.path.abspath(robot.file)
+    texts = dict(_texts(made, path, repaired=repaired))
+    description = _beside(path, _ROBOT)
+    controllers = tuple(name for name in texts if name.endswith(_CONTROLLERS))
+    target = Target(description, controllers=controllers)
+    [result] = run_on_targets(judge_work, [target], settings, details=[{"texts": texts}])
+    if not isinstance(result, dict):
+        return Judgement()
+    found = [one for one in outcome_from_json(result["outcome"]).diagnostics if one.severity is not Severity.INFO]
+    return Judgement(
+        fatal=tuple(one for one in found if one.code in _FATAL),
+        gains=tuple(one for one in found if one.code in _GAINS),
+        others=tuple(one for one in found if one.code not in (*_FATAL, *_GAINS) and one.severity is Severity.ERROR),
+    )
+
+
+def _texts(made: list[File], path: str, *, repaired: bool) -> Iterator[tuple[str, str]]:
+    """The description and the controllers, by the paths under which they are read."""
+    names = (f"urdf/{os.path.basename(path)}", f"{_BASE}{os.path.basename(path)}")
+    copy = next((file.name for file in made if repaired and file.name in names), "")
+    for file in made:
+        if file.name == _ROBOT:
+            copied = _beside(path, copy) if copy else path
+            text = _including(file.text, [copied, _beside(path, _CONTROL)])
+            yield _beside(path, _ROBOT), text
+        elif file.name in (_CONTROL, copy) or os.path.basename(file.name) == "controllers.yaml":
+            yield _beside(path, file.name), file.text
+
+
+def _including(text: str, paths: list[str]) -> str:
+    """A description that includes other files than it says, in this order."""
+    parts = _INCLUDE.split(text)
+    for number, path in zip(range(2, len(parts), 4), paths, strict=False):
+        parts[number] = path
+    return "".join(parts)
+
+
+def _beside(path: str, name: str) -> str:
+    return os.path.join(os.path.dirname(path), _BESIDE + os.path.basename(name))
+
+
+def judge_work(work: Work) -> dict[str, Any]:
+    """Return the findings about a robot whose files are in memory, in a worker."""
+    from urdfctl.lint.selection import Selection
+    from urdfctl.lint.target import lint_target
+    from urdfctl.smoke.statics import check_statically
+
+    texts: Mapping[str, str] = work.details["texts"]
+    loader = work.loader.with_overlay({os.path.realpath(path): text.encode() for path, text in texts.items()})
+    return {
+        "outcome": outcome_to_json(
+            check_statically(lint_target(loader, work.target, Selection())).result.linted.outcome
+        )
+    }
