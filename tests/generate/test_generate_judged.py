@@ -6,6 +6,9 @@ import pytest
 from folder import Folder
 from generating import command
 
+from urdfctl.commands.generate import running
+from urdfctl.commands.generate.model_check import CheckedModel
+from urdfctl.generate.options import File
 from urdfctl.generate.robot.inertia_repair import nearest_valid, with_valid_inertia
 
 INERTIA = '<inertia ixx="{}" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>'
@@ -80,3 +83,45 @@ def test_a_sound_robot_is_written_without_a_word_about_it(folder: Folder) -> Non
     )
     assert (done.returncode, "UC9" in done.stderr) == (0, False)
     assert command(*"gen-all arm.urdf --fix-inertia --type trajectory --distro jazzy -o other".split()).returncode == 2
+
+
+TWO = """\
+<robot name="r">
+  <link name="base">{visual}
+    <inertial><mass value="1"/><inertia ixx="0.1" ixy="{xy}" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>
+  </link>
+  <link name="a">
+    <inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>
+  </link>
+  <joint name="j" type="revolute"><parent link="base"/><child link="a"/>
+    <limit lower="-1" upper="1" effort="5" velocity="1"/></joint>
+</robot>
+"""
+FLAT = b" " * 80 + (1).to_bytes(4, "little") + bytes(50)
+"""A binary STL file with one triangle, whose corners are one point."""
+
+
+def test_a_model_for_mujoco_has_an_inertia_that_a_solid_can_have(folder: Folder) -> None:
+    folder.write({"r.urdf": TWO.format(visual="", xy="0.5")})
+    done = command("convert", "r.urdf", "--to", "mjcf", "-o", "r.xml")
+    assert (done.returncode, "the inertia of link 'base' is impossible" in done.stderr) == (0, True)
+    mujoco = pytest.importorskip("mujoco")
+    assert mujoco.MjModel.from_xml_path(str(folder.path / "r.xml")).nbody == 3
+
+
+def test_a_mesh_that_mujoco_does_not_load_is_left_out_and_named(folder: Folder) -> None:
+    mujoco = pytest.importorskip("mujoco")
+    visual = '<visual><geometry><mesh filename="flat.stl"/></geometry></visual>'
+    folder.write({"r.urdf": TWO.format(visual=visual, xy="0"), "flat.stl": FLAT})
+    done = command("convert", "r.urdf", "--to", "mjcf", "-o", "r.xml")
+    assert (done.returncode, "mesh 'flat' is left out" in done.stderr) == (0, True)
+    assert mujoco.MjModel.from_xml_path(str(folder.path / "r.xml")).nmesh == 0
+
+
+def test_a_model_that_mujoco_does_not_load_is_not_written(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    refused = CheckedModel(File("r.xml", ""), fault="Error: broken")
+    monkeypatch.setattr(running, "loaded_model", lambda *_: refused)
+    folder.write({"r.urdf": TWO.format(visual="", xy="0")})
+    done = command("convert", "r.urdf", "--to", "mjcf", "-o", "r.xml")
+    assert (done.returncode, (folder.path / "r.xml").exists()) == (1, False)
+    assert "which is not written: Error: broken" in done.stderr

@@ -145,12 +145,12 @@ def test_an_arm_is_the_same_mechanism(folder: Folder) -> None:
     assert 'damping="0.3" frictionloss="0.2"' in text
 
 
-def test_an_inertia_that_no_solid_has_is_balanced_and_told(folder: Folder) -> None:
+def test_an_inertia_that_no_solid_has_is_repaired_and_told(folder: Folder) -> None:
     folder.write({"arm.urdf": ARM.replace('izz="0.001"', 'izz="0.003"')})
     assert command("convert", "arm.urdf", "--to", "mjcf", "-o", "arm.xml").returncode == 0
     mujoco.MjModel.from_xml_path(str(folder.path / "arm.xml"))
     text = (folder.path / "arm.xml").read_text()
-    assert "the inertia of link 'tool' is impossible for a solid; MuJoCo balances it" in text
+    assert "the inertia of link 'tool' is impossible for a solid; the nearest possible one is taken" in text
     assert text.count("is impossible") == 1
 
 
@@ -190,4 +190,4 @@ def test_public_robots_are_the_same_mechanisms(path: str, tmp_path: Path) -> Non
     model = mujoco.MjModel.from_xml_path(str(made))
     apart, mass = differences(mechanism(robot, repository), model)
     assert apart < CLOSE
-    assert mass < CLOSE or "is impossible for a solid; MuJoCo balances it" in made.read_text()
+    assert mass < CLOSE or "is impossible for a solid; the nearest possible one is taken" in made.read_text()

@@ -13,6 +13,7 @@ from urdfctl.catalog.catalog import catalog_with
 from urdfctl.commands.declaring import Option
 from urdfctl.commands.generate.judging import RATES, Judgement, judged
 from urdfctl.commands.generate.measuring import measure_work
+from urdfctl.commands.generate.model_check import loaded_model
 from urdfctl.commands.generate.options import GenerateOptions
 from urdfctl.commands.words import configured, settings_from, split_arguments
 from urdfctl.config.file import Config
@@ -133,9 +134,21 @@ def generated(options: GenerateOptions) -> Made:
     else:
         made, chosen_distro = made_for_newest(robot, make)
         made = made._replace(notices=(*made.notices, chosen_distro))
+    if command == "convert" and not options.check:
+        return _loaded(made, options, settings)
     if command != "gen-all" or options.check or robot is None or listed:
         return made
     return _judged(made, options, settings, lambda faster: make(made.options.distro, faster))
+
+
+def _loaded(made: Made, options: GenerateOptions, settings: Settings) -> Made:
+    """A model without what MuJoCo does not load. UnreadableRobot if it does not load at all."""
+    model = loaded_model(made.files[0], options.output, settings)
+    if model.fault:
+        raise UnreadableRobot(f"urdfctl: MuJoCo does not load the model, which is not written: {model.fault}\n")
+    skeleton = made.robot.skeleton if made.robot else None
+    notices = (*made.notices, *(skeleton.notes if skeleton else ()), *model.left_out)
+    return made._replace(files=[model.file], notices=notices)
 
 
 def _judged(made: Made, options: GenerateOptions, settings: Settings, make: Callable[[GenerateOptions], Made]) -> Made:

@@ -79,7 +79,6 @@ def mjcf_file(
         sensors=list(_sensors(robot)),
         notes=skeleton.notes,
         ground=min(0.0, robot.lowest or 0.0) if free else 0.0,
-        balance=any("is impossible" in note for note in skeleton.notes),
     )
     return File(name, _with_sites(text, robot))
 

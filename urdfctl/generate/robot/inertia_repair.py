@@ -16,8 +16,10 @@ _LEAST, _SLIM = 1e-9, 1e-3
 """The least principal moment, in kg m² and as a part of the greatest one."""
 _REACH = 0.01
 """The radius of gyration of a body whose moments are all 0, in m."""
-_SLACK = 1.001
-"""By this factor the sum of two moments exceeds the third one: rounding must not undo the repair."""
+_SLACK = 1e-3
+"""By about this part the sum of two moments exceeds the third one: rounding must not undo the repair."""
+_SAME = 1e-9
+"""A sum of two moments that is less than the third one by this part is equal to it."""
 
 
 class RepairedText(NamedTuple):
@@ -75,24 +77,27 @@ def _float(word: str) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def nearest_valid(given: Sequence[float], mass: float) -> list[float] | None:
+def nearest_valid(given: Sequence[float], mass: float, slack: float = _SLACK) -> list[float] | None:
     """Return the moments of a body nearest to the given ones, in their order; None if the given ones are valid.
 
     The principal axes are kept. A negative principal moment becomes a small one. The greatest one and the two others
     meet where it is their sum, which is the nearest place.
+
+    slack: the part by which the sum of two moments exceeds the third one in the result. If it is smaller than usual, so
+        must the given ones.
     """
     xx, xy, xz, yy, yz, zz = given
     moments, axes = _principal([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     greatest = max(moments)
     least = max(_LEAST, _SLIM * greatest) if greatest > 0 else mass * _REACH**2
-    if min(moments) > 0 and 2 * greatest <= sum(moments) * (1 + 1e-9):
+    if min(moments) > 0 and 2 * greatest <= sum(moments) * (1 + (_SAME if slack == _SLACK else -slack)):
         return None
     moments = [max(moment, least) for moment in moments]
     top = moments.index(max(moments))
     excess = 2 * moments[top] - sum(moments)
-    if excess >= 0:
+    if excess >= (0 if slack == _SLACK else -slack * sum(moments)):
         others = [moment + excess / 3 for moment in moments]
-        others[top] = (sum(others) - others[top]) / _SLACK
+        others[top] = (sum(others) - others[top]) / (1 + slack)
         moments = others
     whole = [[sum(moments[k] * axes[n][k] * axes[m][k] for k in range(3)) for m in range(3)] for n in range(3)]
     return [whole[0][0], whole[0][1], whole[0][2], whole[1][1], whole[1][2], whole[2][2]]

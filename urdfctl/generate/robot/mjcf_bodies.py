@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.generate.robot.facts import JointFacts, Skeleton
 from urdfctl.generate.robot.frames import axis_of, geometries_of, number_of, origin_of, outwards, root_of
+from urdfctl.generate.robot.inertia_repair import nearest_valid
 from urdfctl.generate.text.scalars import xml_text
 from urdfctl.model.geometry import Pose, Rotation, Vector, product, transposed
 from urdfctl.model.robot import Geometry, Joint, Link, Robot, Tag
@@ -22,7 +23,9 @@ MeshPath = Callable[[str], str | None]
 _TYPES = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide"}
 _MESHES = (".stl", ".obj", ".msh")
 _MOST_TRIANGLES = 200_000
-_MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+_MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+_ROUNDING, _NOTICED = 1e-9, 1e-6
+"""The part by which two moments must exceed the third one in MuJoCo, and what is told, as a part of the greatest."""
 _TINY = 1e-9
 """The mass, in kg, and inertia, in kg m2, of moving links that have none: MuJoCo requires some."""
 
@@ -68,9 +71,11 @@ class _BodyWriter:
             yield inside + self._joint(one.joint)
         elif one.joint and one.joint.type not in ("fixed", None):
             self.notes[f"joint '{one.joint.name}' is fixed: MuJoCo has no '{one.joint.type}' joint"] = None
-        inertial = _inertial(one.link, moves=moves)
-        if one.link and not _is_possible(one.link):
-            self.notes[f"the inertia of link '{one.name}' is impossible for a solid; MuJoCo balances it"] = None
+        inertial, repaired = _inertial(one.link, moves=moves)
+        if repaired:
+            self.notes[
+                f"the inertia of link '{one.name}' is impossible for a solid; the nearest possible one is taken"
+            ] = None
         if inertial:
             yield inside + inertial
         for geometry, tag in geometries_of(one.link):
@@ -181,46 +186,31 @@ def quaternion(turn: Rotation) -> tuple[float, float, float, float]:
     return rows[best]
 
 
-def _is_possible(link: Link) -> bool:
-    """Whether a solid can have a link's inertia: no principal moment is greater than the sum of the other two."""
-    inertial = link.inertials[0] if link.inertials else None
-    if inertial is None or not inertial.inertia:
-        return True
-    values = {name: number.value or 0.0 for name, number in inertial.inertia.items()}
-    xx, yy, zz, xy, xz, yz = (values.get(name, 0.0) for name in _MOMENTS)
-    mean = (xx + yy + zz) / 3
-    a, b, c = xx - mean, yy - mean, zz - mean
-    size = math.sqrt((a * a + b * b + c * c + 2 * (xy * xy + xz * xz + yz * yz)) / 6)
-    if not size:
-        return mean > 0
-    a, b, c, d, e, f = (value / size for value in (a, b, c, xy, xz, yz))
-    half = (a * b * c + 2 * d * e * f - a * f * f - b * e * e - c * d * d) / 2
-    angle = math.acos(max(-1.0, min(1.0, half))) / 3
-    greatest, least = mean + 2 * size * math.cos(angle), mean + 2 * size * math.cos(angle + 2 * math.pi / 3)
-    return least > 0 and 3 * mean - 2 * greatest >= _ROUNDING * mean
+def _inertial(link: Link | None, *, moves: bool) -> tuple[str | None, bool]:
+    """The inertia of a link, and whether it is not the given one because no solid has that.
 
-
-_ROUNDING = 1e-9
-
-
-def _inertial(link: Link | None, *, moves: bool) -> str | None:
-    """The inertia of a link. A moving link without one gets a tiny one."""
+    A moving link without inertia gets a tiny one.
+    """
     inertial = link.inertials[0] if link and link.inertials else None
     mass = (inertial.mass.value if inertial and inertial.mass else None) or 0.0
     if inertial is None or link is None or mass <= 0:
         tiny = f'<inertial pos="0 0 0" mass="{_TINY!r}" diaginertia="{_TINY!r} {_TINY!r} {_TINY!r}"/>'
-        return tiny if moves else None
+        return (tiny, False) if moves else (None, False)
     element = next(link.tag.named("inertial"), None)
     frame = _origin(element) if element else Pose()
     values = {name: number.value or 0.0 for name, number in (inertial.inertia or {}).items()}
     # MuJoCo takes either a turned frame or a full inertia: the full one is turned here
-    xx, yy, zz, xy, xz, yz = (values.get(name, 0.0) for name in _MOMENTS)
+    given = [values.get(name, 0.0) if math.isfinite(values.get(name, 0.0)) else 0.0 for name in _MOMENTS]
+    valid = nearest_valid(given, mass, _ROUNDING) if any(given) else None
+    xx, xy, xz, yy, yz, zz = valid or given
     full = product(product(frame.turn, ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))), transposed(frame.turn))
     if max(abs(value) for row in full for value in row) < _TINY:
         full = ((_TINY, 0.0, 0.0), (0.0, _TINY, 0.0), (0.0, 0.0, _TINY))
     shown = (full[0][0], full[1][1], full[2][2], full[0][1], full[0][2], full[1][2])
     inertia = " ".join(repr(value) for value in shown)
-    return f'<inertial pos="{_numbers(frame.place)}" mass="{mass!r}" fullinertia="{inertia}"/>'
+    text = f'<inertial pos="{_numbers(frame.place)}" mass="{mass!r}" fullinertia="{inertia}"/>'
+    differs = max(abs(a - b) for a, b in zip(valid or given, given, strict=True))
+    return text, differs > _NOTICED * max(map(abs, given))
 
 
 def _mesh_fault(path: str) -> str:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from urdfctl.fault import Severity, fault
 from urdfctl.rules.smoke.common import ROVER, WHEELS
+from urdfctl.rules.smoke.wheel_off_the_ground import standing_on
 
 
 @fault(
@@ -22,9 +25,9 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS
     ],
     good=[{"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"}],
 )
-def base_leans(degrees: float, on: str) -> str:
+def base_leans(degrees: float, on: Sequence[str]) -> str:
     """Base that leans at rest.
 
     A caster is mounted too high or too low, or it is missing: sensors look up or down, and wheels lose their grip.
     """
-    return f"the robot leans by {degrees:.0f} degrees at rest{on}"
+    return f"the robot leans by {degrees:.0f} degrees at rest{standing_on(on)}"

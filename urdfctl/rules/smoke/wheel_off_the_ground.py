@@ -2,8 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from urdfctl.fault import Severity, fault
 from urdfctl.rules.smoke.common import ROVER, WHEELS
+
+
+def standing_on(links: Sequence[str]) -> str:
+    """Return the words that name the links on which a robot stands; none if there are none."""
+    names = [f"'{name}'" for name in links]
+    more = f" and {len(names) - 3} more" if len(names) > 3 else ""  # noqa: PLR2004
+    return f": the robot stands on {', '.join(names[:3])}{more}" if names else ""
 
 
 @fault(
@@ -23,9 +32,9 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS
     ],
     good=[{"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"}],
 )
-def wheel_off_the_ground(joint: str, controller: str, on: str) -> str:
+def wheel_off_the_ground(joint: str, controller: str, on: Sequence[str]) -> str:
     """Driven wheel does not touch the ground.
 
     It is mounted too high, it has no collision geometry, or other parts of the robot carry the weight.
     """
-    return f"wheel '{joint}' of controller '{controller}' does not touch the ground{on}"
+    return f"wheel '{joint}' of controller '{controller}' does not touch the ground{standing_on(on)}"

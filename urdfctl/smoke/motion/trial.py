@@ -20,7 +20,7 @@ from urdfctl.smoke.motion.simulation import Exploded, OutOfTime, RobotSimulation
 from urdfctl.smoke.motion.standing import why_not_standing
 from urdfctl.smoke.motion.user_tasks import perform_task
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
-from urdfctl.smoke.robot import GRIPS, SLIDES, TIPPED, carried_by, gravity_load, moved_inertias
+from urdfctl.smoke.robot import GRIPS, SLIDES, TIPPED, gravity_load, moved_inertias
 from urdfctl.smoke.tasks import FREELY, ControllerTask, Drive, Goal, MotionFamily, UserTask, goal_of
 
 SETTLING = 0.5
@@ -233,7 +233,7 @@ class MotionTrial:
             self.troubles.append(tipping)
         for name in lifted:
             owner = next(task.controller for task in self._plan.tasks if name in task.joints)
-            on = carried_by(link for link in self._simulation.mechanism.bodies if link in touching)
+            on = tuple(link for link in self._simulation.mechanism.bodies if link in touching)
             self.troubles.append(trouble_of(wheel_off_the_ground, f"joint:{name}", owner, joint=name, on=on))
         self._simulation.at_rest = standing
         return not tipped

@@ -32,7 +32,7 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Contro
     hinges = [hinge for hinge in mechanism.hinges if hinge.name in wheels]
     bare = [hinge for hinge in hinges if not shapes.known.get(hinge.child) and hinge.child not in shapes.unknown]
     for hinge in bare:
-        yield _lifted(hinge.name, wheels[hinge.name], "")
+        yield _lifted(hinge.name, wheels[hinge.name], ())
     at_rest = rest_pose_of(mechanism, shapes) if shapes.complete else None
     if at_rest is None or bare:
         return
@@ -43,15 +43,15 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Contro
         return
     lifted = [hinge for hinge in hinges if at_rest.heights.get(hinge.child, 0.0) > TOUCHING]
     for hinge in lifted:
-        yield _lifted(hinge.name, wheels[hinge.name], carried_by(at_rest.contacts))
+        yield _lifted(hinge.name, wheels[hinge.name], tuple(at_rest.contacts))
     if at_rest.tilt > MOST_LEANING and not lifted:
-        on = carried_by(name for name in at_rest.contacts if name not in {hinge.child for hinge in hinges})
+        on = tuple(name for name in at_rest.contacts if name not in {hinge.child for hinge in hinges})
         yield trouble_of(base_leans, ROBOT, None, (), degrees=math.degrees(at_rest.tilt), on=on)
     if not lifted:
         yield from traction_troubles(mechanism, at_rest.contacts, tasks)
 
 
-def _lifted(joint: str, controller: str, on: str) -> Trouble:
+def _lifted(joint: str, controller: str, on: Sequence[str]) -> Trouble:
     return trouble_of(wheel_off_the_ground, f"joint:{joint}", controller, joint=joint, on=on)
 
 
