@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from urdfctl.discover.backups import is_backup
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.lint.elimination import pairs_by_elimination
 from urdfctl.lint.joining import Joined, is_lonely, joined, starts_in, targets_near, unjoined
@@ -184,6 +185,8 @@ def _not_launched(plan: Sequence[PlannedTarget], launched: LaunchedTargets) -> l
     """The targets of a plan that are left when its launch files are linted, with what these say of them."""
     known = {(result.path, result.arguments) for _, (_, result) in launched if result.is_controlled}
     left = [entry for entry in plan if not entry.is_launched and not is_launched_already(entry, known)]
+    kept = [entry for entry in left if entry.origin is not TargetOrigin.FOUND or not is_backup(entry.target.path)]
+    left = kept if kept or known else left
     return with_bringups(left, [(entry, result) for entry, (_, result) in launched])
 
 
