@@ -66,3 +66,18 @@ def test_a_wrong_value_is_found_in_the_launch_file(tmp_path: Path) -> None:
 def test_a_parameter_under_an_unknown_condition_may_be_given(tmp_path: Path) -> None:
     conditional = '<param name="arm/joint" value="elbow" if="$(env SIMULATED)"/>'
     assert found(tmp_path, conditional) == []
+
+
+@pytest.mark.parametrize(("joint", "expected"), [("elbow", []), ("elbw", ["UC440 controllers.yaml:2"])])
+@pytest.mark.parametrize("load", ['<rosparam file="{}" ns="arm"/>', '<group ns="arm"><rosparam file="{}"/></group>'])
+def test_a_whole_file_may_be_a_controller_s_namespace(
+    tmp_path: Path, load: str, joint: str, expected: list[str]
+) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "arm.urdf").write_text(whole("arm.urdf", TRANSMISSION))
+    (tmp_path / "controllers.yaml").write_text(f"type: position_controllers/JointPositionController\njoint: {joint}\n")
+    before = LAUNCH.replace('<rosparam file="$(find arm)/controllers.yaml" command="load"/>', "{}")
+    (tmp_path / "arm.launch").write_text(before.format(load.format("$(find arm)/controllers.yaml"), ""))
+    select = ("UC42", "UC43", "UC44", "UC601")
+    told = findings(tmp_path / "arm.launch", select, workspace=str(tmp_path), distro="noetic")
+    assert [f"{one.code} {Path(one.at.file).name}:{one.at.line}" for one in told] == expected

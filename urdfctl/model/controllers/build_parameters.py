@@ -192,10 +192,18 @@ def read_by_rosparam(file: YamlFile, prefix: tuple[str, ...] = ()) -> Flat:
         flat.faults.append(FileFault(FaultKind.DOCUMENTS, file.documents[1].at))
     for document in file.documents[:1]:
         if isinstance(document, Mapping):
+            flat.leaves.extend(_leaf_of_namespace(document, prefix))
             flat.leaves.extend(_leaves_of_rosparam(document, prefix, flat.faults))
         elif not isinstance(document, Scalar) or typed_by_pyyaml(document).kind is not ValueKind.NULL:
             flat.faults.append(FileFault(FaultKind.ROOT, document.at))
     return flat
+
+
+def _leaf_of_namespace(document: Mapping, prefix: tuple[str, ...]) -> Iterator[Leaf]:
+    """The controller whose parameters a whole file is, if it is loaded into the namespace of that."""
+    key = next((entry.key for entry in document.entries if entry.key.text == "type"), None)
+    if prefix and key is not None:
+        yield Leaf(prefix, key.at, value_of(document, typed_by_pyyaml))
 
 
 def _leaves_of_rosparam(mapping: Mapping, path: tuple[str, ...], faults: list[FileFault]) -> Iterator[Leaf]:
