@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from textwrap import dedent
 
 import pytest
@@ -163,3 +164,27 @@ def test_lists_for_moveit_that_fit_the_robot_or_are_of_other_parts_say_nothing(f
 def test_the_limits_that_controllers_of_ros_1_are_given_are_none_of_moveits(folder: Folder) -> None:
     folder.write({"gripper.urdf": GRIPPER, "limits.yaml": "joint_limits: {l_gripper_joint: {max_velocity: 1}}"})
     assert robots.findings(Target("gripper.urdf", controllers=("limits.yaml",)), ("UC654",)) == []
+
+
+@pytest.mark.parametrize(
+    ("listed", "told"),
+    [
+        ("shoulder, elbow, virtual_joint", None),
+        ("shoulder, elbow, flange", None),
+        ("shoulder, elbow, tool", "tool"),
+        ("shoulder, elbow_joint", "elbow_joint"),
+    ],
+)
+def test_a_joint_that_moveit_never_sends_may_be_listed(folder: Folder, listed: str, told: str | None) -> None:
+    names = {"shoulder": "revolute", "elbow": "revolute", "tool": "revolute", "flange": "fixed"}
+    limit = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
+    joints = "".join(
+        f'<link name="{name}_link"/><joint name="{name}" type="{kind}"><parent link="base"/>'
+        f'<child link="{name}_link"/>{limit}</joint>'
+        for name, kind in names.items()
+    )
+    whole = configured("joints: [shoulder, elbow]", f"joints: [{listed}]")
+    files = {name: dedent(text) for name, text in whole.items()}
+    folder.write({**files, "arm.urdf": f'<robot name="arm"><link name="base"/>{joints}</robot>'})
+    ran = folder.run("lint", "arm.urdf", "ros2_controllers.yaml", "--select", "UC653", "--format", "concise")
+    assert [f"'{told}'"] * (told is not None) == re.findall(r"does not control joint ('\w+')", ran.stdout)

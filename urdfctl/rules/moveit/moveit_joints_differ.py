@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.controllers import Controller, MoveItController
+from urdfctl.model.controllers import Controller, Key, MoveItController
+from urdfctl.model.robot import Robot
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
@@ -19,7 +20,8 @@ _PARTIAL = "allow_partial_joints_goal"
     severity=Severity.ERROR,
     runtime="refuses",
     authority="ros2_controllers joint_trajectory_controller.cpp: 'Incoming joint elbow_joint doesn't match the controller's "
-    "joints.', 'Joints on incoming trajectory don't match the controller joints.'",
+    "joints.', 'Joints on incoming trajectory don't match the controller joints.'; moveit_ros "
+    "trajectory_execution_manager.cpp distributeTrajectory(): no fixed, passive or mimic joint",
     bad=[configured("joints: [shoulder, elbow]", "joints: [shoulder, «elbow_joint»]")],
     good=[configured()],
 )
@@ -27,7 +29,8 @@ def moveit_joints_differ(project: Project) -> Iterator[Finding]:
     """MoveIt and the controller list different joints.
 
     The controller rejects every goal that names a joint it does not control. Unless it allows partial goals, it also
-    rejects every goal that omits one of its joints. MoveIt sends no positions of joints that mimic others.
+    rejects every goal that omits one of its joints. MoveIt sends no positions of joints that are fixed or mimic others,
+    or that the robot lacks.
     """
     controllers = project.controllers
     if project.moveit is None or project.moveit.guessed:
@@ -38,15 +41,25 @@ def moveit_joints_differ(project: Project) -> Iterator[Finding]:
         joints = controller.own.value("joints") if controller else None
         names = [item.text for item in joints.items] if joints and joints.items else []
         if controller is not None and joints is not None and names and "Trajectory" in (moveit.type or ""):
-            followers = {joint.name for joint in project.robot.joints if joint.mimic} if project.robot else set()
-            sent = [joint for joint in moveit.joints if joint.text in names or joint.text not in followers]
-            moveit = moveit._replace(joints=tuple(sent))  # noqa: PLW2901 (without the joints that it never sends)
+            moveit = moveit._replace(joints=tuple(_sent(moveit, names, project.robot)))  # noqa: PLW2901
             note = Note("the controller's joints are here", joints.at)
             severity = None if project.robot else Severity.WARNING  # the joint may mimic another one
             if project.robot is None and project.launch is not None:
                 continue  # other launch files start the robot
             for finding in _compared(moveit, controller, names, note):
                 yield finding._replace(severity=finding.severity or severity)
+
+
+def _sent(moveit: MoveItController, names: list[str], robot: Robot | None) -> Iterator[Key]:
+    """Yield the listed joints of the controller, and those others that MoveIt may send it: no fixed joint, none that
+    mimics, and none that the robot lacks, unless it stands for one of the controller's that is not listed."""
+    known = {joint.name: joint for joint in robot.joints} if robot else {}
+    is_whole = set(names) <= {joint.text for joint in moveit.joints}
+    for joint in moveit.joints:
+        own = known.get(joint.text)
+        never = (own.mimic or not own.moves) if own else robot is not None and is_whole
+        if joint.text in names or not never:
+            yield joint
 
 
 def _compared(moveit: MoveItController, controller: Controller, names: list[str], note: Note) -> Iterator[Finding]:
