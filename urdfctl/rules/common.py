@@ -57,9 +57,13 @@ class KnownNames:
             self._meant[name] = nearest(name, self._free)
         return stripped or self._meant.get(name)
 
+    def is_sure(self, name: str, meant: str | None) -> bool:
+        """Return whether a name is another one with one letter wrong, and no other name comes near."""
+        return meant is not None and is_only_slip(name, meant, self._names)
+
     def fix(self, place: Place, name: str, meant: str | None) -> Fix | None:
         """Return the fix that writes the name that is meant: safe if one letter is wrong, and no other name comes near."""
-        return replaced(place, name, meant, safe=is_only_slip(name, meant, self._names)) if meant else None
+        return replaced(place, name, meant, safe=self.is_sure(name, meant)) if meant else None
 
 
 def is_conditional(at: Place) -> bool:

@@ -21,26 +21,30 @@ class WrittenName(NamedTuple):
     fix: Fix | None = None
 
 
-def where_written(at: Place, wrong: str, meant: str | None) -> WrittenName:
+def where_written(at: Place, wrong: str, meant: str | None, *, safe: bool = False) -> WrittenName:
     """Return where a name is written that is wrong, with the fix that makes it `meant`.
 
     at: where the robot uses the name, which may be a parameter of a macro. Then the call is to be edited, not the
     macro: other calls may be right. If only the macro's own text differs from `meant`, the macro is to be edited.
+    safe: whether the name is certainly meant.
     """
     passed = _passed(at, wrong, meant, _DEEPEST)
     if passed is not None:
-        return passed
+        return passed._replace(fix=passed.fix._replace(safe=safe)) if passed.fix else passed
     text = at.span.text.replace("\r\n", "\n")
     new = _corrected(text, wrong, meant) if meant else None
-    return WrittenName(at, Fix(f"write '{new}'", (Edit(at.span, new),))) if new else WrittenName(at)
+    return WrittenName(at, Fix(f"write '{new}'", (Edit(at.span, new),), safe)) if new else WrittenName(at)
 
 
-def at_written(used: Place, wrong: str, meant: str | None, message: str, notes: Sequence[Note] = ()) -> Finding:
+def at_written(  # noqa: PLR0913 (a place, two names and what a finding says)
+    used: Place, wrong: str, meant: str | None, message: str, notes: Sequence[Note] = (), *, safe: bool = False
+) -> Finding:
     """Return a finding about a wrong name, where it is written; a note says where the robot uses it, if elsewhere.
 
     The fix has no edits if the name is put together from parts that no single edit corrects.
+    safe: as in `where_written`.
     """
-    at, fix = where_written(used, wrong, meant)
+    at, fix = where_written(used, wrong, meant, safe=safe)
     if fix is None and meant is not None:
         fix = Fix(f"write '{meant}'")
     here = () if at is used else (Note("used here", used),)

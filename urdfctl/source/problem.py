@@ -63,7 +63,8 @@ class Problem(NamedTuple):
     follows: how many more problems it caused, which are not told.
     also: other places in the same file with the same problem.
     used: where the text at `at` is used, if elsewhere.
-    correct: the name that certainly belongs in the place of the subject; empty if that is not certain.
+    meant: the name that probably belongs in the place of the subject; empty if none does.
+    correct: the name that certainly belongs there; empty if that is not certain.
     """
 
     kind: ProblemKind
@@ -75,6 +76,7 @@ class Problem(NamedTuple):
     follows: int = 0
     also: tuple[Place, ...] = ()
     used: Place | None = None
+    meant: str = ""
     correct: str = ""
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.parameters.controller_types import TypedController, meant_by, typed
+from urdfctl.names import is_slip
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
 
@@ -62,7 +63,7 @@ def controller_type_unknown(project: Project) -> Iterator[Finding]:
         meant = meant_by(project, controller)
         if meant is not None:
             message = f"controller type '{controller.type}' is unknown; did you mean '{meant}'?"
-            yield Finding(at, message, fix=replaced(at, controller.type, meant))
+            yield Finding(at, message, fix=replaced(at, controller.type, meant, safe=is_slip(controller.type, meant)))
 
 
 def _is_hardware(project: Project, controller: TypedController) -> bool:

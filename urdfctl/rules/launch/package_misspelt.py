@@ -23,7 +23,8 @@ def package_misspelt(project: Project) -> Iterator[Finding]:
     """Misspelt package in a launch file.
 
     The package is not in the workspace, package.xml does not declare it, and a package of the workspace has almost the
-    same name. The launch stops there if no such package is installed.
+    same name. The launch stops there if no such package is installed. The name of the own package with one letter wrong is
+    an error.
     """
     for word, meant in project.launch.misspelt if project.launch else ():
         message = f"package '{word.text}' was not found; did you mean '{meant}'?"
@@ -31,4 +32,6 @@ def package_misspelt(project: Project) -> Iterator[Finding]:
         start = text.find(word.text)
         if start >= 0 and text.count(word.text) == 1:
             at = at.part(word.text)
-        yield Finding(at, message, fix=replaced(at, word.text, meant))
+        package = project.launch.package if project.launch else None
+        severity = Severity.ERROR if package is not None and package.name == meant else None
+        yield Finding(at, message, fix=replaced(at, word.text, meant, safe=severity is not None), severity=severity)

@@ -62,7 +62,8 @@ def component_joint_unknown(project: Project) -> Iterator[Finding]:
         meant = known.meant_by(name)
         hint = f"; did you mean '{meant}'?" if meant else ""
         message = f"{component(control)} names joint '{name}', which the robot does not have{hint}"
-        finding = at_written(joint.at["name"], name, meant, message, tuple(_links(robot, name)))
+        is_sure = known.is_sure(name, meant)
+        finding = at_written(joint.at["name"], name, meant, message, tuple(_links(robot, name)), safe=is_sure)
         yield finding._replace(severity=severity_where(project, JAZZY))
 
 

@@ -147,7 +147,7 @@ def hardware_plugin_unknown(project: Project) -> Iterator[Finding]:
                 fault = _fault(project, name, component(control)) if name and is_known(name) else None
                 if fault is not None:
                     meant, message, severity = fault
-                    fix = corrected(plugin, meant) if meant else None
+                    fix = corrected(plugin, meant)._replace(safe=is_slip(name, meant)) if meant else None
                     yield Finding(plugin.at, message, fix=fix, severity=severity)
 
 
@@ -186,7 +186,7 @@ def _slip(project: Project, name: str, owner: str) -> Fault | None:
     meant = {folded(each): each for each in known}.get(folded(name)) or _of_whole(name, known)
     sure = meant is not None or name.startswith(_CORE)
     meant = meant or next((each for each in sorted(known) if is_slip(name, each)), None)
-    sure = sure or (meant is not None and meant.startswith(_WHOLE))
+    sure = sure or bool(of_package) or (meant is not None and meant.startswith(_WHOLE))
     meant = meant or (of_package[0] if of_package else None)
     if meant is None:
         return None

@@ -57,7 +57,7 @@ def plugin_filename_misspelt(project: Project) -> Iterator[Finding]:
             vital = library_of(meant) in DRIVES or _hosts_control(project, meant)
             severity = Severity.ERROR if vital else None
             message = f"unknown plugin library '{sim_plugin.filename}'; did you mean '{meant}'?"
-            fix = replaced(at, sim_plugin.plugin.filename or "", meant)
+            fix = replaced(at, sim_plugin.plugin.filename or "", meant, safe=is_slip(sim_plugin.filename, meant))
             yield Finding(at, message, fix=fix, severity=severity)
 
 

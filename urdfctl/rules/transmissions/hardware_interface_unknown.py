@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.control.hardware.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
 from urdfctl.model.robot import ElementText
-from urdfctl.names import nearest
+from urdfctl.names import is_slip, nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.common import in_place_of, listed, named_joints, with_prefix
@@ -168,7 +168,8 @@ def hardware_interface_unknown(project: Project) -> Iterator[Finding]:
                 if right
                 else f"{interface_label} {_unknown_to(project)}"
             )
-            fix = Fix(f"write '{right}'", in_place_of(interface, right)) if right else None
+            is_sure = right is not None and is_slip(interface.value, right)
+            fix = Fix(f"write '{right}'", in_place_of(interface, right), is_sure) if right else None
             yield Finding(interface.at.content, message, fix=fix, severity=severity)
 
 

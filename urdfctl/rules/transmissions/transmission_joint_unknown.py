@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.hardware.gazebo_ros1 import control_plugins, in_gazebo
 from urdfctl.model.robot import Joint, Robot, Transmission, TransmissionEnd
-from urdfctl.names import nearest
+from urdfctl.names import is_only_slip, nearest
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.transmissions.common import joints_by_name, known_joints
 from urdfctl.rules.transmissions.wrong_calls import WrongCall, macro_call, wrong_calls
@@ -80,7 +80,8 @@ def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
         right = nearest(name, known.keys() - taken)
         hint = f"; did you mean '{right}'?" if right else ""
         message = f"{transmission.label} names joint '{name}', which the robot does not have{hint}"
-        finding = at_written(joint.at["name"], name, right, message, tuple(_links(robot, name)))
+        is_sure = right is not None and is_only_slip(name, right, known)
+        finding = at_written(joint.at["name"], name, right, message, tuple(_links(robot, name)), safe=is_sure)
         yield finding._replace(severity=severity)
 
 

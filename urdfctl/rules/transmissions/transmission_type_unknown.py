@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.names import nearest
+from urdfctl.names import is_slip, nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.common import in_place_of, listed, on_hardware, read_transmissions
@@ -144,7 +144,7 @@ def transmission_type_unknown(project: Project) -> Iterator[Finding]:
             continue
         hint = f"did you mean '{right}'?" if right else f"ros_control knows {listed(TYPES)}"
         message = f"unknown type '{kind.value}' of {transmission.label}; {hint}"
-        fix = Fix(f"write '{right}'", in_place_of(kind, right)) if right else None
+        fix = Fix(f"write '{right}'", in_place_of(kind, right), safe=is_slip(kind.value, right)) if right else None
         yield Finding(kind.at.content, message, fix=fix, severity=on_hardware(project))
 
 

@@ -48,4 +48,4 @@ def gazebo_reference_unknown(project: Project) -> Iterator[Finding]:
         meant = names.meant_by(reference)
         hint = f"; did you mean '{meant}'?" if meant else ""
         message = f"<gazebo> refers to '{reference}', which is not a link or joint of the robot{hint}"
-        yield at_written(gazebo.at["reference"], reference, meant, message)
+        yield at_written(gazebo.at["reference"], reference, meant, message, safe=names.is_sure(reference, meant))

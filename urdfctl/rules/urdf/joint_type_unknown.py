@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.names import enumerated, nearest
+from urdfctl.names import enumerated, is_only_slip, nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known, label, replaced, robot_in
 
@@ -95,5 +95,10 @@ def joint_type_unknown(project: Project) -> Iterator[Finding]:
         hint = f"did you mean '{meant}'?" if meant else f"use {enumerated(TYPES, 'or')}"
         fix: Fix | None = None
         if meant:
-            fix = replaced(joint.at["type"], written, meant, safe=written.strip().lower() == meant)
+            fix = replaced(
+                joint.at["type"],
+                written,
+                meant,
+                safe=written.strip().lower() == meant or is_only_slip(written.strip(), meant, TYPES),
+            )
         yield Finding(joint.at["type"], f"{label('joint', joint.name)} has unknown type '{written}'; {hint}", fix=fix)

@@ -62,7 +62,7 @@ def unknown_link(project: Project) -> Iterator[Finding]:
                 yield Finding(at, message, (note,), replaced(at, meant, end.name))
                 continue
             used = end.at
-            at, fix = where_written(used, end.name, meant)
+            at, fix = where_written(used, end.name, meant, safe=links.is_sure(end.name, meant))
             notes = () if at is used else (Note("used here", used),)
             yield Finding(at, message + (f"; did you mean '{meant}'?" if meant else ""), notes, fix)
 

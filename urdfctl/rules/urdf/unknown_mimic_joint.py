@@ -63,4 +63,4 @@ def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
         hint = f"; did you mean '{meant}'?" if meant else ""
         message = f"{label('joint', joint.name)} mimics unknown joint '{mimic.joint}'{hint}"
         correct = meant if meant and is_known(meant) else None
-        yield at_written(mimic.at["joint"], mimic.joint, correct, message)
+        yield at_written(mimic.at["joint"], mimic.joint, correct, message, safe=joints.is_sure(mimic.joint, correct))

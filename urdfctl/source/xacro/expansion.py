@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from types import ModuleType
 from typing import Any
 
@@ -34,7 +34,7 @@ from urdfctl.source.xacro.leftovers import (
     unused_arguments,
 )
 from urdfctl.source.xacro.macro_names import macro_of_other_file
-from urdfctl.source.xacro.origin import suggested, traced
+from urdfctl.source.xacro.origin import parameters_around, parameters_of, suggested, traced
 from urdfctl.source.xacro.prefixes import add_prefixes, is_call, missing_prefixes
 from urdfctl.source.xacro.private import private_module
 from urdfctl.source.xacro.private.replacements import replace
@@ -359,9 +359,23 @@ class Expander:
 
     def _problem(self, blame: Blame, error: BaseException) -> Problem:
         problem = problem_of(error, blame, self.module.filestack)
-        problem = suggested(problem, self._properties, self.declared)
+        problem = suggested(problem, self._known_names(problem, blame))
         problem = traced(problem, failed_expression(error), [self._written.get(name, ()) for name in blame.properties])
         return problem if self.strict else judged(problem, self.packages)
+
+    def _known_names(self, problem: Problem, blame: Blame) -> Collection[str]:
+        """The names that an unknown one may stand for."""
+        if problem.kind is ProblemKind.UNDEFINED_ARGUMENT:
+            return self.declared
+        if problem.kind is ProblemKind.UNKNOWN_MACRO:
+            return self.macros
+        if problem.kind is ProblemKind.MACRO_CALL and blame.element is not None:
+            passed = blame.element.attrs
+            called = self.macros.get(blame.element.tagName.removeprefix("xacro:"))
+            return [name for name in parameters_of(called) if name not in passed]
+        if problem.kind is ProblemKind.UNDEFINED_NAME:
+            return {*self._properties, *parameters_around(problem.at, self.macros.values())}
+        return ()
 
     def _add(self, problem: Problem) -> None:
         self.found.add(problem)

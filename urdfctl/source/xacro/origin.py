@@ -2,23 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+import re
+from collections.abc import Collection, Iterable, Sequence
 
-from urdfctl.names import nearest
+from urdfctl.names import is_only_slip, nearest
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.span import Place
 from urdfctl.source.xml.dom import Element
 
+_PARAMETER = re.compile(r"(?:^|\s)([A-Za-z_]\w*)")
 _OF_TEXTS = {ProblemKind.UNDEFINED_NAME, ProblemKind.UNDEFINED_ARGUMENT, ProblemKind.EXPRESSION}
 
 
-def suggested(problem: Problem, properties: Collection[str], arguments: Collection[str]) -> Problem:
+def suggested(problem: Problem, known: Collection[str]) -> Problem:
     """Return a problem with the known name that was probably meant by an unknown one, if any is similar."""
-    known = {ProblemKind.UNDEFINED_NAME: properties, ProblemKind.UNDEFINED_ARGUMENT: arguments}.get(problem.kind)
-    meant = nearest(problem.subject, known) if known else None
+    meant = nearest(problem.subject, known) if problem.subject and known else None
     if meant is None:
         return problem
     hint = f"write $(arg {meant})" if problem.kind is ProblemKind.UNDEFINED_ARGUMENT else f"write '{meant}'"
-    return problem._replace(message=f"{problem.message}; did you mean '{meant}'?", hint=hint)
+    correct = meant if is_only_slip(problem.subject, meant, known) else ""
+    message = f"{problem.message}; did you mean '{meant}'?"
+    return problem._replace(message=message, hint=hint, meant=meant, correct=correct)
+
+
+def parameters_of(macro: Element | None) -> list[str]:
+    """Return the names of a macro's parameters, without those of blocks."""
+    return _PARAMETER.findall(macro.attrs.get("params", "")) if macro is not None else []
+
+
+def parameters_around(at: Place, macros: Iterable[Element]) -> list[str]:
+    """Return the parameters of the macros that a place is in."""
+    around = (macro for macro in macros if macro.at.source is at.source and _is_within(at, macro.at))
+    return [name for macro in around for name in parameters_of(macro)]
+
+
+def _is_within(at: Place, element: Place) -> bool:
+    return element.closing is not None and element.start <= at.start <= element.closing
 
 
 def traced(problem: Problem, expression: str, properties: Sequence[Sequence[Element]]) -> Problem:
