@@ -88,7 +88,7 @@ drive_controller:
   <include file="$(find gazebo_ros)/launch/empty_world.launch"/>
   <param name="robot_description" command="$(find xacro)/xacro $(find tern)/urdf/tern.urdf.xacro"/>
   <rosparam command="load" file="$(find tern)/config/controllers.yaml"/>
-  <node name="spawn_model" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model tern -z 0.2"/>
+  <node name="spawn_model" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model tern"/>
   <node name="spawner" pkg="controller_manager" type="spawner" args="joint_state_controller drive_controller"/>
   <node name="robot_state_publisher" pkg="robot_state_publisher" type="robot_state_publisher"/>
 </launch>

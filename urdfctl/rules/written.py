@@ -36,7 +36,7 @@ def where_written(at: Place, wrong: str, meant: str | None, *, safe: bool = Fals
     return WrittenName(at, Fix(f"write '{new}'", (Edit(at.span, new),), safe)) if new else WrittenName(at)
 
 
-def at_written(  # noqa: PLR0913 (a place, two names and what a finding says)
+def at_written(
     used: Place, wrong: str, meant: str | None, message: str, notes: Sequence[Note] = (), *, safe: bool = False
 ) -> Finding:
     """Return a finding about a wrong name, where it is written; a note says where the robot uses it, if elsewhere.

@@ -9,6 +9,7 @@ from urdfctl.control.hardware.simulator_plugins import written_plugins
 from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import doubt_of, whole_robot_in
+from urdfctl.rules.insertions import appended_to_robot
 from urdfctl.rules.launch.common import launch_of
 
 _LAUNCH = """
@@ -95,6 +96,20 @@ def control_plugin_not_loaded(project: Project) -> Iterator[Finding]:
     if simulation is None or spawn is None or hosted or not all(map(hosts_no_manager, launch.nodes)):
         return
     message = "controllers are spawned in Gazebo, but no <plugin> of the robot runs ros_control"
-    fix = Fix('add <gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>')
+    title = 'add <gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>'
+    fix = Fix(title, appended_to_robot(robot, _element(spawn.namespace or "")))
     notes = (Note("controllers are spawned here", spawn.at), Note("Gazebo is started here", simulation.at))
     yield Finding(robot.at, message, (*notes, *doubt.notes), fix, doubt.severity)
+
+
+def _element(namespace: str) -> str:
+    """The plugin, as gen-gazebo writes it."""
+    robot = f"<robotNamespace>/{namespace.strip('/')}</robotNamespace>"
+    return (
+        "  <!-- Runs the controllers inside Gazebo. -->\n"
+        "  <gazebo>\n"
+        '    <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">\n'
+        f"      {robot}\n"
+        "    </plugin>\n"
+        "  </gazebo>\n"
+    )

@@ -11,32 +11,32 @@ from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2, is_spawner, launch_of
 from urdfctl.rules.launch_samples import BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
 
-_REJECTING = since("lyrical")
+_LOSING = since("lyrical")
 
 
 @rule(
     "UC610",
-    severity=Severity.WARNING,
-    runtime="ignores",
-    distros=since("jazzy"),
-    options=("--distro=jazzy",),
-    authority="ros2_control #1694 (jazzy): parameters of controllers are given to the spawner; #3016 (lyrical): the manager "
-    "no longer hands its own on: 'Length of parameter 'joints' is '0' but must be greater than '0''",
+    severity=Severity.ERROR,
+    runtime="refuses",
+    distros=_LOSING,
+    options=("--distro=lyrical",),
+    authority="ros2_control #1694 (jazzy): parameters of controllers are given to the spawner; jazzy and kilted still hand "
+    "those of the manager on (controller_manager.cpp: determine_controller_node_options); #3016 (lyrical): the manager "
+    "no longer does: 'Length of parameter 'joints' is '0' but must be greater than '0''",
     bad=[launched(PUBLISHER, MANAGER, BROADCASTER, spawner("«arm_controller»"))],
     good=[SOUND],
 )
 def parameters_not_given_to_controller(project: Project) -> Iterator[Finding]:
     """Controller parameters are passed to the manager, not to the spawner.
 
-    Since jazzy, parameters are passed with the spawner's `--param-file`. In jazzy and kilted the manager still passes
-    its own parameters on. Since lyrical it does not. The controller is then rejected if it has required parameters, and
-    otherwise uses its defaults.
+    Since lyrical, the manager no longer passes its own parameters on: they are passed with the spawner's
+    `--param-file`. The controller is rejected if it has required parameters, and otherwise uses its defaults. In jazzy
+    and kilted, whose guides demand the option too, the manager's parameters still arrive.
     """
     launch, controllers = launch_of(project, ROS_2), project.controllers
     if launch is None or controllers is None:
         return
-    severity = Severity.ERROR if set(project.distros) <= set(_REJECTING) else None
-    severity = Severity.INFO if project.distro is None else severity
+    severity = None if set(project.distros) <= set(_LOSING) else Severity.INFO
     for spawn in launch.spawns:
         if not is_spawner(spawn) or not spawn.complete or spawn.files or _passes_parameters(spawn):
             continue

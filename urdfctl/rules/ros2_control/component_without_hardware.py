@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.control.hardware.simulator_plugins import written_plugins
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_all_there, is_conditional
+from urdfctl.rules.insertions import inserted
 from urdfctl.rules.ros2_control.common import component, components
+from urdfctl.source.span import Place
 
 
 @rule(
@@ -53,6 +56,15 @@ def component_without_hardware(project: Project) -> Iterator[Finding]:
             message = f"{component(control)} has no <hardware> with these arguments"
             yield Finding(control.at, message, severity=Severity.INFO)
         else:
-            yield Finding(
-                control.at, f"{component(control)} has no <hardware>; add one whose <plugin> names the class to load"
-            )
+            message = f"{component(control)} has no <hardware>; add one whose <plugin> names the class to load"
+            yield Finding(control.at, message, fix=_fix(project, control.at))
+
+
+def _fix(project: Project, at: Place) -> Fix | None:
+    """The fix that adds the hardware of the simulator whose plugin the robot loads; None if it loads none."""
+    hosts = [plugin.any for plugin in written_plugins(project) if plugin.any is not None and plugin.hosts_control]
+    names = {host.default_hardware for host in hosts if host.default_hardware}
+    if len(names) != 1:
+        return None
+    element = f"<hardware>\n      <plugin>{names.pop()}</plugin>\n    </hardware>"
+    return Fix(f"add {''.join(line.strip() for line in element.splitlines())}", inserted(at, element))

@@ -14,6 +14,7 @@ from urdfctl.control.hardware.simulator_plugins import (
 )
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
+from urdfctl.rules.insertions import appended_to_robot, controllers_path, host_element
 
 
 @rule(
@@ -77,8 +78,10 @@ def control_plugin_missing(project: Project) -> Iterator[Finding]:
         fix = None
         if host:
             name = host.names[0] if host.names else "gazebo_ros2_control"
+            path = controllers_path(project)
             element = f'<plugin filename="{host.filenames[0]}" name="{name}">'
-            fix = Fix(f"add <gazebo>{element}<parameters>...</parameters></plugin></gazebo>")
+            edits = appended_to_robot(robot, host_element(host.filenames[0], name, path)) if path else ()
+            fix = Fix(f"add <gazebo>{element}<parameters>{path or '...'}</parameters></plugin></gazebo>", edits)
         severity = Severity.ERROR if started_simulator(project) == simulator else None
         yield Finding(control.hardware[-1].plugins[0].at, message, fix=fix, severity=severity)
         return

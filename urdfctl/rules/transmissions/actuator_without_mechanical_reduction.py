@@ -8,8 +8,8 @@ from urdfctl.catalog.distros import since
 from urdfctl.model.robot import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole, renamed
+from urdfctl.rules.insertions import inserted
 from urdfctl.rules.transmissions.common import (
-    inserted,
     is_of_another_package,
     misspelt,
     on_hardware,

@@ -12,7 +12,7 @@ from urdfctl.model.robot import ElementText, Joint, Tag, Transmission, Transmiss
 from urdfctl.names import enumerated, folded
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PREFIX
-from urdfctl.source.span import Place, SourceSpan
+from urdfctl.source.span import Place
 
 # -- transmissions and joints ------------------------------------------------------------------------------------------
 
@@ -90,18 +90,6 @@ def in_place_of(text: ElementText, right: str) -> tuple[Edit, ...]:
     """Return the edit that replaces an element's text; none if the source does not contain it literally."""
     span = text.at.content.span
     return (Edit(span, right),) if span.text == text.value else ()
-
-
-def inserted(at: Place, element: str) -> tuple[Edit, ...]:
-    """Return the edit that inserts an element as the first child of the element at a place."""
-    tag = at.source.start_tag(at.start)
-    if tag is None:
-        return ()
-    if tag.self_closed:
-        return (Edit(SourceSpan(at.source, tag.end - len("/>"), tag.end), f">{element}</{tag.name}>"),)
-    inside = at.source.data[tag.end : at.closing]
-    blanks = inside[: len(inside) - len(inside.lstrip())].decode() if inside.strip() else ""
-    return (Edit(SourceSpan(at.source, tag.end, tag.end), blanks + element),)
 
 
 def in_place_of_name(at: Place, name: str, right: str) -> tuple[Edit, ...]:

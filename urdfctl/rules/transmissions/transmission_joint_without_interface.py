@@ -8,7 +8,8 @@ from urdfctl.catalog.distros import since
 from urdfctl.model.robot import ElementText, Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole, renamed
-from urdfctl.rules.transmissions.common import inserted, misspelt, read_transmissions, with_prefix
+from urdfctl.rules.insertions import inserted
+from urdfctl.rules.transmissions.common import misspelt, read_transmissions, with_prefix
 from urdfctl.rules.transmissions.facts import PREFIX
 
 
