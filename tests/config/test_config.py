@@ -291,10 +291,10 @@ def test_another_file_may_be_named(folder: Folder) -> None:
     ("text", "told"),
     [
         ("selct = ['UC2']", "urdfctl: urdfctl.toml: unknown key 'selct'; did you mean 'select'?\n"),
-        ("select = ['UC8']", "urdfctl: urdfctl.toml: no rule's code begins with 'UC8'; see urdfctl rules\n"),
+        ("select = ['UC87']", "urdfctl: urdfctl.toml: no rule's code begins with 'UC87'; see urdfctl rules\n"),
         (
-            "[per-file-ignores]\n'x' = ['UC8']",
-            "urdfctl: urdfctl.toml: no rule's code begins with 'UC8'; see urdfctl rules\n",
+            "[per-file-ignores]\n'x' = ['UC87']",
+            "urdfctl: urdfctl.toml: no rule's code begins with 'UC87'; see urdfctl rules\n",
         ),
     ],
 )

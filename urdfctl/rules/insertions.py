@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import os
+import posixpath
 
 from urdfctl.model.controllers import Controllers
 from urdfctl.model.robot import Robot
@@ -48,9 +48,9 @@ def controllers_path(project: Project) -> str | None:
     """Return the only controller file of a manager, as a robot of the same package names it; None if that is unknown."""
     package = project.launch.package if project.launch else None
     files = _files_of_managers(project.controllers) if project.controllers else []
-    if package is None or len(files) != 1 or not files[0].startswith(f"{package.folder}{os.sep}"):
+    if package is None or len(files) != 1 or not files[0].startswith(f"{package.folder}/"):
         return None
-    return f"$(find {package.name})/{os.path.relpath(files[0], package.folder).replace(os.sep, '/')}"
+    return f"$(find {package.name})/{posixpath.relpath(files[0], package.folder)}"
 
 
 def _files_of_managers(controllers: Controllers) -> list[str]:

@@ -57,12 +57,15 @@ def _may_publish(node: Node) -> bool:
     return any(_CLOCKS.search(word.text) for word in (node.package, node.executable, *node.words))
 
 
-def _places(project: Project, launch: Launch) -> Iterator[Place]:
-    """The places that give a manager simulated time."""
-    for node in manager_nodes(launch):
-        if node.sure and dict(node.values).get("use_sim_time", "").lower() == "true":
-            yield next((word.at for word in node.parameters if word.text == "use_sim_time"), node.at)
-    for manager in project.controllers.managers if project.controllers else ():
-        value = manager.parameters.value("use_sim_time")
-        if value is not None and value.value is True:
-            yield value.at
+def _places(project: Project, launch: Launch) -> list[Place]:
+    """The places that give a manager simulated time: in the launch file, or else in its parameter files."""
+    given = [node for node in manager_nodes(launch) if node.sure and _is_true(dict(node.values).get("use_sim_time"))]
+    if given:
+        return [next((word.at for word in node.parameters if word.text == "use_sim_time"), node.at) for node in given]
+    managers = project.controllers.managers if project.controllers else ()
+    values = (manager.parameters.value("use_sim_time") for manager in managers)
+    return [value.at for value in values if value is not None and value.value is True]
+
+
+def _is_true(text: str | None) -> bool:
+    return (text or "").lower() == "true"

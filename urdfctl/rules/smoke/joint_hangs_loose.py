@@ -25,7 +25,7 @@ _YAML = REACHER_CONTROLLER.replace("turn, bend, reach", "turn, reach")
             "controllers.yaml": _YAML,
         },
     ],
-    good=[{"robot.urdf": REACHER, "controllers.yaml": _YAML}],
+    good=[{"robot.urdf": REACHER, "controllers.yaml": REACHER_CONTROLLER}],
 )
 def joint_hangs_loose(joint: str, link: str, weight: float, unit: str) -> str:
     """Joint that nothing commands or holds.

@@ -12,7 +12,7 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.rules.smoke.wheels_slip import wheels_slip
 from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
-from urdfctl.smoke.robot import GRAVITY, TIPPED, TOUCHING, Mechanism, Shapes, carried_by, friction_of, rest_pose_of
+from urdfctl.smoke.robot import GRAVITY, TIPPED, TOUCHING, Mechanism, Shapes, friction_of, rest_pose_of
 from urdfctl.smoke.statics.efforts import TIME
 from urdfctl.smoke.tasks import ControllerTask, speed_of
 
