@@ -109,8 +109,8 @@ def test_a_gazebo_part_of_a_shared_file_that_suits_another_robot_is_only_worth_k
     )
     told = folder.run("lint", ".", "--no-cache", "--select", "UC156", "--format", "concise").stdout.splitlines()
     assert [line.partition(": ")[2] for line in told if line.startswith("colours")] == [
-        "info UC156 <gazebo> refers to 'camera', which is not a link or joint of the robot (also 'lidar' (line 3))",
         "warning UC156 <gazebo> refers to 'lidr', which is not a link or joint of the robot",
+        "info UC156 <gazebo> refers to 'camera', which is not a link or joint of the robot (also 'lidar' (line 3))",
     ]
     alone = folder.run("lint", "lidar.xacro", "--no-cache", "--select", "UC156", "--format", "concise").stdout
     assert "warning UC156 <gazebo> refers to 'camera'" in alone

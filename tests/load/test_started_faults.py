@@ -64,7 +64,7 @@ def test_a_controller_spawned_from_an_empty_file_is_unknown(tmp_path: Path) -> N
 @pytest.mark.parametrize(
     ("words", "namespace", "expected"),
     [
-        ("-model arm", "arm", ["warning UC525 arm.launch"]),
+        ("-model arm", "arm", ["error UC525 arm.launch"]),
         ("-model arm -robot_namespace /arm", "arm", []),
         ("-model arm", "", []),
     ],

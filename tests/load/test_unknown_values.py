@@ -37,7 +37,7 @@ def test_a_description_alone_needs_arguments_and_the_rest_of_it_is_checked(folde
         <xacro:tool_of_that_file/>
         <link name="$(arg prefix)${offset}"/><link name="base"/>"""
     folder.write({"r.xacro": XACRO.format(body + LOOSE.format("j"))})
-    needs, fault = told(folder, "r.xacro")
+    fault, needs = told(folder, "r.xacro")
     assert needs == "r.xacro:2 info UC030 needs arguments prefix, tool, arm; what depends on them is not checked"
     assert fault.startswith("r.xacro:7 error UC121 joint 'j' has unknown type 'sideways'")
 
@@ -121,7 +121,7 @@ def test_a_default_that_only_stands_for_a_value_is_needed(folder: Folder) -> Non
 def test_a_description_that_is_given_arguments_is_checked_with_them(folder: Folder) -> None:
     body = '<xacro:arg name="tool" default=""/><xacro:include filename="$(arg tool).xacro"/><link name="$(arg side)"/>'
     folder.write({"r.xacro": XACRO.format(body)})
-    assert codes(folder, "r.xacro", "side:=left") == ["warning UC028", "error UC002"]
+    assert codes(folder, "r.xacro", "side:=left") == ["error UC002", "warning UC028"]
     folder.write({"claw.xacro": XACRO.format('<link name="claw"/>')})
     assert codes(folder, "r.xacro", "tool:=claw") == ["error UC007"]
     folder.write({"urdfctl.toml": '[[robot]]\npath = "r.xacro"\nargs = { tool = "claw" }\n'})

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from urdfctl.model.launch import Launch
 from urdfctl.model.project import Project
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.model.launch import Launch
 
 _OUTSIDE = rf"(?:{UNKNOWN}\(|\$\(find\s+)([\w-]+)\)"
 """A package whose folder is not known, in a command: of ROS 2, or as roslaunch has it."""

@@ -23,9 +23,12 @@ _FINGER = re.compile(r"finger|jaw|claw|grip|thumb|pinch|tong|knuckle", re.IGNORE
 def finger_troubles(mechanism: Mechanism) -> Iterator[Trouble]:
     """Yield the followers that move to the same side as the finger that they mimic, so that these never close."""
     poses = mechanism.poses({h.name: sum(h.span) / 2 if h.type != "continuous" else 0.0 for h in mechanism.movable})
-    for leader in mechanism.movable:
-        group = [leader, *(h for h in mechanism.hinges if h.mimic and h.mimic[0] == leader.name and h.moves)]
-        group = [hinge for hinge in group if _is_finger(mechanism, hinge, leader)]
+    followers: dict[str, list[Hinge]] = {}
+    for hinge in mechanism.hinges:
+        if hinge.mimic and hinge.moves:
+            followers.setdefault(hinge.mimic[0], []).append(hinge)
+    for leader in (hinge for hinge in mechanism.movable if hinge.name in followers):
+        group = [hinge for hinge in (leader, *followers[leader.name]) if _is_finger(mechanism, hinge, leader)]
         pairs = [(a, b, _approach(mechanism, poses, a, b)) for a, b in combinations(group, 2)]
         alike = [(a, b) for a, b, how in pairs if how is not None and how < ALIKE]
         if alike and not any(how is not None and how > CLOSES for _, _, how in pairs):
@@ -37,7 +40,8 @@ def finger_troubles(mechanism: Mechanism) -> Iterator[Trouble]:
 
 def _is_finger(mechanism: Mechanism, hinge: Hinge, leader: Hinge) -> bool:
     """Whether a joint moves an end beside that of the leader: a slide, or something that is named like a finger."""
-    ends = not any(each.moves for each in mechanism.hinges if each.parent in mechanism.below(hinge.child))
+    below = mechanism.below(hinge.child)
+    ends = not any(each.moves for each in mechanism.hinges if each.parent in below)
     beside = _base(mechanism, hinge) == _base(mechanism, leader)
     named = hinge.type == "prismatic" or bool(_FINGER.search(f"{hinge.name} {hinge.child}"))
     return ends and beside and named and hinge.type != "continuous"
