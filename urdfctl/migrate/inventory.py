@@ -80,6 +80,21 @@ _LOST = (
         endings=("", *_CODE),
     ),
     _Code(
+        r"(?m)\bgoal_time:\s*0(?:\.0*)?\s*$",
+        "has goal_time: 0.0, which leaves no time now: a negative value waits as 0.0 did",
+        "ros2_controllers#2592: goal_time below 0 waits",
+        ("rolling",),
+        endings=(".yaml", ".yml"),
+    ),
+    _Code(
+        r"(?s)(?=.*command_interfaces:\s*(?:\[\s*velocity\s*\]|\n\s*-\s*velocity\s*\n(?!\s*-)))"
+        r"(?=.*interpolate_from_desired_state:\s*true)(?=.*\b[pid]:\s*[0-9.]*[1-9])",
+        "has gains for a velocity interface that ran open loop: its PID runs now; with gains of zero it stays so",
+        "ros2_controllers joint_trajectory_controller.cpp: use_closed_loop_pid_adapter_; #1525",
+        since("kilted"),
+        endings=(".yaml", ".yml"),
+    ),
+    _Code(
         r"(?m)^\s*Class: rviz/",
         "is a configuration of RViz 1, which was not migrated: save it anew in RViz 2",
         "docs.ros.org, rviz: the names of its classes differ",

@@ -64,12 +64,18 @@ def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
         {folder for path in packages.files(*OF_XML) if (folder := package_around(os.path.dirname(path)))}
     ):
         path = os.path.join(folder, BRIDGE_FILE)
-        found = (topic._replace(name=re.sub("//+", "/", topic.name)) for topic in _topics(packages, folder))
+        found = (topic._replace(name=_valid(topic.name)) for topic in _topics(packages, folder))
         topics = list(dict.fromkeys(found))
         if topics and not exists(path) and not _has_bridge(packages):
             message = f"{len(topics)} topics of gz are bridged to ROS"
             entry = ReportEntry(EntryKind.DONE, message, file=path, authority=_AUTHORITY)
             yield Proposal(created=((path, _text(packages, topics)),), entries=(entry,))
+
+
+def _valid(name: str) -> str:
+    """A topic without empty parts, and without a private part but the first: others end the bridge (rcl,
+    RCL_TOPIC_NAME_INVALID_MISPLACED_TILDE)."""
+    return re.sub("//+", "/", re.sub("(?<=.)/~(?=/)", "", name))
 
 
 def _has_bridge(packages: MigratedPackages) -> bool:

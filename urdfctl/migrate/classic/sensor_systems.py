@@ -41,7 +41,8 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
         robot, path = loaded.project.robot, os.path.realpath(loaded.project.path)
         if robot is None or not loaded.project.complete or path in done or not packages.may_change(path):
             continue
-        absent = (system for system in _needed(packages, loaded, robot) if system[0].encode() not in worlds)
+        texts = b"".join([worlds, *(packages.read(each).data for each in loaded.sources if each.endswith(XML))])
+        absent = (system for system in _needed(packages, loaded, robot) if system[0].encode() not in texts)
         missing = [system for system in absent if not _has(robot, system[0])]
         root = root_of(packages.read(path))
         is_robot = root is not None and root.tagName == "robot"

@@ -182,13 +182,12 @@ def _setting(setting: Element, system: System, once: set[str]) -> Iterator[str]:
 
 
 def _acceleration(element: Element) -> Iterator[str]:
-    """The limit of the acceleration in m/s^2, from that of the wheels in rad/s^2."""
-    found = [
-        next((content(one) for name in names if (one := child(element, name)) is not None), "")
-        for names in (("max_wheel_acceleration", "wheelAcceleration"), ("wheel_diameter", "wheelDiameter"))
-    ]
+    """The limit of the acceleration of the base in m/s^2: Classic's compares it with the speed of the wheels' rims
+    (gazebo_ros_diff_drive.cpp UpdateWheelVelocities())."""
+    names = ("max_wheel_acceleration", "wheelAcceleration")
+    found = next((content(one) for name in names if (one := child(element, name)) is not None), "")
     try:
-        limit = float(found[0]) * float(found[1]) / 2
+        limit = float(found)
     except ValueError:
         return
     if limit:  # 0 means no limit

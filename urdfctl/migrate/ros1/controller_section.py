@@ -35,6 +35,7 @@ _STAND_INS_OF_MECANUM = {
 """The measures of wheels that a controller requires, with values as the generators write them if they are unknown."""
 _SIDES = ("left", "right")
 _OF_MECANUM = tuple(f"{end}_{side}_wheel_joint" for end in ("front", "back") for side in _SIDES)
+_DECIMAL = re.compile(r"\d+\.?\d*|\.\d+")
 _PID = re.compile(r"(?:^|\.)pid\.")
 
 
@@ -135,9 +136,17 @@ class _SectionWriter:
         left, right = ([one for name, texts in given.items() if side in name for one in texts] for side in _SIDES)
         found = measured(packages, left, right, (*names, "wheel_separation")) if left and right else ()
         lines = [f"kinematics.{line.replace('wheel_radius', 'wheels_radius', 1)}" for line in found]
+        lines += self._projection(names) if not any("sum_of_robot" in line for line in lines) else []
         changes = (changed(name, changes_of(MECANUM)) for name in names)
         known = {*(one[0].name for one in changes if one), *(line.partition(":")[0] for line in lines)}
         return [*lines, *self._stand_ins(_STAND_INS_OF_MECANUM, known)]
+
+    def _projection(self, names: Mapping[str, Path]) -> Iterator[str]:
+        """Yield half the sum of both distances between wheels (mecanum_drive_controller.cpp wheels_k_; lx + ly)."""
+        texts = [next(iter(self._texts_of(f"wheel_separation_{axis}", names)), "") for axis in "xy"]
+        if all(map(_DECIMAL.fullmatch, texts)):
+            half = (float(texts[0]) + float(texts[1])) / 2
+            yield f"kinematics.sum_of_robot_center_projection_on_X_Y_axis: {half:.6g}"
 
     def _stand_ins(self, stand_ins: Mapping[str, float], known: Collection[str]) -> Iterator[str]:
         """Yield the lines of the measures that no robot tells, each with a TODO."""

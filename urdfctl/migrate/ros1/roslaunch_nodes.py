@@ -292,8 +292,7 @@ def _spawned_model(element: Element, words: Sequence[Text]) -> Action:
         if option == "-model":
             shown += [literal("-entity"), next(rest, ())]
         elif option == "-param":
-            name = next(rest, ())
-            shown += [literal("-topic"), literal(plain(name)) if is_literal(name) else name]
+            shown += [literal("-topic"), _topic_of(next(rest, ()))]
         elif option == "-file" or option in _POSES:
             shown += [literal(option), next(rest, ())]
         elif option in WITHOUT_SUCCESSOR:
@@ -310,6 +309,14 @@ def _spawned_model(element: Element, words: Sequence[Text]) -> Action:
         words=tuple(shown),
         flags=(("output", "screen"),),
     )
+
+
+def _topic_of(parameter: Text) -> Text:
+    """The topic on which robot_state_publisher publishes the description that was a parameter, whatever its name."""
+    if not is_literal(parameter):
+        return parameter
+    space, slash, _ = plain(parameter).rpartition("/")
+    return literal(f"{space}{slash}robot_description")
 
 
 def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Action]:
