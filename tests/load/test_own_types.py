@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -12,7 +14,9 @@ from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.definitions import definition_of
 from urdfctl.catalog.reading import read_parameters
 from urdfctl.load.target import Target
+from urdfctl.source.disk.files import Files
 from urdfctl.source.span import SourceText
+from urdfctl.source.workspaces.plugin_exports import ExportedClass, exported_classes
 from urdfctl.source.yaml.tree import read_yaml
 
 
@@ -147,6 +151,23 @@ def said(folder: Folder, kind: str, settings: str, **changes: str) -> list[tuple
 
 
 ARM = "our_controllers/ArmController"
+
+
+@pytest.mark.parametrize(
+    ("kind", "is_every_one_read"), [(ARM, False), ("our_controllers/Arm", True), ("theirs/ArmController", True)]
+)
+def test_only_the_package_that_a_type_is_named_after_is_read_if_it_has_the_type(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch, kind: str, *, is_every_one_read: bool
+) -> None:
+    read: list[str] = []
+
+    def exported(path: str, files: Files) -> Iterator[ExportedClass]:
+        read.append(os.path.basename(path))
+        return exported_classes(path, files)
+
+    monkeypatch.setattr("urdfctl.load.own_types.exported_classes", exported)
+    said(folder, kind, "{joints: [a]}")
+    assert ("robot" in read) == is_every_one_read
 
 
 def test_a_controller_that_a_package_exports_is_checked_with_its_definition(folder: Folder) -> None:

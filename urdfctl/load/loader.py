@@ -347,19 +347,29 @@ class Loader:
         from urdfctl.load.unknown_types import shared_types, unknown_types
 
         crawls = self.index_for(project.path).crawls
-        wanted = unknown_types(project) | shared_types(project, lambda name: any(name in c.packages() for c in crawls))
+        unknown = unknown_types(project)
+        wanted = unknown | shared_types(project, lambda name: any(name in c.packages() for c in crawls))
         if not wanted:
             return project
         key = workspace_of(project.path, self.settings.workspace), frozenset(wanted)
         if key not in self._own_types:
-            self._own_types[key] = self._defined_in_workspace(project.path, wanted)
+            self._own_types[key] = self._defined_in_workspace(project.path, wanted, unknown)
         return project._replace(own=self._own_types[key]._replace(nodes=project.own.nodes))
 
-    def _defined_in_workspace(self, path: str, wanted: Collection[str]) -> OwnTypes:
-        """What the packages of a file's workspace define of the types that the catalogue lacks."""
-        from urdfctl.load.own_types import own_types, without_copies
+    def _defined_in_workspace(self, path: str, wanted: Collection[str], unknown: Collection[str]) -> OwnTypes:
+        """What the packages of a file's workspace define of some types.
 
-        return without_copies(own_types(wanted, self._exports_around(path), self.reading(path)[0]))
+        unknown: those that the catalogue lacks: unless the packages that they are named after have them, all are read.
+        """
+        from urdfctl.load.own_types import exports_in, own_types, prefixes_of, without_copies
+
+        index, files = self.index_for(path), self.reading(path)[0]
+        exports = self._exports.get(index.workspace)
+        if exports is None:
+            exports = exports_in(_packages_of(index, prefixes_of(wanted)), files)
+            if not {one.name for each in exports for one in each.classes}.issuperset(unknown):
+                exports = self._exports_around(path)
+        return without_copies(own_types(wanted, exports, files))
 
     def _exports_around(self, path: str) -> list[ExportedClasses]:
         """What the packages of a file's workspace export."""
@@ -367,10 +377,14 @@ class Loader:
 
         index = self.index_for(path)
         if index.workspace not in self._exports:
-            folders = (pair for crawl in index.crawls for pair in crawl.packages().items())
-            packages = [(name, folder) for name, found in folders for folder in found]
-            self._exports[index.workspace] = exports_in(packages, self.reading(path)[0])
+            self._exports[index.workspace] = exports_in(_packages_of(index), self.reading(path)[0])
         return self._exports[index.workspace]
+
+
+def _packages_of(index: PackageIndex, names: Collection[str] | None = None) -> list[tuple[str, str]]:
+    """The packages of a workspace with some names, or all, each with its folder."""
+    found = (pair for crawl in index.crawls for pair in crawl.packages().items())
+    return [(name, folder) for name, folders in found if names is None or name in names for folder in folders]
 
 
 def _description(launch_file: LaunchFile | None, path: str | None, namespace: str | None) -> Description | None:

@@ -37,12 +37,17 @@ def exports_in(packages: Iterable[tuple[str, str]], files: Files) -> list[Export
     return [exports for exports in found if exports.classes]
 
 
+def prefixes_of(types: Collection[str]) -> set[str]:
+    """Return the packages that types are named after."""
+    return {re.split("/|::", name)[0] for name in types}
+
+
 def own_types(wanted: Collection[str], exports: Iterable[ExportedClasses], files: Files) -> OwnTypes:
     """Return what the packages export that define some types, or whose name is the prefix of one.
 
     wanted: the names of controllers and hardware.
     """
-    prefixes = {re.split("/|::", name)[0] for name in wanted}
+    prefixes = prefixes_of(wanted)
     controllers: dict[str, Mapping[str, Any]] = {}
     hardware: list[str] = []
     for each in exports:
