@@ -113,6 +113,10 @@ def worst(diagnostics: Iterable[Diagnostic]) -> Severity | None:
 def outcomes_of(results: Iterable[TargetResult]) -> list[Outcome]:
     """Return the outcomes of targets. A finding of such a rule is info if the part suits another robot of the run."""
     results = list(results)
+    if len(results) > 1:
+        from urdfctl.lint.holders import with_robots
+
+        results = with_robots(results)
     shown = Counter(place for result in results for place in _places(result.outcome))
     if not shown:
         return [result.outcome for result in results]
