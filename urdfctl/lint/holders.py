@@ -11,8 +11,11 @@ _MOST_NAMES = 3
 _Place = tuple[str, str, int]
 
 
-def with_robots(results: Iterable[TargetResult]) -> list[TargetResult]:
-    """Return the results, in which the errors and warnings of shared files have a note on the robots that show them."""
+def with_robots(results: Iterable[TargetResult], but: Collection[str]) -> list[TargetResult]:
+    """Return the results, in which the errors and warnings of shared files have a note on the robots that show them.
+
+    but: the codes of findings without such a note.
+    """
     results = list(results)
     names = _names(results)
     if len(set(names)) < 2:  # noqa: PLR2004
@@ -28,7 +31,8 @@ def with_robots(results: Iterable[TargetResult]) -> list[TargetResult]:
 
     def noted(finding: Diagnostic) -> Diagnostic:
         having, all_of_them = holders.get(_place(finding), set()), readers.get(finding.at.file, set())
-        if finding.severity is Severity.INFO or not having or not all_of_them - having:
+        is_told = finding.severity is not Severity.INFO and finding.code not in but
+        if not is_told or not having or not all_of_them - having:
             return finding
         note = Remark(f"this holds for {_listed(having)}, not for {_listed(all_of_them - having)}")
         return finding._replace(notes=(*finding.notes, note))

@@ -116,7 +116,7 @@ def outcomes_of(results: Iterable[TargetResult]) -> list[Outcome]:
     if len(results) > 1:
         from urdfctl.lint.holders import with_robots
 
-        results = with_robots(results)
+        results = with_robots(results, _OF_OTHER_ROBOTS)
     shown = Counter(place for result in results for place in _places(result.outcome))
     if not shown:
         return [result.outcome for result in results]
