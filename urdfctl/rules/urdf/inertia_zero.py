@@ -43,6 +43,14 @@ from urdfctl.rules.urdf.tree import parent_of
                 <joint name="tip_joint" type="fixed"><parent link="tool"/><child link="tip"/></joint>
             """,
         },
+        {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1e-5"/><inertia ixx="1e-35" ixy="0" ixz="0" iyy="1e-35" iyz="0" izz="1e-35"/></inertial>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
     ],
 )
 def inertia_zero(project: Project) -> Iterator[Finding]:
@@ -79,4 +87,4 @@ def _is_flat(link: Link) -> bool:
     if moments is None:
         return False
     least, middle, most = principal_moments(moments)
-    return abs(least) <= 1e-12 * max(abs(most), 1e-12) and (least + middle) >= most * (1 - 1e-6)
+    return abs(least) <= 1e-12 * abs(most) and (least + middle) >= most * (1 - 1e-6)
