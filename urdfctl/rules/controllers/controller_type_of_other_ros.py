@@ -70,8 +70,8 @@ from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 def controller_type_of_other_ros(project: Project) -> Iterator[Finding]:
     """Controller type of the other ROS generation.
 
-    ROS 2 cannot load controllers of ROS 1, nor ROS 1 those of ROS 2. Most types have a successor with another name. A
-    type without one is a warning: a package that urdfctl does not know may bring a controller of that name.
+    ROS 2 cannot load controllers of ROS 1, nor ROS 1 those of ROS 2. Most types have a successor with another name. Nothing
+    is said of a type without one if package.xml names a package that urdfctl does not know and that may bring it.
     """
     for controller in typed(project):
         ros = controller.ros
@@ -81,12 +81,11 @@ def controller_type_of_other_ros(project: Project) -> Iterator[Finding]:
         advice = advice or _namesake(project, controller)
         if not advice and may_be_installed(project, controller.type):
             continue
-        severity = None if advice else Severity.WARNING
         advice = advice or f"no package with a controller of this type for ROS {ros} is known to urdfctl"
         message = f"'{controller.type}' is a controller type of ROS {3 - ros}; {advice}"
         fix = Fix(f"write '{replacement.type}'") if replacement else None
         notes = (Note(replacement.note),) if replacement and replacement.note else ()
-        yield Finding(controller.at.at, message, notes, fix, severity)
+        yield Finding(controller.at.at, message, notes, fix)
 
 
 def _namesake(project: Project, controller: TypedController) -> str:
