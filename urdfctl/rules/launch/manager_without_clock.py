@@ -16,7 +16,7 @@ from urdfctl.source.span import Place
 _CLOCKS = re.compile(r"clock|sim|gazebo|gz|mujoco|webots|isaac|unity|bag|play")
 """In the name of a program that may publish the time."""
 _TIMED = CONTROLLERS.replace("update_rate: 100", "update_rate: 100\n        use_sim_time: %s")
-_GIVEN = MANAGER.replace("</node>", '  <param name="«use_sim_time»" value="true"/>\n      </node>')
+_GIVEN = MANAGER.replace("</node>", '  <param name="use_sim_time" value="«true»"/>\n      </node>')
 
 
 @rule(
@@ -57,15 +57,12 @@ def _may_publish(node: Node) -> bool:
     return any(_CLOCKS.search(word.text) for word in (node.package, node.executable, *node.words))
 
 
-def _places(project: Project, launch: Launch) -> list[Place]:
-    """The places that give a manager simulated time: in the launch file, or else in its parameter files."""
-    given = [node for node in manager_nodes(launch) if node.sure and _is_true(dict(node.values).get("use_sim_time"))]
-    if given:
-        return [next((word.at for word in node.parameters if word.text == "use_sim_time"), node.at) for node in given]
+def _places(project: Project, launch: Launch) -> Iterator[Place]:
+    """The places that give a manager simulated time."""
     managers = project.controllers.managers if project.controllers else ()
-    values = (manager.parameters.value("use_sim_time") for manager in managers)
-    return [value.at for value in values if value is not None and value.value is True]
-
-
-def _is_true(text: str | None) -> bool:
-    return (text or "").lower() == "true"
+    values = [manager.parameters.value("use_sim_time") for manager in managers]
+    given = [value.at for value in values if value is not None and value.value is True]
+    yield from given
+    for node in manager_nodes(launch) if not given else ():
+        if node.sure and dict(node.values).get("use_sim_time", "").lower() == "true":
+            yield next((word.at for word in node.parameters if word.text == "use_sim_time"), node.at)

@@ -52,10 +52,12 @@ def model_spawned_twice(project: Project) -> Iterator[Finding]:
     The simulator refuses the second one, and which is first is chance: the robot may stand elsewhere, or be another
     one. Give each model its name, or spawn it once.
     """
+    launch = project.launch
     first: dict[str, Word] = {}
-    for node in project.launch.nodes if project.launch else ():
+    followed = {launch.path, *(one.file.path for one in launch.references if one.use == "include")} if launch else set()
+    for node in launch.nodes if launch else ():
         name = _model_of(node)
-        if name is None or name.known is None:
+        if name is None or name.known is None or name.at.source.path not in followed:
             continue
         if name.text in first:
             message = f"model '{name.text}' is spawned twice; the simulator refuses the second one"

@@ -14,6 +14,7 @@ from urdfctl.rules.urdf.dynamics_empty import dynamics_empty
 from urdfctl.rules.urdf.dynamics_negative import dynamics_negative
 from urdfctl.rules.urdf.effort_limit_zero import effort_limit_zero
 from urdfctl.rules.urdf.element_given_twice import element_given_twice
+from urdfctl.rules.urdf.element_in_wrong_place import element_in_wrong_place
 from urdfctl.rules.urdf.element_misspelt import element_misspelt
 from urdfctl.rules.urdf.gazebo_reference_unknown import gazebo_reference_unknown
 from urdfctl.rules.urdf.geometry_incomplete import geometry_incomplete
@@ -32,6 +33,7 @@ from urdfctl.rules.urdf.joint_without_name import joint_without_name
 from urdfctl.rules.urdf.joint_without_parent_or_child import joint_without_parent_or_child
 from urdfctl.rules.urdf.joint_without_type import joint_without_type
 from urdfctl.rules.urdf.limit_incomplete import limit_incomplete
+from urdfctl.rules.urdf.limit_negative import limit_negative
 from urdfctl.rules.urdf.limits_leave_no_range import limits_leave_no_range
 from urdfctl.rules.urdf.limits_reversed import limits_reversed
 from urdfctl.rules.urdf.link_named_without_prefix import link_named_without_prefix
@@ -59,10 +61,12 @@ from urdfctl.rules.urdf.robot_without_links import robot_without_links
 from urdfctl.rules.urdf.robot_without_name import robot_without_name
 from urdfctl.rules.urdf.root_element_not_robot import root_element_not_robot
 from urdfctl.rules.urdf.root_link_with_inertial import root_link_with_inertial
+from urdfctl.rules.urdf.safety_stops_joint import safety_stops_joint
 from urdfctl.rules.urdf.safety_without_k_velocity import safety_without_k_velocity
 from urdfctl.rules.urdf.several_root_links import several_root_links
 from urdfctl.rules.urdf.unknown_link import unknown_link
 from urdfctl.rules.urdf.unknown_mimic_joint import unknown_mimic_joint
+from urdfctl.rules.urdf.urdf_attribute_not_read import urdf_attribute_not_read
 from urdfctl.rules.urdf.velocity_limit_zero import velocity_limit_zero
 
 FAULTS: tuple[Fault, ...] = (
@@ -127,4 +131,8 @@ FAULTS: tuple[Fault, ...] = (
     dollar_in_name,
     mimic_range_beyond_limits,
     effort_limit_zero,
+    element_in_wrong_place,
+    urdf_attribute_not_read,
+    limit_negative,
+    safety_stops_joint,
 )
