@@ -125,3 +125,30 @@ def test_a_model_that_mujoco_does_not_load_is_not_written(folder: Folder, monkey
     done = command("convert", "r.urdf", "--to", "mjcf", "-o", "r.xml")
     assert (done.returncode, (folder.path / "r.xml").exists()) == (1, False)
     assert "which is not written: Error: broken" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("output", "expected"),
+    [("robot/made", "use -o made"), ("robot/deep/made", "use -o made"), ("made", ""), ("robot", "")],
+)
+def test_a_package_in_a_package_is_told_where_it_should_be(output: str, expected: str, folder: Folder) -> None:
+    folder.write({"robot/package.xml": "<package><name>robot</name></package>", "robot/deep/arm.urdf": GOOD})
+    words = ("--type", "trajectory", "--distro", "jazzy", "--simulator", "gz")
+    done = command("gen-all", "robot/deep/arm.urdf", *words, "-o", output)
+    said = [line for line in done.stderr.splitlines() if "colcon finds no packages" in line]
+    assert [expected in line for line in said] == ([True] if expected else [])
+
+
+OWN = """<ros2_control name="own" type="system"><hardware><plugin>my_driver/Arm</plugin></hardware>
+  <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/>
+  <state_interface name="velocity"/></joint></ros2_control></robot>"""
+
+
+@pytest.mark.parametrize(("robot", "expected"), [(GOOD, False), (GOOD.replace("</robot>", OWN), True)])
+def test_hardware_that_the_robot_already_names_is_not_changed_without_a_word(
+    robot: str, expected: bool, folder: Folder
+) -> None:
+    folder.write({"arm.urdf": robot})
+    words = ("--type", "trajectory", "--distro", "jazzy", "--hardware", "mock", "--force")
+    done = command("gen-all", "arm.urdf", *words, "-o", "made")
+    assert ("--hardware mock does not change the plugin of <ros2_control> 'own'" in done.stderr) is expected

@@ -31,6 +31,7 @@ from urdfctl.names import nearest_path
 from urdfctl.output.links import check_output
 from urdfctl.output.printing import is_coloured, print_text
 from urdfctl.output.writing import write_file
+from urdfctl.smoke.curves import curves_as_csv
 from urdfctl.smoke.engines import CHOICES, engines_named, installed
 from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, render_smoke, text_pieces
 from urdfctl.smoke.run import ConfiguredPaths, RobotTest, SmokeRequest, report, smoke
@@ -74,6 +75,12 @@ class SmokeOptions(CheckOptions, ReportOptions):
         OUTPUT,
         "Print a line on standard error for each controller that was simulated. Default: on terminals.",
     )
+    csv: str | None = option(
+        OUTPUT,
+        "Write what was commanded and measured to this file, a line for each joint and time.",
+        metavar="FILE",
+        reads=Reads.TARGET,
+    )
     gui: bool = option(CHECKED_FOR, "Show pybullet's window.")
     timeout: float = option(LIMITS, "Processor time for one robot, in seconds.", default=30.0, metavar="SECONDS")
     formats: tuple[str, ...] = option(OUTPUT, FORMAT, "--format", choices=tuple(SMOKE_FORMATS))
@@ -90,6 +97,8 @@ def run_smoke(options: SmokeOptions) -> int:
     tests, made = tested(options, lambda tests, total: with_progress(tests, total, "testing"))
     for name, file in outputs:
         _write(made, name, file)
+    if options.csv:
+        write_file(options.csv, curves_as_csv(made.robots), force=True)
     if options.report:
         from urdfctl.page.writing import write_smoke_page
 
@@ -160,6 +169,11 @@ def _validate(options: SmokeOptions) -> None:
     if options.report == "":
         raise UserError("--report requires the name of a file")
     check_output(options.report)
+    if options.csv == "":
+        raise UserError("--csv requires the name of a file")
+    check_output(options.csv)
+    if options.csv is not None and options.engine == "none":
+        raise UserError("--csv requires a physics engine, not --engine none")
     if options.tasks is not None and options.engine == "none":
         raise UserError("--tasks requires a physics engine, not --engine none")
     if "" in options.controllers:

@@ -26,7 +26,7 @@ from urdfctl.generate.controllers.wanted import needs_joints, with_requests
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.files.again import words_of_generated_file
 from urdfctl.generate.files.next_steps import steps_after
-from urdfctl.generate.files.package import around_package
+from urdfctl.generate.files.package import around_package, nested_in
 from urdfctl.generate.files.writing import Writing, deliver
 from urdfctl.generate.options import File, GeneratorOptions, Roles
 from urdfctl.generate.request.choice import chosen, stuck
@@ -176,6 +176,9 @@ def _delivered(options: GenerateOptions, made: Made) -> int:
         print_message(made.proposal)
     if command == "gen-all" and robot and not robot.package and not made.options.robot_text:
         print_message(f"'{robot.file}' is not in a package, so installed files cannot find it")
+    nested = nested_in(output) if command == "gen-all" and output and not options.check else ""
+    if nested:
+        print_message(nested)
     if command == "gen-all" and robot and not options.check:
         for caution in cautions(made.controllers, robot, made.options):
             print_message(caution)

@@ -17,6 +17,10 @@ def cautions(made: Sequence[GeneratedController], robot: RobotFacts, options: Ge
     """Yield what will not work: a robot without masses, motors that are too weak, fingers that nothing moves."""
     if options.simulated and robot.joints and not any(joint.inertia for joint in robot.joints):
         yield "the robot has no masses, and a simulator drops moving links without them: add <inertial> to its links"
+    kept = [name for name in robot.components if name and name not in robot.generated]
+    if options.hardware and kept:
+        which = f"<ros2_control> '{kept[0]}', which the robot has"
+        yield f"--hardware {options.hardware} does not change the plugin of {which}"
     known = {joint.name: joint for joint in robot.joints}
     moved = [known[name] for name in _commanded(made) if name in known]
     weak = [joint for joint in moved if joint.effort and joint.load and joint.load.gravity > joint.effort]

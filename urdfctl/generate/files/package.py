@@ -11,6 +11,7 @@ from urdfctl.generate.options import File
 from urdfctl.output.links import check_output
 from urdfctl.source.disk.files import named_bytes
 from urdfctl.source.disk.gate import exists
+from urdfctl.source.workspaces.packages import package_around
 
 _OWN = ("package.xml", "CMakeLists.txt")
 _DEPEND = re.compile(r"<(?:exec_|run_)?depend[^>]*>\s*([\w-]+)\s*</")
@@ -30,6 +31,16 @@ def around_package(files: Sequence[File], output: str) -> tuple[list[File], list
         step = _for_manifest(file.text, own) if file.name == _OWN[0] else _for_build(file.text, own)
         steps += [step] if step else []
     return kept, steps
+
+
+def nested_in(output: str) -> str:
+    """Return what is wrong with a new package in another one, and where it should be; empty if it is in none."""
+    folder = os.path.abspath(output)
+    around = package_around(os.path.dirname(folder))
+    if around is None or package_around(folder) == folder:
+        return ""
+    beside = os.path.relpath(os.path.join(os.path.dirname(around), os.path.basename(folder)))
+    return f"'{output}' is in the package '{os.path.basename(around)}', where colcon finds no packages: use -o {beside}"
 
 
 def _for_manifest(text: str, own: str) -> str:
