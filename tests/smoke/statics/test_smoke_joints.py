@@ -8,6 +8,8 @@ import pytest
 from smoking import smoked, target_of
 
 from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, REACHER, REACHER_CONTROLLER
+from urdfctl.smoke.statics.shared_joints import shared_joint_troubles
+from urdfctl.smoke.tasks import ControllerTask, MotionFamily
 
 CODES = ("UC988", "UC989", "UC990", "UC991")
 GZ = ("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem")
@@ -146,3 +148,25 @@ def test_soft_limits_leave_a_range_around_the_start(
 def test_a_continuous_joint_has_no_limits_of_less_than_a_turn(limits: str, expected: list[str], tmp_path: Path) -> None:
     robot = REACHER.replace('name="turn" type="revolute"', 'name="turn" type="continuous"')
     assert found(tmp_path, robot.replace('lower="-3" upper="3" ', limits)) == expected
+
+
+# -- two controllers -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "expected"),
+    [
+        (("turn", "bend"), ("bend", "reach"), ["UC993"]),
+        (("turn", "bend"), ("turn", "bend"), []),
+        (("turn", "bend", "reach"), ("bend", "reach"), []),
+        (("turn",), ("bend", "reach"), []),
+    ],
+)
+def test_controllers_that_share_some_joints_are_no_alternatives(
+    first: tuple[str, ...], second: tuple[str, ...], expected: list[str]
+) -> None:
+    tasks = [
+        ControllerTask(name, MotionFamily.TRAJECTORY, joints, "position")
+        for name, joints in (("a", first), ("b", second))
+    ]
+    assert [trouble.code for trouble in shared_joint_troubles(tasks)] == expected

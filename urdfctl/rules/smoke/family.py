@@ -16,6 +16,7 @@ from urdfctl.rules.smoke.continuous_with_limits import continuous_with_limits
 from urdfctl.rules.smoke.controller_not_activated import controller_not_activated
 from urdfctl.rules.smoke.controller_not_configured import controller_not_configured
 from urdfctl.rules.smoke.controller_not_loaded import controller_not_loaded
+from urdfctl.rules.smoke.controllers_share_a_joint import controllers_share_a_joint
 from urdfctl.rules.smoke.does_not_drive_forward import does_not_drive_forward
 from urdfctl.rules.smoke.does_not_turn_left import does_not_turn_left
 from urdfctl.rules.smoke.effort_too_weak_for_gravity import effort_too_weak_for_gravity
@@ -150,4 +151,5 @@ FAULTS: tuple[Fault, ...] = (
     soft_limits_without_range,
     continuous_with_limits,
     inertia_too_large,
+    controllers_share_a_joint,
 )

@@ -32,6 +32,7 @@ from urdfctl.smoke.statics.loose_joints import loose_troubles
 from urdfctl.smoke.statics.overlaps import overlap_troubles
 from urdfctl.smoke.statics.physics import static_troubles
 from urdfctl.smoke.statics.plausibility import plausibility_troubles
+from urdfctl.smoke.statics.shared_joints import shared_joint_troubles
 from urdfctl.smoke.statics.simulators import in_simulation
 from urdfctl.smoke.statics.stability import loop_troubles
 from urdfctl.smoke.statics.support import Support, support_of
@@ -190,6 +191,8 @@ def _with_physics(
     tasks = with_transmissions(transmissions, with_inferred_drives(mechanism, shapes, check.tasks))
     troubles = [*check.troubles, *unlikely, *transmission_troubles(transmissions, tasks)]
     troubles += static_troubles(mechanism, tasks, robot, shapes)
+    if project.started is None:
+        troubles += shared_joint_troubles(tasks)
     troubles += written_limit_troubles(mechanism, robot)
     troubles += loose_troubles(mechanism, tasks, robot, falls=in_simulation(project, distro))
     mechanism = mechanism.within_command_ranges()
