@@ -39,6 +39,7 @@ _MEANINGS = {
     for place, same in enumerate(words)
     for word in same.split()
 }
+_KINDS = ("joint", "link", "motor", "controller")
 _compared = 0
 
 
@@ -102,6 +103,12 @@ def fuller(name: str, known: Iterable[str]) -> str | None:
     found = [other for other in known if 0 < len(_words(other)) - len(words) <= _MOST_WORDS_MORE]
     found = [other for other in found if _are_in_order(words, _words(other))]
     return found[0] if len(found) == 1 else None
+
+
+def differ_by_kind(name: str, other: str) -> bool:
+    """Return whether two names differ only by the word for what they name: `elbow` and `elbow_joint`."""
+    here, there = ([word for word in _words(each) if word not in _KINDS] for each in (name, other))
+    return name != other and bool(here) and here == there
 
 
 def _are_in_order(words: Sequence[str], others: Sequence[str]) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from collections.abc import Sequence as Several
 
 from urdfctl.load.inline_parameters import inline_tree
+from urdfctl.load.near_files import file_near
 from urdfctl.model.controllers import Controllers, FileReference, MoveItList
 from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.controllers.controller_forms import form_of
@@ -183,7 +184,8 @@ class _ControllerFileReader:
         tree, exists = self._existing(text, at)
         if not is_named and (tree is None or form_of(tree) is None):
             return
-        self._references.append(FileReference(text, at, tree.source.path if tree else text, exists))
+        near = file_near(text) if exists is False else ""
+        self._references.append(FileReference(text, at, tree.source.path if tree else text, exists, near))
         if tree is not None:
             self._loaded.append(Loaded(tree))
 

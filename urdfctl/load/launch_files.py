@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from urdfctl.load.near_files import file_near
 from urdfctl.model.launch import InlineParameters, Launch, LaunchedFile, Word
 from urdfctl.model.launch.build_launch import is_of_ros2, launch_of
 from urdfctl.model.launch.package import package_around
@@ -66,11 +67,19 @@ def read_launch(
         launch = _without_needed(launch, arguments, reader)
         named = (*launch.packages, *reader.named)
         package = package_around(packages, reader.tree)
-        references = tuple(one._replace(has_siblings=_has_siblings(one)) for one in launch.references)
+        references = tuple(map(_looked_around, launch.references))
         launch = launch._replace(references=references)
         launch = launch._replace(packages=named, package=package, misspelt=_misspelt(named, packages, path))
         reader.look_for_tags(launch.inline)
     return LaunchFile(launch, files, tuple(reader.problems))
+
+
+def _looked_around(reference: LaunchedFile) -> LaunchedFile:
+    """A file that a launch file names, with what is beside it if it does not exist."""
+    file = reference.file
+    if file.exists is False and file.path:
+        file = file._replace(nearest=file_near(file.path))
+    return reference._replace(has_siblings=_has_siblings(reference), file=file)
 
 
 def _has_siblings(reference: LaunchedFile) -> bool:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from urdfctl.control.robots import is_all_there, is_fragment, is_whole, is_xacro, robot_in, whole_robot_in
 from urdfctl.model.robot import Tag
-from urdfctl.names import enumerated, is_only_slip, nearest
+from urdfctl.names import differ_by_kind, enumerated, fuller, is_only_slip, nearest
 from urdfctl.rule import Edit, Fix, Note, Project, Severity
 from urdfctl.source.opaque import is_known
 from urdfctl.source.span import Place, SourceSpan, SourceText
@@ -54,7 +54,7 @@ class KnownNames:
         stripped = self._stripped.get(name.strip())
         if stripped is None and name not in self._meant and self._left:
             self._left -= 1
-            self._meant[name] = nearest(name, self._free)
+            self._meant[name] = nearest(name, self._free) or _with_other_words(name, self._free)
         return stripped or self._meant.get(name)
 
     def is_sure(self, name: str, meant: str | None) -> bool:
@@ -64,6 +64,14 @@ class KnownNames:
     def fix(self, place: Place, name: str, meant: str | None) -> Fix | None:
         """Return the fix that writes the name that is meant: safe if one letter is wrong, and no other name comes near."""
         return replaced(place, name, meant, safe=self.is_sure(name, meant)) if meant else None
+
+
+def _with_other_words(name: str, known: Iterable[str]) -> str | None:
+    """The only known name that has all words of another one in their order and more, or fewer, or differs by the word
+    for what it names; None if there is none."""
+    names = list(known)
+    found = {other for other in names if fuller(name, [other]) or fuller(other, [name]) or differ_by_kind(name, other)}
+    return found.pop() if len(found) == 1 else None
 
 
 def is_conditional(at: Place) -> bool:

@@ -219,12 +219,14 @@ class FileReference(NamedTuple):
     text: the reference as written.
     path: path of the file; None if only the running system knows it.
     exists: whether the file exists; None if it was not looked up.
+    nearest: the similar name of a file beside one that does not exist; empty if there is none.
     """
 
     text: str
     at: Place
     path: str | None
     exists: bool | None
+    nearest: str = ""
 
 
 class ControllersFile(NamedTuple):

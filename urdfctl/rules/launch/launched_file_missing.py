@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.launch import LaunchedFile
 from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.file_names import file_renamed, meant_file
 from urdfctl.rules.launch_samples import BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
 
 _NEEDED = {"description": "robot description", "parameters": "parameter file", "include": "included launch file"}
@@ -60,13 +61,14 @@ def launched_file_missing(project: Project) -> Iterator[Finding]:
         if reference.file.exists is False and reference.use in _NEEDED:
             severity = None if reference.sure else Severity.WARNING
             message = f"{_NEEDED[reference.use]} does not exist: '{_shown(reference, project)}'"
-            yield Finding(reference.file.at, message, severity=severity)
+            message += meant_file(reference.file)
+            yield Finding(reference.file.at, message, fix=file_renamed(reference.file), severity=severity)
         elif reference.file.exists is False and reference.use == "argument":
             kind = next((kind for end, kind in _ARGUMENTS.items() if (reference.file.path or "").endswith(end)), None)
             if kind and reference.sure:
-                message = f"{kind} does not exist: '{_shown(reference, project)}'"
+                message = f"{kind} does not exist: '{_shown(reference, project)}'{meant_file(reference.file)}"
                 severity = Severity.WARNING if reference.has_siblings else Severity.INFO
-                yield Finding(reference.file.at, message, severity=severity)
+                yield Finding(reference.file.at, message, fix=file_renamed(reference.file), severity=severity)
 
 
 def _shown(reference: LaunchedFile, project: Project) -> str:

@@ -171,4 +171,4 @@ def _fix(package: Package, name: str) -> Fix:
     element = f"<{package.tag}>{name}</{package.tag}>"
     source, end = package.at.source, package.at.closing or package.at.start
     edit = Edit(SourceSpan(source, end, end), f"  {element}\n")
-    return Fix(f"add {element}", (edit,))
+    return Fix(f"add {element}", (edit,), safe=package.at.closing is not None)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.file_names import file_renamed, meant_file
 from urdfctl.rules.simulation.common import controllers_files
 
 
@@ -66,5 +67,6 @@ def controllers_file_missing(project: Project) -> Iterator[Finding]:
         if reference.exists is False:
             written = tag.at.content.span.text
             chosen = "$(arg" in written or "${" in written
-            message = f"controller file of '{sim_plugin.filename}' does not exist: '{written}'"
-            yield Finding(reference.at, message, severity=Severity.WARNING if chosen else None)
+            message = f"controller file of '{sim_plugin.filename}' does not exist: '{written}'{meant_file(reference)}"
+            severity = Severity.WARNING if chosen else None
+            yield Finding(reference.at, message, fix=file_renamed(reference), severity=severity)

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.control.session import session_of
 from urdfctl.model.robot import ElementText, Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole, renamed
 from urdfctl.rules.insertions import inserted
 from urdfctl.rules.transmissions.common import misspelt, read_transmissions, with_prefix
 from urdfctl.rules.transmissions.facts import PREFIX
+from urdfctl.startup.records import NamedTuple
 
 
 @rule(
@@ -75,12 +77,38 @@ def _repair(transmission: Transmission, joint: TransmissionEnd, project: Project
         edits = renamed(misspelled, "hardwareInterface")
         return Fix(f"rename <{misspelled.name}> to <hardwareInterface>", edits, safe=True)
     known, source = _intended(transmission, joint)
-    example = with_prefix(known.value if known else "EffortJointInterface", project)
+    demanded = None if known else _demanded(joint.name or "", project)
+    source = f", which controller '{demanded.controller}' requires" if demanded else source
+    example = known.value if known else demanded.interface if demanded else "EffortJointInterface"
+    example = with_prefix(example, project)
     element = f"<hardwareInterface>{example}</hardwareInterface>"
     may_be_older = example.startswith(PREFIX) and not set(project.distros) <= set(since("kinetic"))
     title = f"add {element}{source}" + (" (before kinetic: without the prefix)" if may_be_older else "")
     literal = known is not None and known.at.content.span.text == known.value
-    return Fix(title, inserted(joint.at, element) if literal and not joint.interfaces else (), safe=literal)
+    is_sure = literal or (demanded is not None and not may_be_older)
+    edits = inserted(joint.at, element) if (literal or demanded) and not joint.interfaces else ()
+    return Fix(title, edits, safe=is_sure and bool(edits))
+
+
+class DemandedInterface(NamedTuple):
+    """The only interface in which controllers require a joint, and the first of them."""
+
+    interface: str
+    controller: str
+
+
+def _demanded(joint: str, project: Project) -> DemandedInterface | None:
+    """What controllers require for a joint; None if that is nothing, or several interfaces."""
+    if project.controllers is None or not project.controllers.complete:
+        return None
+    session = session_of(project, project.distros[-1])
+    demanded = {
+        claim.interface.rpartition("/")[2]: each.name
+        for each in reversed(session.candidates)
+        for claim in each.claims.command
+        if claim.component == joint
+    }
+    return DemandedInterface(*demanded.popitem()) if len(demanded) == 1 else None
 
 
 def _intended(transmission: Transmission, joint: TransmissionEnd) -> tuple[ElementText | None, str]:

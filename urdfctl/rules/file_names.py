@@ -1,0 +1,26 @@
+"""The name that was probably meant where a file does not exist."""
+
+from __future__ import annotations
+
+import os
+
+from urdfctl.model.controllers import FileReference
+from urdfctl.names import is_slip
+from urdfctl.rule import Fix
+from urdfctl.rules.common import replaced
+
+
+def meant_file(reference: FileReference) -> str:
+    """Return the end of a message about a file that does not exist: the file beside it that was probably meant."""
+    return f"; did you mean '{reference.nearest}'?" if reference.nearest else ""
+
+
+def file_renamed(reference: FileReference) -> Fix | None:
+    """Return the fix that names the file that was probably meant: safe if one letter is wrong."""
+    name, written = os.path.basename(reference.path or ""), reference.at.span.text
+    if not reference.nearest or not name:
+        return None
+    if written.count(name) != 1:
+        return Fix(f"write '{reference.nearest}'")
+    is_sure = is_slip(name, reference.nearest)
+    return replaced(reference.at.part(name), name, reference.nearest, safe=is_sure)
