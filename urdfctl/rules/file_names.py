@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import os
+import re
 
 from urdfctl.model.controllers import FileReference
 from urdfctl.names import is_slip
@@ -17,7 +17,7 @@ def meant_file(reference: FileReference) -> str:
 
 def file_renamed(reference: FileReference) -> Fix | None:
     """Return the fix that names the file that was probably meant: safe if one letter is wrong."""
-    name, written = os.path.basename(reference.path or ""), reference.at.span.text
+    name, written = re.split(r"[/\\]", reference.path or "")[-1], reference.at.span.text
     if not reference.nearest or not name:
         return None
     if written.count(name) != 1:
