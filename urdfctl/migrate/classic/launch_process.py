@@ -41,7 +41,9 @@ def in_gz(file: PythonFile, command: ast.List) -> Edit:
     options = list(_PROGRAMS[text_of(program)])
     options += ["-r"] if "-g" not in options and not {*_PAUSED} & {*texts} else []
     options += ["-v4"] if "--verbose" in texts else []
-    shown = [*(f'"{word}"' for word in ("gz", "sim", *options)), *(file.text(word) for word in _kept(words))]
+    kept = [file.text(word) for word in _kept(words)]
+    world = [] if kept or "-g" in options else ['"empty.sdf"']  # gz waits in its start dialog without a world
+    shown = [*(f'"{word}"' for word in ("gz", "sim", *options)), *kept, *world]
     return Edit(file.span(command), f"[{', '.join(shown)}]")
 
 

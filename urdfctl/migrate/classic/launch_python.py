@@ -62,11 +62,8 @@ class _ClassicLaunchFile:
         ]
         processes = (command_of(file, call, scope) for call, scope in file.calls("ExecuteProcess"))
         self.commands = [command for command in processes if command is not None]
-        self.spawns = [
-            (call, scope)
-            for call, scope in file.calls("Node")
-            if text_of(getattr(keyword(call, "executable"), "value", None)) == SPAWN
-        ]
+        nodes = ((call, scope, keyword(call, "executable")) for call, scope in file.calls("Node"))
+        self.spawns = [(call, scope) for call, scope, given in nodes if given and text_of(given.value) == SPAWN]
 
     def _launched(self, call: ast.Call, scope: ast.AST) -> str | None:
         """The launch file of gazebo_ros that an include starts; None if it starts another one."""
@@ -77,7 +74,8 @@ class _ClassicLaunchFile:
 
     def _reached(self, call: ast.Call, scope: ast.AST) -> Iterator[ast.AST]:
         """The nodes of an expression, and of the values of the names in it."""
-        pending: list[ast.AST] = [*call.args[:1]]
+        source = keyword(call, "launch_description_source")
+        pending: list[ast.AST] = [*call.args[:1], *([source.value] if source else [])]
         seen: set[str] = set()
         while pending:
             node = pending.pop()
@@ -157,7 +155,7 @@ class _ClassicLaunchFile:
         elif given is not None:
             yield Edit(self.file.span(given.value), f"{text}.items()")
         else:
-            last = self.file.span(call.args[-1]).end
+            last = self.file.span(call.args[-1] if call.args else call.keywords[-1].value).end
             yield Edit(SourceSpan(self.file.source, last, last), f", launch_arguments={text}.items()")
 
     def _gz_arguments(self, name: str, pairs: list[tuple[str, ast.expr]], scope: ast.AST) -> str:
@@ -237,6 +235,10 @@ class _ClassicLaunchFile:
             edit = self._before_return(call, scope, text)
             if edit is not None:
                 return edit
+            known = self.file.value_of(items, scope) if items is not None else None
+            if items is not None and isinstance(known, ast.List | ast.BinOp):
+                end = self.file.span(items).end
+                return Edit(SourceSpan(self.file.source, end, end), f" + [{text}]")
         return None
 
     def _before_return(self, call: ast.Call, scope: ast.AST, text: str) -> Edit | None:

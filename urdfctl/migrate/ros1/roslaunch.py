@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 
 from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
 from urdfctl.migrate.launch.actions import (
@@ -20,6 +19,7 @@ from urdfctl.migrate.launch.actions import (
     plain,
     words_of,
 )
+from urdfctl.migrate.ros1.choices import choices_in, chosen
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT
 from urdfctl.migrate.ros1.pausing import DECIDED, must_run, running
@@ -82,7 +82,7 @@ class LaunchReading(Notes):
         self, element: Element, root: Element, description: Text, files: Sequence[Text]
     ) -> Iterator[Action]:
         """The actions of an element. Conditions inside of a node or an include choose between two of these."""
-        choices = _choices_in(element) if element.tagName in ("node", "include") else []
+        choices = choices_in(element) if element.tagName in ("node", "include") else []
         if not choices:
             yield from self._element(element, root, description, files)
             return
@@ -92,7 +92,7 @@ class LaunchReading(Notes):
             return
         first, both = choices[0], []
         for is_true in (True, False):
-            with _chosen(element, first, is_true=is_true):
+            with chosen(element, first, is_true=is_true):
                 both.append(list(self._with_choices(element, root, description, files)))
         if both[0] == both[1]:
             yield from both[0]
@@ -308,37 +308,6 @@ class LaunchReading(Notes):
             files=(file,),
             remaps=((literal("~/robot_description"), parsed(topic)),) if self.target.remaps_description else (),
         )
-
-
-def _choices_in(element: Element) -> list[str]:
-    """The texts of the conditions of what is in a node or an include, each once."""
-    found = (child.attrs[name] for child in element.elements() for name in ("if", "unless") if name in child.attrs)
-    return list(dict.fromkeys(found))
-
-
-@contextmanager
-def _chosen(element: Element, condition: str, *, is_true: bool) -> Iterator[None]:
-    """Within it, an element has only those children that a condition leaves, without that condition."""
-    children = list(element.children())
-    changed: list[tuple[Element, str]] = []
-    for child in children:
-        if isinstance(child, Element):
-            for name, wanted in (("if", True), ("unless", False)):
-                if child.attrs.get(name) == condition:
-                    changed.append((child, name))
-                    if is_true is not wanted:
-                        element.removeChild(child)
-    for child, name in changed:
-        del child.attrs[name]
-    try:
-        yield
-    finally:
-        for child, name in changed:
-            child.attrs[name] = condition
-        for child in list(element.children()):
-            element.removeChild(child)
-        for child in children:
-            element.appendChild(child)
 
 
 def _name_of(element: Element) -> str:

@@ -125,7 +125,8 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
         reading.unpauses |= any(plain(word) == "-unpause" for word in words)
         yield from [_spawned_model(element, words)] if reading.target.started != "none" else []
     elif package == "gazebo_ros":
-        yield from simulator_actions(reading, {})
+        world = next((word for word in words if not plain(word).startswith("-") or not is_literal(word)), ())
+        yield from simulator_actions(reading, {"world_name": world} if world else {})
     elif package == "robot_state_publisher":
         yield _state_publisher(element)._replace(description=description)
     elif package == "joint_state_publisher":
