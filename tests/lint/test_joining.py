@@ -203,3 +203,13 @@ def test_a_description_in_a_package_that_is_not_here_is_the_fact_that_is_missing
     assert unjoined["lacks"] == {"joints": [], "controllers": [], "packages": ["crane_description"]}
     said = folder.run("show", "arm").stdout
     assert "its description is in package 'crane_description', not in this workspace" in said
+
+
+def test_a_part_that_a_launch_file_shows_is_not_called_unused(folder: Folder) -> None:
+    shown = launch(DESCRIBED.format("arm", "table.urdf"))
+    table = "<robot name='table'><link name='top'/></robot>"
+    folder.write({**package("arm", "shoulder"), "arm/launch/table.launch": shown, "arm/table.urdf": table})
+    assert json.loads(folder.run("show", "arm", "--format", "json").stdout)["unused"] == []
+    assert "not used by any robot" not in folder.run("lint", "arm", "--distro", "noetic").stdout
+    folder.write({"arm/launch/table.launch": launch()})
+    assert json.loads(folder.run("show", "arm", "--format", "json").stdout)["unused"] == ["arm/table.urdf"]

@@ -94,7 +94,8 @@ class RunCache:
                 return None
             results = [(Target.from_json(target), result_from_json(result)) for target, result in data["results"]]
             robots = [results[index][1] for index in data["robots"]]
-            return LintRun(robots, results, unjoined=tuple(map(Unjoined.from_json, data["unjoined"])))
+            silent = tuple(map(result_from_json, data["silent"]))
+            return LintRun(robots, results, silent=silent, unjoined=tuple(map(Unjoined.from_json, data["unjoined"])))
         except (OSError, LookupError, ValueError, TypeError):
             return None
 
@@ -111,6 +112,7 @@ class RunCache:
             "fingerprint": fingerprint,
             "results": [[target._asdict(), result_to_json(result)] for target, result in run.targets],
             "robots": [index for index, result in enumerate(run.results) if id(result) in robots],
+            "silent": [result_to_json(result) for result in run.silent],
             "unjoined": [each._asdict() for each in run.unjoined],
         }
         text = json.dumps(data)

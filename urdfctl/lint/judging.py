@@ -55,9 +55,11 @@ class LintRun(NamedTuple):
 
     @property
     def unused(self) -> list[TargetResult]:
-        """The results of what no robot uses; `unjoined` says it of launch files that start controllers."""
-        used, lonely = {id(result) for result in self.robots}, {each.path for each in self.unjoined}
-        return [result for result in self.results if id(result) not in used and result.path not in lonely]
+        """The results of what no robot uses and no launch file starts; `unjoined` says it of launch files that start
+        controllers."""
+        used = {id(result) for result in self.robots}
+        told = {each.path for each in self.unjoined}.union(file for result in self.silent for file in result.files)
+        return [result for result in self.results if id(result) not in used and result.path not in told]
 
     @property
     def results(self) -> list[TargetResult]:
