@@ -6,6 +6,7 @@ from urdfctl.fault import Fault
 from urdfctl.rules.claims.chained_controller_exports_nothing import chained_controller_exports_nothing
 from urdfctl.rules.claims.chained_controller_not_started import chained_controller_not_started
 from urdfctl.rules.claims.chained_interface_not_exported import chained_interface_not_exported
+from urdfctl.rules.claims.claimed_name_empty import claimed_name_empty
 from urdfctl.rules.claims.command_interface_not_exported import command_interface_not_exported
 from urdfctl.rules.claims.command_overridden_in_simulator import command_overridden_in_simulator
 from urdfctl.rules.claims.controllers_chained_in_a_circle import controllers_chained_in_a_circle
@@ -55,4 +56,5 @@ FAULTS: tuple[Fault, ...] = (
     wheel_speed_beyond_limit,
     state_of_other_data_type,
     command_overridden_in_simulator,
+    claimed_name_empty,
 )
