@@ -16,13 +16,14 @@ def test_each_sample_of_a_curve_has_a_line(folder: Folder) -> None:
     robot = smoked(Target("arm.urdf"))
     plain = Curve("arm", "elbow", "position", (0.0, 0.1), (0.0, 0.2), (0.0, 0.1 + 0.1 / 3))
     pushed = plain._replace(joint="lift", efforts=(5.0, 7.5), unit="m")
+    path = folder.path / "arm.urdf"
     lines = curves_as_csv([robot._replace(curves=(plain, pushed))]).splitlines()
     assert lines == [
         ",".join(COLUMNS),
-        "arm.urdf,arm,elbow,position,rad,0,0,0,",
-        "arm.urdf,arm,elbow,position,rad,0.1,0.2,0.133333,",
-        "arm.urdf,arm,lift,position,m,0,0,0,5",
-        "arm.urdf,arm,lift,position,m,0.1,0.2,0.133333,7.5",
+        f"{path},arm,elbow,position,rad,0,0,0,",
+        f"{path},arm,elbow,position,rad,0.1,0.2,0.133333,",
+        f"{path},arm,lift,position,m,0,0,0,5",
+        f"{path},arm,lift,position,m,0.1,0.2,0.133333,7.5",
     ]
 
 

@@ -40,7 +40,7 @@ _ARM = (
 def inertia_too_large(link: str, times: str, mass: str, size: str) -> str:
     """Inertia much too large for the link's mass and size.
 
-    The link is moved by efforts: its motor cannot accelerate it, or its gains let it swing. Often the moments are in
+    Its motor cannot accelerate it, or its gains let it swing, whatever commands the joint. Often the moments are in
     g mm² or kg mm². The size is the largest dimension of the link's simple shapes.
     """
     return f"link '{link}' has about {times} times the inertia of a body of {mass} kg and {size} m"

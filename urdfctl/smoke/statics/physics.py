@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.model.robot import Robot
 from urdfctl.rules.smoke.command_range_too_small import command_range_too_small
@@ -68,13 +68,9 @@ def _masses(mechanism: Mechanism) -> Iterator[Trouble]:
 
 
 def _inertias(mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robot) -> Iterator[Trouble]:
-    """The links that are moved by efforts: their inertia decides how they move."""
-    pushed = {joint: task.controller for task in tasks if task.interface == "effort" for joint in task.joints}
-    moved: dict[str, str] = {}
-    for hinge in mechanism.hinges:
-        owner = pushed.get(hinge.name, moved.get(hinge.parent))
-        if owner:
-            moved[hinge.child] = owner
+    """The links whose inertia decides how they move: too little matters to efforts, far too much to every motor."""
+    moved = _moved(mechanism, {joint: task.controller for task in tasks for joint in task.joints})
+    pushed = _moved(mechanism, {joint: "" for task in tasks if task.interface == "effort" for joint in task.joints})
     for link in robot.links:
         body = mechanism.bodies.get(link.name or "")
         if body is None or body.name not in moved or body.mass < LEAST_MASS:
@@ -86,11 +82,21 @@ def _inertias(mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robo
             continue
         times = (size / math.sqrt(12) / reach) ** 2
         fields = {"link": body.name, "mass": f"{body.mass:g}", "size": f"{size:g}"}
-        if times > 1:
+        if times > 1 and body.name in pushed:
             yield trouble_of(inertia_too_small, f"link:{body.name}", None, (), **fields, times=f"{times:.1g}")
-        else:
+        elif times < 1:
             owner = moved[body.name]
             yield trouble_of(inertia_too_large, f"link:{body.name}", owner, (), **fields, times=f"{1 / times:.1g}")
+
+
+def _moved(mechanism: Mechanism, owners: Mapping[str, str]) -> dict[str, str]:
+    """The links that some joints move, each with what owns the nearest of them."""
+    moved: dict[str, str] = {}
+    for hinge in mechanism.hinges:
+        owner = owners.get(hinge.name, moved.get(hinge.parent))
+        if owner is not None:
+            moved[hinge.child] = owner
+    return moved
 
 
 # -- joints ----------------------------------------------------------------------------------------------------------
