@@ -42,6 +42,8 @@ class Fix(NamedTuple):
     """Empty if the fix must be made by hand."""
     safe: bool = False
     """Whether the fix is certainly what was meant."""
+    doubt: str = ""
+    """Why it is not; empty for the usual reason: another name or value may be meant."""
 
 
 class Note(NamedTuple):
@@ -117,6 +119,19 @@ class Repair(NamedTuple):
     title: str
     safe: bool
     edits: tuple[ShownEdit, ...] = ()
+    doubt: str = ""
+
+    @property
+    def reason(self) -> str:
+        """Why it is not safe, in words; empty if it is, or must be made by hand."""
+        if self.safe or not self.edits:
+            return ""
+        if self.doubt:
+            return self.doubt
+        if not any(edit.text for edit in self.edits):
+            return "what it removes may be used elsewhere"
+        is_added = all(edit.start == edit.end for edit in self.edits)
+        return "it may be elsewhere, or not wanted" if is_added else "something else may be meant"
 
 
 class Diagnostic(NamedTuple):
@@ -165,7 +180,7 @@ def diagnosed(code: str, name: str, severity: Severity, finding: Finding, url: s
         notes=tuple(
             Remark(_readable(note.message), located(note.at.span) if note.at else None) for note in finding.notes
         ),
-        fix=Repair(_readable(fix.title), fix.safe, _replacements(fix.edits)) if fix else None,
+        fix=Repair(_readable(fix.title), fix.safe, _replacements(fix.edits), fix.doubt) if fix else None,
         excerpt=excerpt,
         url=url,
         excerpt_column=excerpt_column,

@@ -154,7 +154,8 @@ def _fix(fixes: Sequence[Repair]) -> Repair | None:
         title += f", and {len(fixes) - 1} more like it"
     elif places > 1:
         title += f" in {places} places"
-    return Repair(title, all(fix.safe for fix in fixes), edits)
+    doubt = next((fix.doubt for fix in fixes if fix.doubt), "")
+    return Repair(title, all(fix.safe for fix in fixes), edits, doubt)
 
 
 def _together(edits: Sequence[ShownEdit]) -> tuple[ShownEdit, ...]:

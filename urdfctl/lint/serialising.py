@@ -58,7 +58,7 @@ def diagnostic_to_json(diagnostic: Diagnostic) -> dict[str, Any]:
         "at": _span(diagnostic.at),
         "expanded_from": [[[s.file, s.line, s.column, s.what] for s in way] for way in diagnostic.expanded_from],
         "notes": [[remark.message, _span(remark.at) if remark.at else None] for remark in diagnostic.notes],
-        "fix": [fix.title, fix.safe, [[_span(edit.at), edit.text] for edit in fix.edits]] if fix else None,
+        "fix": [fix.title, fix.safe, [[_span(edit.at), edit.text] for edit in fix.edits], fix.doubt] if fix else None,
         "excerpt": diagnostic.excerpt,
         "url": diagnostic.url,
         "excerpt_column": diagnostic.excerpt_column,
@@ -76,11 +76,15 @@ def diagnostic_from_json(data: dict[str, Any]) -> Diagnostic:
         at=Location(*data["at"]),
         expanded_from=tuple(tuple(CallStep(*step) for step in chain) for chain in data["expanded_from"]),
         notes=tuple(Remark(message, Location(*at) if at else None) for message, at in data["notes"]),
-        fix=Repair(fix[0], fix[1], tuple(ShownEdit(Location(*at), text) for at, text in fix[2])) if fix else None,
+        fix=_repair(*fix) if fix else None,
         excerpt=data["excerpt"],
         url=data["url"],
         excerpt_column=data["excerpt_column"],
     )
+
+
+def _repair(title: str, safe: bool, edits: list[Any], doubt: str = "") -> Repair:  # noqa: FBT001 (as JSON has it)
+    return Repair(title, safe, tuple(ShownEdit(Location(*at), text) for at, text in edits), doubt)
 
 
 def _span(at: Location) -> list[object]:

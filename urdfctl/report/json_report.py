@@ -96,4 +96,5 @@ def _fix(fix: Repair | None) -> dict[str, Any] | None:
     if fix is None:
         return None
     edits = [{"file": e.file, "start": e.start, "end": e.end, "text": e.text} for e in fix.edits]
-    return {"title": fix.title, "safe": fix.safe, "edits": edits}
+    doubt = {"doubt": fix.reason} if fix.reason else {}
+    return {"title": fix.title, "safe": fix.safe, **doubt, "edits": edits}

@@ -99,8 +99,8 @@ def paragraph(diagnostic: Diagnostic) -> list[str]:
 
 
 def fix_in_words(fix: Repair) -> str:
-    """Return what a fix does, and whether it is safe, unsafe or made by hand."""
-    kind = "by hand" if not fix.edits else "safe" if fix.safe else "unsafe"
+    """Return what a fix does, and whether it is safe, made by hand, or why it is unsafe."""
+    kind = "by hand" if not fix.edits else "safe" if fix.safe else f"unsafe: {fix.reason}"
     return f"{fix.title} ({kind})"
 
 

@@ -97,7 +97,11 @@ def control_plugin_not_loaded(project: Project) -> Iterator[Finding]:
         return
     message = "controllers are spawned in Gazebo, but no <plugin> of the robot runs ros_control"
     title = 'add <gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>'
-    fix = Fix(title, appended_to_robot(robot, _element(spawn.namespace or "")))
+    fix = Fix(
+        title,
+        appended_to_robot(robot, _element(spawn.namespace or "")),
+        doubt="the plugin may be in a file that is not linted",
+    )
     notes = (Note("controllers are spawned here", spawn.at), Note("Gazebo is started here", simulation.at))
     yield Finding(robot.at, message, (*notes, *doubt.notes), fix, doubt.severity)
 

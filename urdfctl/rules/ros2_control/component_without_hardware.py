@@ -67,4 +67,8 @@ def _fix(project: Project, at: Place) -> Fix | None:
     if len(names) != 1:
         return None
     element = f"<hardware>\n      <plugin>{names.pop()}</plugin>\n    </hardware>"
-    return Fix(f"add {''.join(line.strip() for line in element.splitlines())}", inserted(at, element))
+    return Fix(
+        f"add {''.join(line.strip() for line in element.splitlines())}",
+        inserted(at, element),
+        doubt="the robot may have other hardware",
+    )

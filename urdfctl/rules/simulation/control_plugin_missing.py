@@ -16,11 +16,13 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.insertions import appended_to_robot, controllers_path, host_element
 
+_DOUBT = "the plugin may be in a file that is not linted"
+
 
 @rule(
     "UC508",
     runtime="refuses",
-    because="the plugin may be in a file that is not linted",
+    because=_DOUBT,
     severity=Severity.WARNING,
     distros=ROS2,
     whole_robot=True,
@@ -81,7 +83,9 @@ def control_plugin_missing(project: Project) -> Iterator[Finding]:
             path = controllers_path(project)
             element = f'<plugin filename="{host.filenames[0]}" name="{name}">'
             edits = appended_to_robot(robot, host_element(host.filenames[0], name, path)) if path else ()
-            fix = Fix(f"add <gazebo>{element}<parameters>{path or '...'}</parameters></plugin></gazebo>", edits)
+            fix = Fix(
+                f"add <gazebo>{element}<parameters>{path or '...'}</parameters></plugin></gazebo>", edits, doubt=_DOUBT
+            )
         severity = Severity.ERROR if started_simulator(project) == simulator else None
         yield Finding(control.hardware[-1].plugins[0].at, message, fix=fix, severity=severity)
         return

@@ -87,7 +87,7 @@ def _repair(transmission: Transmission, joint: TransmissionEnd, project: Project
     literal = known is not None and known.at.content.span.text == known.value
     is_sure = literal or (demanded is not None and not may_be_older)
     edits = inserted(joint.at, element) if (literal or demanded) and not joint.interfaces else ()
-    return Fix(title, edits, safe=is_sure and bool(edits))
+    return Fix(title, edits, safe=is_sure and bool(edits), doubt="indigo and jade know no prefix")
 
 
 class DemandedInterface(NamedTuple):
