@@ -207,7 +207,7 @@ def test_a_drive_keeps_its_comments_and_its_acceleration_and_the_report_names_wh
     shown = migrated(folder, {"urdf/base.xacro": base(plugin("gazebo_ros_diff_drive", settings))})
     text = shown["urdf/base.xacro"]
     assert "      <!-- the wheels -->\n      <left_joint>left</left_joint>\n" in text
-    assert "<max_linear_acceleration>0.5</max_linear_acceleration>" in text
+    assert "<max_linear_acceleration>5</max_linear_acceleration>" in text
     assert "of no use" not in text
     assert "does not have max_wheel_torque of 'gazebo_ros_diff_drive': dropped" in shown["MIGRATION.md"]
 
