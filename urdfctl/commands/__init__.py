@@ -45,6 +45,7 @@ COMMANDS = {
     "rules": Listed(UNDERSTAND, "understand.rules", "List the rules."),
     "expand": Listed(UNDERSTAND, "understand.expand", "Expand xacro without ROS."),
     "gen-all": Listed(GENERATE, "generate.gen_all", "Write a package with all of it."),
+    "gen-moveit": Listed(GENERATE, "generate.gen_moveit", "Write a package that plans with MoveIt."),
     "gen-controllers": Listed(GENERATE, "generate.gen_controllers", "Write the controllers' YAML file."),
     "gen-transmissions": Listed(GENERATE, "generate.gen_transmissions", "Write the ROS 1 transmissions."),
     "gen-ros2-control": Listed(GENERATE, "generate.gen_ros2_control", "Write the <ros2_control> tag of ROS 2."),

@@ -23,6 +23,7 @@ from urdfctl.generate.files.descriptions import (
 from urdfctl.generate.files.hardware import has_host, takes_namespace
 from urdfctl.generate.files.mjcf import MODEL, commanded, mjcf_file
 from urdfctl.generate.files.moveit import moveit_file
+from urdfctl.generate.files.moveit_package import moveit_dependencies, moveit_files
 from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.generate.robot.mounting import needs_world
@@ -33,13 +34,14 @@ from urdfctl.startup.records import NamedTuple
 
 
 class Order(NamedTuple):
-    """The input of a generator."""
+    """The input of a generator. What it kept of files that are there is added to `told`, in words."""
 
     joints: tuple[JointFacts, ...]
     options: GeneratorOptions
     catalog: Catalog
     robot: RobotFacts
     templates: Templates
+    told: list[str] | None = None
 
     @property
     def title(self) -> str:
@@ -175,9 +177,12 @@ def _all(order: Order) -> list[File]:
     includes += [f"$(find {options.package})/urdf/control.xacro"] if blocks else []
     depends = dependencies(made, options, order.catalog, robot.package)
     moveit = moveit_file(made, options, order.templates, order.title)
+    planning = _planning(order, made) if options.moveit else []
+    depends = sorted({*depends, *moveit_dependencies(options)}) if options.moveit else depends
     return [
         controllers_file(made, options, order.templates, order.title),
         *([moveit] if moveit else []),
+        *planning,
         *([_wrapped(order, "urdf/control.xacro", *blocks)] if blocks else []),
         _wrapped(order, "urdf/robot.urdf.xacro", *_world(order), includes=includes, robot=robot.name or "robot"),
         _launch_file(order, made),
@@ -186,6 +191,15 @@ def _all(order: Order) -> list[File]:
         *_mujoco(order, made),
         *package_files(depends, options, order.templates, order.title, _one_dash(options.command)),
     ]
+
+
+def _planning(order: Order, made: Sequence[GeneratedController]) -> list[File]:
+    """MoveIt's configuration."""
+    options = order.options
+    made_files, kept = moveit_files(made, options, order.templates, order.robot, _one_dash(options.command))
+    if order.told is not None:
+        order.told.extend(kept)
+    return made_files
 
 
 def _world(order: Order) -> list[str]:
@@ -250,6 +264,7 @@ GENERATORS: Mapping[str, Callable[[Order], list[File]]] = {
     "gen-gazebo": _gazebo,
     "gen-launch": _launch,
     "gen-all": _all,
+    "gen-moveit": _all,
     "convert": _convert,
 }
 

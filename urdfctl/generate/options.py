@@ -49,7 +49,9 @@ class GeneratorOptions(NamedTuple):
     `controllers_file`, `description` and `package` are the places of the installed files. `robot_file` is the path by
     which a generated xacro file includes the robot, `arguments` are its xacro arguments, and `robot_text` is the
     path and text of a copy of the robot in the package. `model_path` is where a model
-    for MuJoCo is written, and `to` the format that a robot is converted to.
+    for MuJoCo is written, and `to` the format that a robot is converted to. With `moveit`, MoveIt is configured
+    too, with these `planning_groups` beside the proposed ones; `output` is the folder whose SRDF may have a person's
+    changes.
     """
 
     distro: str
@@ -79,6 +81,9 @@ class GeneratorOptions(NamedTuple):
     chain: bool = False
     base: str | None = None
     requests: tuple[Request, ...] = ()
+    moveit: bool = False
+    planning_groups: tuple[str, ...] = ()
+    output: str | None = None
     command: str = "urdfctl"
 
     @property

@@ -102,12 +102,14 @@ def _folder_of_launch(target: Target) -> str:
     return os.path.dirname(target.path) if is_launch(target.path) else ""
 
 
-def run_on_one(function: WorkFunction, target: Target, settings: Settings) -> tuple[dict[str, Any] | None, Outcome]:
+def run_on_one(
+    function: WorkFunction, target: Target, settings: Settings, details: Json | None = None
+) -> tuple[dict[str, Any] | None, Outcome]:
     """Return what `function` returns for one target, and its outcome; None and the reason if it returned nothing.
 
-    function: gives its outcome as plain data, under the key `outcome`.
+    function: gives its outcome as plain data, under the key `outcome`. details: what it needs besides; plain data.
     """
-    [result] = run_on_targets(function, [target], settings)
+    [result] = run_on_targets(function, [target], settings, details=[details or {}])
     if isinstance(result, dict):
         return result, outcome_from_json(result["outcome"])
     return None, failed(target, settings, result).outcome

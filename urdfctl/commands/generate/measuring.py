@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
+from urdfctl.generate.robot.facts import Linkage, LinkFacts
 from urdfctl.generate.robot.job import measured_facts
 from urdfctl.lint.job import Work
+from urdfctl.model.robot import Robot
 
 
 def measure_work(work: Work) -> dict[str, Any]:
@@ -13,3 +16,19 @@ def measure_work(work: Work) -> dict[str, Any]:
     from urdfctl.smoke.robot import corners_of
 
     return measured_facts(work, corners_of)
+
+
+def measure_links(work: Work) -> dict[str, Any]:
+    """Measure a robot in a worker, with the links that can touch. Details: the number of `samples`, and the `seed`."""
+    from urdfctl.smoke.engines import touching_links
+    from urdfctl.smoke.robot import corners_of
+
+    samples, seed = int(work.details["samples"]), int(work.details["seed"])
+
+    def linked(robot: Robot, find_mesh: Callable[[str], str | None]) -> Linkage:
+        mechanism, touching = touching_links(robot, find_mesh, samples, seed)
+        links = [LinkFacts(mechanism.root)]
+        links += [LinkFacts(hinge.child, hinge.parent, hinge.name, hinge.type) for hinge in mechanism.hinges]
+        return Linkage(tuple(links), touching.pairs, touching.hulls, tuple(mechanism.start().items()))
+
+    return measured_facts(work, corners_of, linked)

@@ -23,9 +23,17 @@ _CONTROLLER = (
 )
 _INTERFACES = ("position", "velocity", "effort")
 _HARDWARE = ("gz", "gazebo-classic", "mock", "mujoco", "topic-based")
-_WITH_CONTROLLERS = ("gen-controllers", "gen-transmissions", "gen-ros2-control", "gen-launch", "gen-all")
+_WITH_CONTROLLERS = (
+    "gen-controllers",
+    "gen-transmissions",
+    "gen-ros2-control",
+    "gen-launch",
+    "gen-all",
+    "gen-moveit",
+)
+_PACKAGES = ("gen-all", "gen-moveit")
 _INSERTED = ("gen-transmissions", "gen-ros2-control", "gen-gazebo")
-_INSTALLED = ("gen-gazebo", "gen-launch", "gen-all")
+_INSTALLED = ("gen-gazebo", "gen-launch", *_PACKAGES)
 
 
 class GenerateOptions(TargetOptions):
@@ -57,13 +65,13 @@ class GenerateOptions(TargetOptions):
         of=_INSERTED,
     )
     macro: bool = option(
-        OUTPUT, "Write a xacro macro and one call for each joint.", of=("gen-transmissions", "gen-all")
+        OUTPUT, "Write a xacro macro and one call for each joint.", of=("gen-transmissions", *_PACKAGES)
     )
     form: str | None = option(
         OUTPUT,
         "Form of a ROS 2 launch file: python, xml or yaml.",
         choices=("python", "xml", "yaml"),
-        of=("gen-launch", "gen-all"),
+        of=("gen-launch", *_PACKAGES),
     )
     fix_inertia: bool = option(
         OUTPUT,
@@ -73,7 +81,7 @@ class GenerateOptions(TargetOptions):
     base: str | None = option(
         OTHER,
         "fixed or free: whether the robot is fixed to the world. Default: free with wheels or legs.",
-        of=("gen-launch", "gen-all", "convert"),
+        of=("gen-launch", *_PACKAGES, "convert"),
     )
     package: str | None = option(OUTPUT, "Package that will contain the files.", metavar="NAME", of=_INSTALLED)
     controllers: str | None = option(
@@ -88,14 +96,14 @@ class GenerateOptions(TargetOptions):
         "Hardware: gz, gazebo-classic, mock, mujoco, topic-based, or a plugin.",
         choices=_HARDWARE,
         is_open=True,
-        of=("gen-ros2-control", "gen-all"),
+        of=("gen-ros2-control", *_PACKAGES),
     )
     interface: str | None = option(
         CONTROLLERS,
         "Command interface: position, velocity or effort; or NAME,NAME.",
         choices=_INTERFACES,
         is_open=True,
-        of=("gen-controllers", "gen-transmissions", "gen-launch", "gen-all", "convert"),
+        of=("gen-controllers", "gen-transmissions", "gen-launch", *_PACKAGES, "convert"),
     )
     types: tuple[str, ...] = option(CONTROLLERS, _TYPES, "--type", metavar="TYPE", of=_WITH_CONTROLLERS)
     controller: tuple[str, ...] = option(CONTROLLERS, _CONTROLLER, metavar="NAME=TYPE[:JOINTS]", of=_WITH_CONTROLLERS)
@@ -111,8 +119,28 @@ class GenerateOptions(TargetOptions):
         of=_WITH_CONTROLLERS,
     )
     group: bool = option(
-        CONTROLLERS, "One group controller for all joints, if the distro has one.", of=_WITH_CONTROLLERS
+        CONTROLLERS,
+        "One group controller for all joints, if the distro has one.",
+        of=[name for name in _WITH_CONTROLLERS if name != "gen-moveit"],
     )
+    planning_groups: tuple[str, ...] = option(
+        JOINTS,
+        "A planning group: NAME=BASE:TIP for the chain between two links, or NAME=JOINT,JOINT; others are proposed, "
+        "one for each controller. Repeatable.",
+        "--group",
+        metavar="NAME=BASE:TIP",
+        of=("gen-moveit",),
+    )
+    moveit: bool = option(OTHER, "Configure MoveIt too, as gen-moveit does.", of=("gen-all",))
+    samples: int = option(
+        OTHER,
+        "Poses in which the links are tested for collisions, for MoveIt.",
+        default=10_000,
+        bounds=(1, 10_000_000),
+        metavar="N",
+        of=_PACKAGES,
+    )
+    seed: int = option(OTHER, "Seed of these poses.", default=0, bounds=(0, 2**31 - 1), metavar="N", of=_PACKAGES)
     namespace: str | None = option(
         CONTROLLERS, "Namespace of the robot.", metavar="NAME", of=(*_WITH_CONTROLLERS, "gen-gazebo")
     )

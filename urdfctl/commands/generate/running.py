@@ -12,7 +12,7 @@ from dataclasses import replace
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.commands.declaring import Option
 from urdfctl.commands.generate.judging import RATES, Judgement, judged
-from urdfctl.commands.generate.measuring import measure_work
+from urdfctl.commands.generate.measuring import measure_links, measure_work
 from urdfctl.commands.generate.model_check import loaded_model
 from urdfctl.commands.generate.options import GenerateOptions
 from urdfctl.commands.words import configured, settings_from, split_arguments
@@ -69,6 +69,7 @@ _NOT_REPEATED = frozenset(
 _OWN_NAMES = ("robot.urdf.xacro", "control.xacro")
 _ANY_DISTRO = "rolling"
 """For what does not depend on the distro."""
+_PACKAGES = ("gen-all", "gen-moveit")
 _PARTS = ("gen-transmissions", "gen-ros2-control", "gen-gazebo")
 
 
@@ -118,14 +119,22 @@ def generated(options: GenerateOptions) -> Made:
         requested, proposal = with_requests(requested, command, options.controller, joints, robot)
         if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
             raise UserError(_no_joints(robot))
-        order = Order(joints, requested, catalog, robot or NO_ROBOT, templates)
+        told: list[str] = []
+        order = Order(
+            joints=joints,
+            options=requested,
+            catalog=catalog,
+            robot=robot or NO_ROBOT,
+            templates=templates,
+            told=told,
+        )
         return Made(
             options=requested,
             files=files(command, order),
             controllers=order.made_if_typed(),
             proposal=proposal,
             robot=robot,
-            notices=notices,
+            notices=(*notices, *dict.fromkeys(told)),
         )
 
     distro = known_distro(settings, robot) or (_ANY_DISTRO if command == "convert" else None)
@@ -167,28 +176,29 @@ def _judged(made: Made, options: GenerateOptions, settings: Settings, make: Call
 def _delivered(options: GenerateOptions, made: Made) -> int:
     """Write, show or check what was made, and return the exit status."""
     command, output, robot = options.command, options.output, made.robot
-    print_messages(made.notices)
+    if not options.check:
+        print_messages(made.notices)
     print_messages(tuple(made.judgement.lines()))
     if made.judgement.fatal and output and not options.force:
         print_message(f"nothing was written, because this robot would not start: {_remedy(made)}")
         return 1
     if made.proposal and not options.check:
         print_message(made.proposal)
-    if command == "gen-all" and robot and not robot.package and not made.options.robot_text:
+    if command in _PACKAGES and robot and not robot.package and not made.options.robot_text:
         print_message(f"'{robot.file}' is not in a package, so installed files cannot find it")
-    nested = nested_in(output) if command == "gen-all" and output and not options.check else ""
+    nested = nested_in(output) if command in _PACKAGES and output and not options.check else ""
     if nested:
         print_message(nested)
-    if command == "gen-all" and robot and not options.check:
+    if command in _PACKAGES and robot and not options.check:
         for caution in cautions(made.controllers, robot, made.options):
             print_message(caution)
     writing = Writing(output, options.force, options.diff, options.check, options.into)
     steps = tuple(steps_after(command, made.controllers, made.options, output or ""))
     files = made.files
-    if command == "gen-all" and output:
+    if command in _PACKAGES and output:
         files, to_add = around_package(files, output)
         steps = (*to_add, *steps)
-    return deliver(files, writing, many=command == "gen-all", steps=steps)
+    return deliver(files, writing, many=command in _PACKAGES, steps=steps)
 
 
 def _remedy(made: Made) -> str:
@@ -245,16 +255,24 @@ def _sources(
             f"several robots found: {shown}" if descriptions else "no robot found; name one, or a list of joints"
         )
     path = robots[0] if robots and not os.path.isdir(robots[0]) else os.path.relpath(descriptions[0])
-    measured = measure_robot(path, arguments, settings, measure_work)
+    if _plans(options):
+        poses = {"samples": options.samples, "seed": options.seed}
+        measured = measure_robot(path, arguments, settings, measure_links, poses)
+    else:
+        measured = measure_robot(path, arguments, settings, measure_work)
     if measured.facts is None:
         raise UnreadableRobot("\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n")
     return measured.facts, listed
 
 
+def _plans(options: GenerateOptions) -> bool:
+    return options.command == "gen-moveit" or options.moveit
+
+
 def _is_part(path: str) -> bool:
     """Return whether a file was generated to be included by a robot."""
     made_by = (words_of_generated_file(path) or ("",))[0]
-    return made_by in _PARTS or (made_by == "gen-all" and os.path.basename(path) == "control.xacro")
+    return made_by in _PARTS or (made_by in _PACKAGES and os.path.basename(path) == "control.xacro")
 
 
 def _text(path: str) -> str:
@@ -305,6 +323,9 @@ def _requested(
         form=options.form or defaults.form,
         chain=options.chain,
         base=options.base,
+        moveit=_plans(options),
+        planning_groups=options.planning_groups,
+        output=options.output if options.command in _PACKAGES else None,
         command=_repeatable_command(options, words, distro, simulator),
     )
 
@@ -313,7 +334,7 @@ def _package(options: GenerateOptions, robot: RobotFacts | None) -> str | None:
     """Return the package that the files will be in: the one that gen-all writes, or the robot's."""
     if options.package:
         return options.package
-    if options.command != "gen-all" or options.output is None:
+    if options.command not in _PACKAGES or options.output is None:
         return robot.package if robot else None
     manifest = os.path.join(options.output, "package.xml")
     folder = os.path.basename(os.path.abspath(options.output))
@@ -335,7 +356,7 @@ def _copied(options: GenerateOptions, robot: RobotFacts | None) -> tuple[str, st
     With `--fix-inertia` it is a copy with the nearest valid inertia. UserError if that is not given in numbers there.
     """
     repairs = options.command == "gen-all" and options.fix_inertia
-    if options.command != "gen-all" or robot is None or robot.file is None or (robot.package and not repairs):
+    if options.command not in _PACKAGES or robot is None or robot.file is None or (robot.package and not repairs):
         return None
     text = _text(robot.file)
     if repairs:

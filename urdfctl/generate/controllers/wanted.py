@@ -11,7 +11,7 @@ from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.request.requests import of_list, requested
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 
-_OF_CONTROLLERS = ("gen-controllers", "gen-launch", "gen-all")
+_OF_CONTROLLERS = ("gen-controllers", "gen-launch", "gen-all", "gen-moveit")
 
 
 def with_requests(

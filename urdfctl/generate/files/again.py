@@ -19,6 +19,10 @@ from urdfctl.startup.records import NamedTuple
 
 _COMMAND = re.compile(r"made by urdfctl (gen-[a-z0-9-]+|convert)(.*?)(?: -->)?$")
 _PARTS = ("config", "urdf", "launch", "mujoco")
+_LONG = re.compile(r"^-(?=[a-z]{2})")
+"""An option in an XML comment has one dash."""
+_PACKAGES = ("gen-all", "gen-moveit")
+"""The commands that write a package."""
 _FIRST = 1 << 16
 _FORBIDDEN = re.compile(
     r"-o.*|--?(output|into|force|diff|check|trust|templates|package-path|workspace|config|env|timeout|memory)(=.*)?"
@@ -100,7 +104,7 @@ def words_of_generated_file(file: str) -> tuple[str, ...] | None:
         command = _COMMAND.search(line)
         if command:
             try:
-                return (command[1], *shlex.split(command[2]))
+                return (command[1], *(_LONG.sub("--", word) for word in shlex.split(command[2])))
             except ValueError:
                 return None
     return None
@@ -118,7 +122,7 @@ def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigi
     if not inputs:
         above = [folder for folder in above if exists(os.path.join(folder, "package.xml"))]
     homes = [home for home in ([os.curdir, *above] if inputs or not above else above) if admits(home)]
-    if words[0] == "gen-all":  # the package may hold a copy of its robot, which is no input: it is searched last
+    if words[0] in _PACKAGES:  # the package may hold a copy of its robot, which is no input: it is searched last
         outside = [home for home in homes if not f"{os.path.abspath(home)}{os.sep}".startswith(f"{package}{os.sep}")]
         homes = [*outside, package]
     home = next((home for home in homes if all(exists(os.path.join(home, path)) for path in inputs)), None)
@@ -129,7 +133,7 @@ def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigi
         why = "it was generated from standard input" if "-" in inputs else why
         print_message(f"'{file}' is skipped: {why}")
         return None
-    if words[0] != "gen-all":
+    if words[0] not in _PACKAGES:
         return GeneratedOrigin(os.path.abspath(file), words, os.path.abspath(home), workspace)
     return GeneratedOrigin(package, words, os.path.abspath(home), workspace)
 

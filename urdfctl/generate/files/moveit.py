@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.options import File, GeneratorOptions
@@ -23,15 +23,10 @@ def moveit_file(
     MoveIt calls actions: of trajectory controllers, and of grippers that accept GripperCommand.
     """
     shown = []
-    for controller in made:
-        action = _ACTIONS.get(controller.type.type.rpartition("/")[2])
-        if action is None or controller.waits or controller.task.below:
-            continue
-        parallel = "parallel_gripper" in controller.type.type
-        kind = "ParallelGripperCommand" if parallel else action[0]
+    for controller, (kind, action) in usable_by_moveit(made):
         space = f"{options.namespace}/" if options.namespace and options.ros == 1 else ""
         joints = [joint.name for joint in controller.task.joints]
-        shown.append({"name": f"{space}{controller.name}", "type": kind, "action": action[1], "joints": joints})
+        shown.append({"name": f"{space}{controller.name}", "type": kind, "action": action, "joints": joints})
     if not shown:
         return None
     text = templates.render(
@@ -42,3 +37,13 @@ def moveit_file(
         controllers=shown,
     )
     return File("config/moveit_controllers.yaml", text)
+
+
+def usable_by_moveit(made: Sequence[GeneratedController]) -> Iterator[tuple[GeneratedController, tuple[str, str]]]:
+    """Yield the controllers that MoveIt can use, each with the type and the name of its action."""
+    for controller in made:
+        action = _ACTIONS.get(controller.type.type.rpartition("/")[2])
+        if action is None or controller.waits or controller.task.below:
+            continue
+        parallel = "parallel_gripper" in controller.type.type
+        yield controller, ("ParallelGripperCommand" if parallel else action[0], action[1])

@@ -26,6 +26,8 @@ def steps_after(
         yield f'include it in the robot: <xacro:include filename="$(find {package})/urdf/{os.path.basename(output)}"/>'
         return
     launch = os.path.basename(output) if command == "gen-launch" else launch_name(options)
+    if options.moveit:
+        launch = "moveit.launch.py"
     if command != "gen-controllers":
         build = "colcon build --packages-select" if options.ros == 2 else "catkin build"  # noqa: PLR2004
         setup = "install/setup.bash" if options.ros == 2 else "devel/setup.bash"  # noqa: PLR2004
@@ -35,7 +37,7 @@ def steps_after(
         line = example_of(controller)
         if line:
             yield line
-    if command == "gen-all":
+    if command in ("gen-all", "gen-moveit"):
         yield f"urdfctl lint {output} && urdfctl smoke {output}"
 
 

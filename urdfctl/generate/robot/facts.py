@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from urdfctl.model.geometry import Vector
@@ -94,6 +94,39 @@ class Skeleton(NamedTuple):
     notes: tuple[str, ...]
 
 
+class LinkFacts(NamedTuple):
+    """A link with its parent link, and the joint between them with its type; the root has none."""
+
+    name: str
+    parent: str = ""
+    joint: str = ""
+    type: str = ""
+
+
+class Linkage(NamedTuple):
+    """The links of a robot from the root outwards, for planning.
+
+    `pairs` are those that need no test for collisions, each with the reason. `hulls` are the links whose meshes were
+    tested as convex hulls. `rest` are the positions at which its joints start.
+    """
+
+    links: tuple[LinkFacts, ...]
+    pairs: tuple[tuple[str, str, str], ...]
+    hulls: tuple[str, ...]
+    rest: tuple[tuple[str, float], ...]
+
+    @classmethod
+    def from_json(cls, plain: Sequence[Any]) -> Linkage:
+        """Return it from plain data."""
+        links, pairs, hulls, rest = plain
+        return cls(
+            tuple(LinkFacts(*link) for link in links),
+            tuple((one, other, reason) for one, other, reason in pairs),
+            tuple(hulls),
+            tuple((name, position) for name, position in rest),
+        )
+
+
 class RobotFacts(NamedTuple):
     """A robot as the generators use it.
 
@@ -105,7 +138,7 @@ class RobotFacts(NamedTuple):
     their defaults. `skeleton` is there if the simulator is MuJoCo. `generated` are the components that
     gen-ros2-control wrote, with their parts, and the joints of transmissions that gen-transmissions wrote. `lowest` is
     the height of the lowest point in the frame of the root, in m, with all joints at zero. `mesh_packages` contain its
-    meshes.
+    meshes. `linkage` is there if a motion planner is configured.
     """
 
     name: str | None = None
@@ -129,6 +162,7 @@ class RobotFacts(NamedTuple):
     generated: tuple[str, ...] = ()
     lowest: float | None = None
     mesh_packages: tuple[str, ...] = ()
+    linkage: Linkage | None = None
 
     def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
         """Return the joints, sensors or gpios of its `<ros2_control>` tags."""
@@ -151,6 +185,7 @@ class RobotFacts(NamedTuple):
         if skeleton:
             fixed, free, meshes, notes = skeleton
             values["skeleton"] = Skeleton(fixed, free, tuple((*mesh,) for mesh in meshes), tuple(notes))
+        values["linkage"] = Linkage.from_json(plain["linkage"]) if plain.get("linkage") else None
         return cls(**values)
 
 

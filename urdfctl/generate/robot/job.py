@@ -9,7 +9,8 @@ from typing import Any
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.generate.robot.facts import RobotFacts
+from urdfctl.errors import UserError
+from urdfctl.generate.robot.facts import Linkage, RobotFacts
 from urdfctl.generate.robot.mjcf_bodies import skeleton_of
 from urdfctl.generate.robot.survey import facts_of
 from urdfctl.lint.engine import lint
@@ -22,6 +23,7 @@ from urdfctl.load.meshes import mesh_path
 from urdfctl.load.target import Target
 from urdfctl.model.geometry import Vector
 from urdfctl.model.project import Project
+from urdfctl.model.robot import Robot
 from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.source.workspaces.packages import package_name
 from urdfctl.startup.records import NamedTuple
@@ -40,17 +42,34 @@ class MeasuredRobot(NamedTuple):
     crashed: bool = False
 
 
-def measure_robot(path: str, arguments: Mapping[str, str], settings: Settings, measure: WorkFunction) -> MeasuredRobot:
-    """Return the facts of the robot in a file. `measure` gives them in a worker."""
+Linked = Callable[[Robot, Callable[[str], str | None]], Linkage]
+"""Returns the links of a robot, given a function that finds its meshes. Raises UserError if they cannot be tested."""
+
+
+def measure_robot(
+    path: str,
+    arguments: Mapping[str, str],
+    settings: Settings,
+    measure: WorkFunction,
+    details: Mapping[str, int] | None = None,
+) -> MeasuredRobot:
+    """Return the facts of the robot in a file. `measure` gives them in a worker, which gets the details.
+
+    Raises UserError if the robot does not have what was asked for.
+    """
     target = Target(path, tuple(arguments.items()))
-    result, outcome = run_on_one(measure, target, settings)
+    result, outcome = run_on_one(measure, target, settings, dict(details or {}))
     if result is None:
         return MeasuredRobot(None, tuple(outcome.diagnostics), outcome.crashed)
+    if result.get("refused"):
+        raise UserError(result["refused"])
     facts = RobotFacts.from_json(result["facts"]) if result["facts"] else None
     return MeasuredRobot(facts, tuple(outcome.diagnostics))
 
 
-def measured_facts(work: Work, corners_of: Callable[[str], Sequence[Vector]]) -> dict[str, Any]:
+def measured_facts(
+    work: Work, corners_of: Callable[[str], Sequence[Vector]], linked: Linked | None = None
+) -> dict[str, Any]:
     """Return the facts of a robot as plain data. `corners_of` returns corners of the mesh in a file."""
     path = os.path.abspath(work.target.path)
     expander = work.loader.expander(path)
@@ -75,4 +94,9 @@ def measured_facts(work: Work, corners_of: Callable[[str], Sequence[Vector]]) ->
     )
     if (work.loader.settings.simulator or evidence.simulator) == "mujoco":
         facts = facts._replace(skeleton=skeleton_of(robot, facts.joints, find))
+    if linked is not None and expansion.complete:
+        try:
+            facts = facts._replace(linkage=linked(robot, find))
+        except UserError as error:
+            return {"facts": None, "refused": str(error), "outcome": outcome_to_json(outcome)}
     return {"facts": facts.to_json(), "outcome": outcome_to_json(outcome)}

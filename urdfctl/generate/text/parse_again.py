@@ -17,9 +17,9 @@ def checked(file: File) -> File:
 
 
 def _fault(file: File) -> str | None:
-    if file.name.endswith((".yaml", ".yml")):
+    if file.name.endswith((".yaml", ".yml", ".rviz")):
         return _of_yaml(file.text)
-    if file.name.endswith((".xml", ".xacro", ".urdf", ".launch")):
+    if file.name.endswith((".xml", ".xacro", ".urdf", ".srdf", ".launch")):
         return _of_xml(file.text)
     if file.name.endswith(".py"):
         try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from urdfctl.smoke.engines.contacts import touching_links
 from urdfctl.smoke.engines.engine import (
     CHOICES,
     STEP,
@@ -27,5 +28,6 @@ __all__ = [
     "engines_named",
     "installed",
     "open_engine",
+    "touching_links",
     "wheel_links",
 ]

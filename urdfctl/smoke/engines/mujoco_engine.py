@@ -18,9 +18,9 @@ STIFF = 60.0
 """The rate at which a driven joint approaches its target position, in 1/s."""
 GRIP = 10.0
 """The stiffness of holding a velocity: a free joint nearly reaches it in one step."""
-_GROUND = "urdfctl:ground"
+GROUND = "urdfctl:ground"
 _LEAST_CORNERS = 4
-_COMPILER = (
+COMPILER = (
     '<mujoco><compiler balanceinertia="true" boundmass="1e-6" boundinertia="1e-9" discardvisual="true" '
     'strippath="false" fusestatic="false"/></mujoco>'
 )
@@ -34,7 +34,7 @@ class MujocoEngine:
         self._root = library.mj_name2id(model, library.mjtObj.mjOBJ_BODY, root)
         kinds = library.mjtObj
         names = {n: library.mj_id2name(model, kinds.mjOBJ_JOINT, n) for n in range(model.njnt)}
-        moving = [n for n in names if not names[n].startswith(_GROUND)]
+        moving = [n for n in names if not names[n].startswith(GROUND)]
         self._places = {names[n]: int(model.jnt_qposadr[n]) for n in moving}
         self._ways = {names[n]: int(model.jnt_dofadr[n]) for n in moving}
         # the rows of the lower half of the mass matrix, each of which ends on the diagonal
@@ -166,9 +166,9 @@ def open_engine(setup: EngineSetup) -> MujocoEngine:
 
     # by default it writes MUJOCO_LOG.TXT to the working directory
     mujoco.set_mju_user_warning(lambda _: None)
-    above = f'<link name="{_GROUND}"/><joint name="{_GROUND}" type="fixed"><parent link="{_GROUND}"/>'
+    above = f'<link name="{GROUND}"/><joint name="{GROUND}" type="fixed"><parent link="{GROUND}"/>'
     above += f"<child link={quoted(setup.root)}/></joint>"
-    text = setup.urdf.replace('<robot name="robot">', f'<robot name="robot">{_COMPILER}{above}', 1)
+    text = setup.urdf.replace('<robot name="robot">', f'<robot name="robot">{COMPILER}{above}', 1)
     try:
         spec = mujoco.MjSpec.from_string(text)
         spec.option.timestep = STEP
@@ -185,7 +185,7 @@ def open_engine(setup: EngineSetup) -> MujocoEngine:
             if wheel and shape.type == mujoco.mjtGeom.mjGEOM_CYLINDER:
                 shape.type = mujoco.mjtGeom.mjGEOM_SPHERE  # the edges of a cylinder shake the robot
         for mesh in spec.meshes:
-            _read(mesh)
+            read_mesh(mesh)
         for name in setup.weightless:
             spec.body(name).gravcomp = 1.0
         model = spec.compile()
@@ -196,7 +196,7 @@ def open_engine(setup: EngineSetup) -> MujocoEngine:
     return engine
 
 
-def _read(mesh: Any) -> None:
+def read_mesh(mesh: Any) -> None:
     """Give MuJoCo the corners of a mesh that it cannot read; it collides their convex hull, as of any mesh."""
     if not mesh.file.lower().endswith(".dae"):
         return
@@ -210,5 +210,5 @@ def _read(mesh: Any) -> None:
 def _set_free(library: Any, body: Any) -> None:
     """Let a body move freely: its coordinates begin with three slide joints, followed by a ball joint."""
     for axis, way in zip("xyz", ((1, 0, 0), (0, 1, 0), (0, 0, 1)), strict=True):
-        body.add_joint(name=f"{_GROUND}:{axis}", type=library.mjtJoint.mjJNT_SLIDE, axis=way)
-    body.add_joint(name=f"{_GROUND}:turn", type=library.mjtJoint.mjJNT_BALL)
+        body.add_joint(name=f"{GROUND}:{axis}", type=library.mjtJoint.mjJNT_SLIDE, axis=way)
+    body.add_joint(name=f"{GROUND}:turn", type=library.mjtJoint.mjJNT_BALL)

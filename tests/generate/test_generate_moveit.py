@@ -1,0 +1,244 @@
+"""The configuration of MoveIt that is written, what a person changed in it, and whether it plans."""
+
+from __future__ import annotations
+
+import math
+import random
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+import yaml
+from folder import Folder
+from generating import command
+
+from urdfctl.model.robot.build_robot import robot_of
+from urdfctl.smoke.robot import Mechanism, mechanism_of, shapes_of
+from urdfctl.smoke.statics.overlaps import overlapping
+from urdfctl.source.span import SourceText
+from urdfctl.source.xml.parsing import parse
+
+pytest.importorskip("mujoco")
+
+ROW = (
+    ("pan", "0 0 1", 0.1),
+    ("lift", "0 1 0", 0.3),
+    ("elbow", "0 1 0", 0.25),
+    ("roll", "0 0 1", 0.1),
+    ("bend", "0 1 0", 0.08),
+    ("turn", "0 0 1", 0.05),
+)
+INERTIAL = '<inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>'
+FINGER = """
+  <link name="{name}_finger">{inertial}<collision><origin xyz="0 0 0.03"/>
+    <geometry><box size="0.02 0.01 0.06"/></geometry></collision></link>
+  <joint name="{name}_finger_joint" type="prismatic"><parent link="hand"/><child link="{name}_finger"/>
+    <origin xyz="0 {side}0.01 0.012"/><axis xyz="0 {side}1 0"/>{mimic}
+    <limit lower="0" upper="0.04" effort="20" velocity="0.2"/></joint>
+"""
+JAZZY = ("--distro", "jazzy", "--samples", "1000", "-o", "out")
+
+
+def arm(limits: str = 'lower="-2.9" upper="2.9"') -> str:
+    """Return an arm with six joints, and a hand on it whose second finger follows the first."""
+    text, above, height = "", "base_link", 0.1
+    for name, axis, length in ROW:
+        text += f"""
+  <link name="{name}_link">{INERTIAL}<collision><origin xyz="0 0 {length / 2}"/>
+    <geometry><cylinder radius="0.04" length="{length}"/></geometry></collision></link>
+  <joint name="{name}" type="revolute"><parent link="{above}"/><child link="{name}_link"/>
+    <origin xyz="0 0 {height}"/><axis xyz="{axis}"/><limit {limits} effort="90" velocity="2"/></joint>"""
+        above, height = f"{name}_link", length
+    fingers = FINGER.format(name="left", side="", mimic="", inertial=INERTIAL)
+    fingers += FINGER.format(name="right", side="-", mimic='<mimic joint="left_finger_joint"/>', inertial=INERTIAL)
+    return f"""<robot name="six">
+  <link name="base_link">{INERTIAL}<collision><origin xyz="0 0 0.05"/>
+    <geometry><cylinder radius="0.08" length="0.1"/></geometry></collision></link>{text}
+  <link name="tool0"/>
+  <joint name="tool" type="fixed"><parent link="{above}"/><child link="tool0"/><origin xyz="0 0 0.05"/></joint>
+  <link name="hand">{INERTIAL}<collision><geometry><box size="0.04 0.2 0.02"/></geometry></collision></link>
+  <joint name="mount" type="fixed"><parent link="tool0"/><child link="hand"/><origin xyz="0 0 0.012"/></joint>
+{fingers}</robot>
+"""
+
+
+def semantic(folder: Folder) -> ET.Element:
+    """Return the SRDF that was written."""
+    return ET.parse(Path(folder.path, "out/config/six.srdf")).getroot()
+
+
+def mechanism() -> Mechanism:
+    """Return the arm in numbers."""
+    root = parse(SourceText("six.urdf", arm().encode())).documentElement
+    assert root is not None
+    found = mechanism_of(robot_of(root))
+    assert found is not None
+    return found
+
+
+def texts_in(folder: Folder) -> dict[str, str]:
+    """Return the text of each file in the package."""
+    return {str(path): path.read_text() for path in Path(folder.path, "out").rglob("*") if path.is_file()}
+
+
+@pytest.fixture(name="written")
+def _written(folder: Folder) -> Folder:
+    folder.write({"six.urdf": arm()})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    return folder
+
+
+def test_a_chain_ends_at_its_hand_and_the_hand_is_its_end_effector(written: Folder) -> None:
+    root = semantic(written)
+    groups = {group.get("name"): [dict(part.attrib) for part in group] for group in root.findall("group")}
+    assert groups == {
+        "arm": [{"base_link": "base_link", "tip_link": "hand"}],
+        "gripper": [{"name": "left_finger_joint"}, {"name": "right_finger_joint"}],
+    }
+    [effector] = root.findall("end_effector")
+    assert effector.attrib == {"name": "gripper", "parent_link": "hand", "group": "gripper", "parent_group": "arm"}
+    poses = {
+        pose.get("name"): {part.get("name"): part.get("value") for part in pose} for pose in root.findall("group_state")
+    }
+    assert poses == {
+        "home": {name: "0" for name, _, _ in ROW},
+        "open": {"left_finger_joint": "0.04"},
+        "close": {"left_finger_joint": "0"},
+    }
+
+
+@pytest.mark.parametrize(
+    ("distro", "simulator"), [("humble", "gz"), ("jazzy", "none"), ("kilted", "none"), ("rolling", "gz")]
+)
+def test_what_is_written_has_no_errors_and_is_up_to_date_at_once(folder: Folder, distro: str, simulator: str) -> None:
+    folder.write({"six.urdf": arm()})
+    words = ("gen-moveit", "six.urdf", "--distro", distro, "--simulator", simulator, "--samples", "100", "-o", "out")
+    assert command(*words).returncode == 0
+    before = texts_in(folder)
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
+    assert command(*words).returncode == 0
+    assert command("gen-check", "out") == (0, "", "")
+    assert texts_in(folder) == before
+
+
+def test_gen_all_writes_the_same_files_beside_its_own(written: Folder) -> None:
+    assert command("gen-all", "six.urdf", "--moveit", *JAZZY[:-1], "all").returncode == 0
+    ours, theirs = Path(written.path, "all"), Path(written.path, "out")
+    assert {path.relative_to(ours) for path in ours.rglob("*")} == {
+        path.relative_to(theirs) for path in theirs.rglob("*")
+    }
+    pair = [Path(folder, "config/six.srdf").read_text().splitlines() for folder in (ours, theirs)]
+    assert pair[0][2:] == pair[1][2:]
+
+
+def test_no_pair_that_never_touches_overlaps_in_other_poses(written: Folder) -> None:
+    pairs = {frozenset((one.get("link1"), one.get("link2"))) for one in semantic(written).findall("disable_collisions")}
+    root = parse(SourceText("six.urdf", arm().encode())).documentElement
+    assert root is not None
+    robot, chance = robot_of(root), random.Random(7)  # noqa: S311 (it samples poses)
+    found = mechanism()
+    met = set()
+    for _ in range(50):
+        positions = {hinge.name: chance.uniform(*hinge.span) for hinge in found.hinges if hinge.moves}
+        met |= {frozenset(pair) for pair in overlapping(found, shapes_of(robot, lambda _: None), positions)}
+    assert met
+    assert not met & pairs
+    assert frozenset(("base_link", "hand")) not in pairs
+
+
+def test_each_pose_in_reach_is_solved_within_the_written_limits(written: Folder) -> None:
+    """Damped least squares from the written chain: what MoveIt's solver does."""
+    numpy = pytest.importorskip("numpy")
+    [chain] = semantic(written).findall("group/chain")
+    found, names = mechanism(), [name for name, _, _ in ROW]
+    limits = yaml.safe_load(Path(written.path, "out/config/joint_limits.yaml").read_text())["joint_limits"]
+    assert {*names} < {*limits}
+    tip = chain.get("tip_link") or ""
+
+    def place(angles: object) -> object:
+        pose = found.poses(dict(zip(names, angles, strict=True)))[tip]  # type: ignore[call-overload]
+        return numpy.array([*pose.place, *(part for row in pose.turn for part in row)])
+
+    chance = random.Random(3)  # noqa: S311 (it samples poses)
+    for _ in range(5):
+        goal_angles = numpy.array([chance.uniform(-1.5, 1.5) for _ in names])
+        goal, angles = place(goal_angles), goal_angles + numpy.array([chance.uniform(-0.3, 0.3) for _ in names])
+        for _ in range(60):
+            here = place(angles)
+            slope = numpy.array([(place(angles + 1e-6 * row) - here) / 1e-6 for row in numpy.eye(6)]).T
+            angles = angles + numpy.linalg.solve(slope.T @ slope + 1e-6 * numpy.eye(6), slope.T @ (goal - here))
+        assert numpy.abs(place(angles) - goal).max() < 1e-3
+        assert numpy.abs(angles).max() < math.pi
+
+
+def test_the_controllers_of_the_demo_start_and_move(written: Folder) -> None:
+    ran = command("smoke", "out")
+    assert (ran.returncode, ran.stdout.splitlines()[-1]) == (0, "3 controllers: 3 passed")
+
+
+def test_what_a_person_changed_is_kept_and_said(written: Folder) -> None:
+    path = Path(written.path, "out/config/six.srdf")
+    own = """  <group_state name="work" group="arm"><joint name="elbow" value="1"/></group_state>
+  <group_state name="old" group="arm"><joint name="gone" value="1"/></group_state>
+  <disable_collisions link1="base_link" link2="elbow_link" reason="a cover is between them"/>
+</robot>"""
+    text = path.read_text().replace('<joint name="elbow" value="0"/>', '<joint name="elbow" value="0.5"/>')
+    path.write_text(text.replace("</robot>", own))
+    assert "exists; --force overwrites it" in command("gen-moveit", "six.urdf", *JAZZY).stderr
+    ran = command("gen-moveit", "six.urdf", *JAZZY, "--force")
+    assert ran.stderr.splitlines()[:4] == [
+        "urdfctl: kept the pose 'home' of 'arm' of 'out/config/six.srdf'",
+        "urdfctl: kept the pose 'work' of 'arm' of 'out/config/six.srdf'",
+        "urdfctl: kept the pair base_link, elbow_link (a cover is between them) of 'out/config/six.srdf'",
+        "urdfctl: left out the pose 'old' of 'arm': the robot has no joint 'gone'",
+    ]
+    assert '<joint name="elbow" value="0.5"/>' in path.read_text()
+    assert command("gen-check", "out") == (0, "", "")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--group", "arm=base_link:hnd"), "--group arm: the robot has no link 'hnd'; did you mean 'hand'?"),
+        (("--group", "arm=hand:base_link"), "--group arm: no chain leads from 'hand' to 'base_link'"),
+        (("--group", "arm=tool0:hand"), "--group arm: no joint moves between 'tool0' and 'hand'"),
+        (("--group", "arm=pan,tilt"), "--group arm: the robot has no joint 'tilt'"),
+        (("--group", "arm"), "--group must be NAME=BASE:TIP or NAME=JOINT,JOINT, not 'arm'"),
+        (("--namespace", "one"), "MoveIt's configuration has no namespace; leave out --namespace"),
+        (
+            ("--type", "velocity"),
+            "no controller of the robot is one that MoveIt uses: it needs --type trajectory or gripper",
+        ),
+        (("--distro", "noetic"), "MoveIt's configuration is written for ROS 2 from humble on, not for noetic"),
+    ],
+)
+def test_what_is_asked_wrongly_is_one_line_and_writes_nothing(
+    folder: Folder, words: tuple[str, ...], said: str
+) -> None:
+    folder.write({"six.urdf": arm()})
+    ran = command("gen-moveit", "six.urdf", *JAZZY, "--samples", "1", *words)
+    assert (ran.returncode, ran.stderr.splitlines()[-1]) == (2, f"urdfctl: {said}")
+    assert not Path(folder.path, "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("robot", "said"),
+    [
+        (arm('lower="-1"').replace('lower="-1"', ""), "joint 'pan' has no position limits, which planning needs"),
+        (
+            arm().replace('<box size="0.04 0.2 0.02"/>', '<mesh filename="gone.stl"/>'),
+            "the collision geometry of link 'hand' cannot be tested: 'gone.stl' was not found",
+        ),
+        (
+            arm().replace('<link name="tool0"/>', '<link name="tool0"/><link name="lost"/>'),
+            "the links of the robot form no tree with one root",
+        ),
+    ],
+)
+def test_a_robot_that_cannot_be_planned_for_is_one_line_and_writes_nothing(
+    folder: Folder, robot: str, said: str
+) -> None:
+    folder.write({"six.urdf": robot})
+    ran = command("gen-moveit", "six.urdf", *JAZZY)
+    assert (ran.returncode, ran.stderr.splitlines()[-1]) == (2, f"urdfctl: {said}")
+    assert not Path(folder.path, "out").exists()

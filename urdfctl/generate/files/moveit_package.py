@@ -1,0 +1,119 @@
+"""Generate MoveIt's configuration of a robot: what plans for it, beside the files that control it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from urdfctl.catalog.distros import since
+from urdfctl.errors import UserError
+from urdfctl.generate.controllers.parameters import GeneratedController
+from urdfctl.generate.files.bringup import FORMS, launch_name
+from urdfctl.generate.files.moveit import usable_by_moveit
+from urdfctl.generate.files.planning_groups import LinkTree, PlanningGroup, planning_groups
+from urdfctl.generate.files.semantic import SemanticPart, semantic_parts, semantic_text, with_own_parts
+from urdfctl.generate.options import File, GeneratorOptions
+from urdfctl.generate.robot.facts import JointFacts, Linkage, RobotFacts
+from urdfctl.generate.robot.mounting import needs_world
+from urdfctl.generate.text.templates import Templates
+
+_RAMP = 2.0
+"""The acceleration of a joint in parts of its greatest velocity, per second."""
+_LISTS_SINCE = "jazzy"
+_LAUNCH = "moveit.launch.py"
+_YAML = ("ompl_planning", "pilz_industrial_motion_planner_planning", "pilz_cartesian_limits", "kinematics")
+
+
+def moveit_dependencies(options: GeneratorOptions) -> list[str]:
+    """Return the packages that are required to plan."""
+    names = (
+        "moveit_configs_utils moveit_kinematics moveit_planners_ompl moveit_ros_move_group moveit_ros_visualization "
+        "moveit_simple_controller_manager pilz_industrial_motion_planner rviz2 tf2_ros"
+    )
+    return [*names.split(), *(["moveit_planners_stomp"] if options.distro in since(_LISTS_SINCE) else [])]
+
+
+def moveit_files(
+    made: Sequence[GeneratedController],
+    options: GeneratorOptions,
+    templates: Templates,
+    robot: RobotFacts,
+    xml_command: str,
+) -> tuple[list[File], list[str]]:
+    """Return the files, and what of the SRDF that is there was kept, in words. UserError if MoveIt cannot plan.
+
+    xml_command: the command for a comment in XML.
+    """
+    linkage = robot.linkage
+    if linkage is None:
+        raise UserError("MoveIt needs a whole robot: name one that can be expanded")
+    _check(options)
+    usable = [controller for controller, _ in usable_by_moveit(made)]
+    if not usable:
+        raise UserError("no controller of the robot is one that MoveIt uses: it needs --type trajectory or gripper")
+    groups = planning_groups(usable, linkage.links, options.planning_groups)
+    name, parts = robot.name or "robot", semantic_parts(robot, linkage, groups, in_world=needs_world(robot, options))
+    semantic = f"config/{re.sub(r'[^A-Za-z0-9_.-]+', '_', name)}.srdf"
+    notes: list[str] = []
+    if options.output:
+        parts, notes = with_own_parts(parts, f"{options.output}/{semantic}", robot)
+    values = _values(options, robot, groups, linkage, parts)
+    values.update(semantic=semantic, robot=name)
+    files = [File(semantic, semantic_text(name, xml_command, parts))]
+    settings = [*_YAML, "joint_limits", *(["stomp_planning"] if values["lists"] else [])]
+    files += [File(f"config/{one}.yaml", templates.render(f"moveit/{one}.yaml", **values)) for one in settings]
+    files.append(File("config/moveit.rviz", templates.render("moveit/moveit.rviz", **values)))
+    files.append(File(f"launch/{_LAUNCH}", templates.render("launch/moveit.launch.py", **values)))
+    return files, notes
+
+
+def _check(options: GeneratorOptions) -> None:
+    if options.ros == 1:
+        raise UserError(f"MoveIt's configuration is written for ROS 2 from humble on, not for {options.distro}")
+    if options.distro not in since("humble"):
+        raise UserError(f"{options.distro} has no moveit_configs_utils; use humble or a later distro")
+    if options.form not in FORMS:
+        raise UserError(f"--form must be one of {', '.join(FORMS)}, not '{options.form}'")
+    if options.namespace:
+        raise UserError("MoveIt's configuration has no namespace; leave out --namespace")
+
+
+def _values(
+    options: GeneratorOptions,
+    robot: RobotFacts,
+    groups: Sequence[PlanningGroup],
+    linkage: Linkage,
+    parts: Sequence[SemanticPart],
+) -> dict[str, object]:
+    """What the templates use."""
+    lists = options.distro in since(_LISTS_SINCE)
+    virtual = [part for part in parts if part.tag == "virtual_joint" and part.get("type") == "fixed"]
+    moved = {name for group in groups for name in group.joints}
+    pipelines = ["ompl", "pilz_industrial_motion_planner", *(["stomp"] if lists else [])]
+    return {
+        "command": options.command,
+        "chains": [group for group in groups if group.tip],
+        "groups": groups,
+        "joints": [_limits(joint) for joint in robot.joints if joint.name in moved],
+        "ramp": _RAMP,
+        "lists": lists,
+        "first": groups[0].name,
+        "root": "world" if needs_world(robot, options) else LinkTree(linkage.links).root,
+        "virtual": bool(virtual),
+        "package": options.package or "my_robot_control",
+        "file": _LAUNCH,
+        "control": launch_name(options),
+        "source": "PythonLaunchDescriptionSource" if options.form == "python" else "AnyLaunchDescriptionSource",
+        "simulated": options.simulated,
+        "simulator": options.simulator,
+        "pipelines": "[" + ", ".join(f'"{one}"' for one in pipelines) + "]",
+    }
+
+
+def _limits(joint: JointFacts) -> dict[str, object]:
+    velocity = abs(joint.velocity) if joint.velocity else None
+    return {
+        "name": joint.name,
+        "velocity": repr(float(velocity)) if velocity else None,
+        "acceleration": repr(round(_RAMP * (velocity or 1.0), 6)),
+    }

@@ -1,0 +1,166 @@
+"""The planning groups of a robot for MoveIt: for each controller that MoveIt uses, and those that a user asks for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from urdfctl.errors import UserError
+from urdfctl.generate.controllers.parameters import GeneratedController
+from urdfctl.generate.robot.facts import LinkFacts
+from urdfctl.names import did_you_mean
+from urdfctl.startup.records import NamedTuple
+
+_TIPS = ("tool0", "tcp", "tool", "tip", "end_effector", "ee", "flange", "grasp", "hand")
+"""Words of the names of links at which a chain ends, the best first."""
+_TOOL = re.compile(r"gripper|finger|hand|jaw|claw", re.IGNORECASE)
+_GIVEN = re.compile(r"([^=:,]+)=([^=:,]+):([^=:,]+)")
+_LISTED = re.compile(r"([^=:]+)=([^=:]+)")
+
+
+class PlanningGroup(NamedTuple):
+    """A planning group: its joints, and the links at the ends of its chain, if it is one.
+
+    mount: for a tool, the link that it is attached to. carrier: the group that moves this link.
+    """
+
+    name: str
+    joints: tuple[str, ...]
+    base: str | None = None
+    tip: str | None = None
+    mount: str | None = None
+    carrier: str | None = None
+
+
+class LinkTree:
+    """The links of a robot: what carries each, and what it carries."""
+
+    def __init__(self, links: Sequence[LinkFacts]) -> None:
+        self.links: Mapping[str, LinkFacts] = {link.name: link for link in links}
+        self.of_joint: Mapping[str, LinkFacts] = {link.joint: link for link in links if link.joint}
+        self.root = links[0].name
+        self._below: dict[str, list[LinkFacts]] = {}
+        for link in links:
+            self._below.setdefault(link.parent, []).append(link)
+
+    def up(self, name: str) -> Iterator[LinkFacts]:
+        """Yield a link and those that carry it, up to the root."""
+        while name:
+            yield self.links[name]
+            name = self.links[name].parent
+
+    def moving(self, base: str, tip: str) -> list[str] | None:
+        """Return the joints that move between two links; None if the first does not carry the second."""
+        found: list[str] = []
+        for link in self.up(tip):
+            if link.name == base:
+                return found[::-1]
+            if link.type != "fixed":
+                found.append(link.joint)
+        return None
+
+    def welded(self, name: str) -> list[str]:
+        """Return a link and all that are fixed to it below, from there outwards."""
+        found = [name]
+        for one in found:
+            found += [link.name for link in self._below.get(one, ()) if link.type == "fixed"]
+        return found
+
+
+def planning_groups(
+    made: Sequence[GeneratedController], links: Sequence[LinkFacts], given: Sequence[str]
+) -> tuple[PlanningGroup, ...]:
+    """Return the groups for these controllers, and the `given` ones. UserError if one does not fit the robot."""
+    tree = LinkTree(links)
+    asked = [_asked(text, tree) for text in given]
+    taken = {group.joints for group in asked} | {(group.name,) for group in asked}
+    groups = [_proposed(controller, tree) for controller in made]
+    groups = [*asked, *(group for group in groups if group.joints not in taken and (group.name,) not in taken)]
+    names = [group.name for group in groups]
+    for name in names:
+        if names.count(name) > 1:
+            raise UserError(f"two groups are named '{name}'")
+    return tuple(_joined(groups, tree))
+
+
+def _proposed(controller: GeneratedController, tree: LinkTree) -> PlanningGroup:
+    joints = tuple(joint.name for joint in controller.task.joints)
+    name = controller.name.removesuffix("_controller")
+    ends = None if _is_tool(controller, joints) else _ends_of(joints, tree)
+    return PlanningGroup(name, joints, *(ends or (None, None)))
+
+
+def _is_tool(controller: GeneratedController, joints: Sequence[str]) -> bool:
+    if "Gripper" in controller.type.type:
+        return True
+    return bool(_TOOL.search(controller.name)) and all(_TOOL.search(name) for name in joints)
+
+
+def _ends_of(joints: Sequence[str], tree: LinkTree) -> tuple[str, str] | None:
+    """The links at the ends of the chain that some joints form, if they form one and nothing else moves in it."""
+    if any(name not in tree.of_joint for name in joints):
+        return None
+    depth = {name: len(list(tree.up(tree.of_joint[name].name))) for name in joints}
+    first, last = min(joints, key=depth.__getitem__), max(joints, key=depth.__getitem__)
+    base, tip = tree.of_joint[first].parent, tree.of_joint[last].name
+    moving = tree.moving(base, tip)
+    return (base, tip) if moving is not None and sorted(moving) == sorted(joints) else None
+
+
+def _asked(text: str, tree: LinkTree) -> PlanningGroup:
+    """A group as a user writes it: NAME=BASE:TIP, or NAME=JOINT,JOINT."""
+    chain, listed = _GIVEN.fullmatch(text), _LISTED.fullmatch(text)
+    if chain:
+        name, base, tip = (part.strip() for part in chain.groups())
+        for link in (base, tip):
+            if link not in tree.links:
+                raise UserError(f"--group {name}: the robot has no link '{link}'{did_you_mean(link, tree.links)}")
+        moving = tree.moving(base, tip)
+        if not moving:
+            why = "no joint moves between" if moving is not None else "no chain leads from"
+            raise UserError(f"--group {name}: {why} '{base}' {'and' if moving is not None else 'to'} '{tip}'")
+        return PlanningGroup(name, tuple(moving), base, tip)
+    if listed:
+        name, joints = listed[1].strip(), tuple(part.strip() for part in listed[2].split(",") if part.strip())
+        for joint in joints:
+            if joint not in tree.of_joint:
+                raise UserError(f"--group {name}: the robot has no joint '{joint}'{did_you_mean(joint, tree.of_joint)}")
+        return PlanningGroup(name, joints)
+    raise UserError(f"--group must be NAME=BASE:TIP or NAME=JOINT,JOINT, not '{text}'")
+
+
+def _joined(groups: Sequence[PlanningGroup], tree: LinkTree) -> Iterator[PlanningGroup]:
+    """The groups with the tools mounted on the chains, and each proposed chain up to its tool or its last frame."""
+    mounts = {group.name: _mount(group, tree) for group in groups if group.tip is None}
+    asked_ends = {group.tip for group in groups if group.tip}
+    extended = {}
+    for group in groups:
+        if group.tip:
+            welded = tree.welded(group.tip)
+            on_it = [mount for mount in mounts.values() if mount in welded]
+            extended[group.name] = on_it[0] if on_it else _frame(welded, asked_ends - {group.tip})
+    for group in groups:
+        if group.tip:
+            yield group._replace(tip=extended[group.name])
+            continue
+        mount = mounts[group.name]
+        carriers = [other for other in groups if other.tip and mount in tree.welded(other.tip)]
+        carrier = carriers[0].name if carriers else None
+        yield group._replace(mount=mount if carrier else None, carrier=carrier)
+
+
+def _mount(group: PlanningGroup, tree: LinkTree) -> str | None:
+    """The link that carries all joints of a group: it moves with none of them."""
+    ways = [[link.name for link in tree.up(tree.of_joint[n].parent)] for n in group.joints if n in tree.of_joint]
+    own = {tree.of_joint[name].name for name in group.joints if name in tree.of_joint}
+    common = [name for name in (ways[0] if ways else ()) if all(name in way for way in ways)]
+    return next((name for name in common if not own & {link.name for link in tree.up(name)}), None)
+
+
+def _frame(welded: Sequence[str], taken: set[str]) -> str:
+    """The frame at the end of a chain: the link of the best name, else the last one of a row, else the link itself."""
+    for word in _TIPS:
+        for name in welded:
+            if name not in taken and re.search(rf"(?:^|[^a-z0-9]){word}(?:$|[^a-z0-9])", name.lower()):
+                return name
+    return welded[0]

@@ -1,0 +1,194 @@
+"""Which links of a robot can touch each other: poses within the limits are sampled in MuJoCo, and contacts counted.
+
+MuJoCo is an engine of the smoke test already, has wheels for the usual platforms, and tests all pairs of a pose in C.
+It takes the convex hull of a mesh, which contains the mesh: a pair that never touches as hulls never touches.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
+
+from urdfctl.errors import UserError
+from urdfctl.model.robot import Robot
+from urdfctl.smoke.engines.engine import installed
+from urdfctl.smoke.engines.urdf import engine_urdf
+from urdfctl.smoke.robot import Hinge, Mechanism, mechanism_of
+from urdfctl.startup.records import NamedTuple
+
+ADJACENT, DEFAULT, ALWAYS, NEVER = "Adjacent", "Default", "Always", "Never"
+_ALWAYS = 0.95
+"""A pair that touches in this part of the poses always touches, as for MoveIt's setup assistant."""
+_AT_LIMITS = 20
+"""In one of so many poses each joint is at one of its limits, where a gripper is open or closed."""
+
+LinkPair = tuple[str, str]
+
+
+class Untestable(UserError):
+    """The links of a robot cannot be tested; the text says why."""
+
+
+class TouchingLinks(NamedTuple):
+    """What is known of the links of a robot.
+
+    pairs: the links that need no test in planning, each with the reason.
+    hulls: the links whose meshes are taken as their convex hulls.
+    """
+
+    pairs: tuple[tuple[str, str, str], ...]
+    hulls: tuple[str, ...]
+
+
+def touching_links(
+    robot: Robot, find_mesh: Callable[[str], str | None], samples: int, seed: int
+) -> tuple[Mechanism, TouchingLinks]:
+    """Return the mechanism of a robot and its pairs of links. Raise Untestable if they cannot be tested."""
+    mechanism = mechanism_of(robot)
+    if mechanism is None:
+        raise Untestable("the links of the robot form no tree with one root")
+    for joint in robot.joints:
+        given = [limit for limit in joint.tag.named("limit") if {"lower", "upper"} & {*limit.attributes}]
+        if joint.type in ("revolute", "prismatic") and not given:
+            raise Untestable(f"joint '{joint.name}' has no position limits, which planning needs")
+    made = engine_urdf(robot, mechanism, find_mesh, {}, standing=True)
+    for link, why in made.left_out.items():
+        raise Untestable(f"the collision geometry of link '{link}' cannot be tested: {why}")
+    solid = [link.name for link in robot.links if link.name and any(link.tag.named("collision"))]
+    if "mujoco" not in installed():
+        raise Untestable("MuJoCo is not installed, which tests the links for collisions: pip install 'urdfctl[smoke]'")
+    adjacent = adjacent_pairs(mechanism, solid)
+    meeting = _Meeting(made.urdf, mechanism, solid)
+    reasons = dict.fromkeys(adjacent, ADJACENT)
+    meeting.build(reasons)
+    reasons.update(dict.fromkeys(meeting.at_rest(), DEFAULT))
+    meeting.build(reasons)
+    counts = meeting.sampled(samples, seed)
+    for pair, count in counts.items():
+        if pair not in reasons and (count == 0 or count >= _ALWAYS * samples):
+            reasons[pair] = ALWAYS if count else NEVER
+    hulls = tuple(link for link in solid if any(mesh.name == "mesh" for mesh in _shapes(robot, link)))
+    return mechanism, TouchingLinks(tuple((*pair, reasons[pair]) for pair in counts if pair in reasons), hulls)
+
+
+def adjacent_pairs(mechanism: Mechanism, solid: Sequence[str]) -> list[LinkPair]:
+    """Return the links that a joint connects; a link without geometry connects those on both sides of it."""
+    near: dict[str, set[str]] = {name: set() for name in mechanism.bodies}
+    for hinge in mechanism.hinges:
+        near[hinge.parent].add(hinge.child)
+        near[hinge.child].add(hinge.parent)
+    for name in [name for name in near if name not in set(solid)]:
+        around = near.pop(name)
+        for other in around:
+            near[other] |= around - {other}
+            near[other].discard(name)
+    return [pair for pair in _all_pairs(solid) if pair[1] in near[pair[0]]]
+
+
+def _shapes(robot: Robot, link: str) -> Iterator[Any]:
+    for each in robot.links:
+        if each.name == link:
+            for collision in each.tag.named("collision"):
+                for geometry in collision.named("geometry"):
+                    yield from geometry.children
+
+
+def _all_pairs(names: Sequence[str]) -> Iterator[LinkPair]:
+    return ((name, other) for n, name in enumerate(names) for other in names[n + 1 :])
+
+
+class _Meeting:
+    """The links of a robot in MuJoCo, with all pairs tested but those that need no test."""
+
+    def __init__(self, urdf: str, mechanism: Mechanism, solid: Sequence[str]) -> None:
+        import mujoco
+
+        self._library: Any = mujoco
+        self._urdf, self._mechanism, self._solid = urdf, mechanism, solid
+        self._moving = [hinge for hinge in mechanism.hinges if hinge.moves]
+        self._model: Any = None
+        self._data: Any = None
+
+    def build(self, untested: Mapping[LinkPair, str]) -> None:
+        """Make the model again, without a test of some pairs."""
+        from urdfctl.smoke.engines.mujoco_engine import COMPILER, GROUND, read_mesh
+        from urdfctl.smoke.engines.urdf import quoted
+
+        library = self._library
+        library.set_mju_user_warning(lambda _: None)  # by default it writes MUJOCO_LOG.TXT to the working directory
+        above = f'<link name="{GROUND}"/><joint name="{GROUND}" type="fixed"><parent link="{GROUND}"/>'
+        above += f"<child link={quoted(self._mechanism.root)}/></joint>"
+        text = self._urdf.replace('<robot name="robot">', f'<robot name="robot">{COMPILER}{above}', 1)
+        try:
+            spec = library.MjSpec.from_string(text)
+            # it leaves out neighbours by itself, also those that are neighbours of what is fixed to them
+            spec.option.disableflags |= library.mjtDisableBit.mjDSBL_FILTERPARENT
+            for shape in spec.geoms:
+                shape.contype = shape.conaffinity = 1
+            for mesh in spec.meshes:
+                read_mesh(mesh)
+            for link, other in untested:
+                spec.add_exclude(bodyname1=link, bodyname2=other)
+            self._model = spec.compile()
+        except (ValueError, AttributeError) as error:
+            raise Untestable(f"MuJoCo rejects the robot: {' '.join(str(error).split())}") from None
+        self._data = library.MjData(self._model)
+        self._at = {hinge.name: int(self._model.joint(hinge.name).qposadr[0]) for hinge in self._moving}
+        self._body = {self._model.body(name).id: name for name in self._solid}
+
+    def at_rest(self) -> set[LinkPair]:
+        """Return the pairs that touch with each joint at 0, or in the middle of its range if 0 is out of reach."""
+        positions = {hinge.name: _usual(hinge) for hinge in self._moving}
+        return self._touching(positions) | self._welded()
+
+    def sampled(self, samples: int, seed: int) -> dict[LinkPair, int]:
+        """Return in how many of the poses each pair of links touches."""
+        from random import Random
+
+        chance = Random(seed)  # noqa: S311 (it samples poses)
+        counts = dict.fromkeys(_all_pairs(self._solid), 0)
+        for n in range(samples):
+            ends = n % _AT_LIMITS == 0
+            draw = chance.choice if ends else lambda span: chance.uniform(*span)
+            for pair in self._touching({hinge.name: draw(hinge.span) for hinge in self._moving}):
+                counts[pair] += 1
+        return counts
+
+    def _touching(self, positions: Mapping[str, float]) -> set[LinkPair]:
+        library, model, data = self._library, self._model, self._data
+        for hinge in self._moving:
+            position = positions[hinge.name]
+            if hinge.mimic and hinge.mimic[0] in positions:
+                position = positions[hinge.mimic[0]] * hinge.mimic[1] + hinge.mimic[2]
+            data.qpos[self._at[hinge.name]] = position
+        library.mj_kinematics(model, data)
+        library.mj_comPos(model, data)
+        library.mj_collision(model, data)
+        if not data.ncon:
+            return set()
+        bodies = model.geom_bodyid[data.contact.geom].tolist()
+        return {self._pair(self._body[one], self._body[other]) for one, other in bodies}
+
+    def _welded(self) -> set[LinkPair]:
+        """The pairs that touch and cannot move against each other, which MuJoCo does not look at."""
+        library, model, data = self._library, self._model, self._data
+        shapes: dict[int, list[int]] = {}
+        for shape in range(model.ngeom):
+            shapes.setdefault(int(model.body_weldid[model.geom_bodyid[shape]]), []).append(shape)
+        found = set()
+        for group in shapes.values():
+            for pair in ((one, other) for n, one in enumerate(group) for other in group[n + 1 :]):
+                bodies = [int(model.geom_bodyid[shape]) for shape in pair]
+                apart = bodies[0] == bodies[1] or library.mj_geomDistance(model, data, *pair, 1.0, None) > 0
+                if not apart:
+                    found.add(self._pair(*(self._body[body] for body in bodies)))
+        return found
+
+    def _pair(self, one: str, other: str) -> LinkPair:
+        order = self._solid.index
+        return (one, other) if order(one) < order(other) else (other, one)
+
+
+def _usual(hinge: Hinge) -> float:
+    low, high = hinge.span
+    return 0.0 if low <= 0.0 <= high else (low + high) / 2
