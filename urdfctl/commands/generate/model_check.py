@@ -51,7 +51,7 @@ def loaded_model(file: File, output: str | None, settings: Settings) -> CheckedM
 
 def load_job(job: dict[str, Any]) -> dict[str, Any]:
     """Return why a model does not load, in a worker."""
-    from urdfctl.smoke.engines.mjcf_check import is_checkable, mjcf_fault
+    from urdfctl.smoke.engines import is_checkable, mjcf_fault
 
     return {"fault": mjcf_fault(job["text"]) if is_checkable() else ""}
 

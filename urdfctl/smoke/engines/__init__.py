@@ -14,6 +14,7 @@ from urdfctl.smoke.engines.engine import (
     installed,
     open_engine,
 )
+from urdfctl.smoke.engines.mjcf_check import is_checkable, mjcf_fault
 from urdfctl.smoke.engines.urdf import EngineUrdf, engine_urdf, wheel_links
 
 __all__ = [
@@ -27,6 +28,8 @@ __all__ = [
     "engine_urdf",
     "engines_named",
     "installed",
+    "is_checkable",
+    "mjcf_fault",
     "open_engine",
     "touching_links",
     "wheel_links",
