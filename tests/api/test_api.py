@@ -79,7 +79,7 @@ def test_a_robot_is_smoked_and_a_fault_explained() -> None:
         (lambda: api.load_robot("nowhere.urdf"), "file or folder 'nowhere.urdf' does not exist|'nowhere.urdf'"),
         (lambda: api.load_robot("bad.urdf"), "bad.urdf' cannot be loaded"),
         (lambda: api.expand("bad.urdf"), "bad.urdf:1:"),
-        (lambda: api.migrate(".", to="noetic"), "unknown distro 'noetic'"),
+        (lambda: api.migrate(".", to="noetic"), "'noetic' is a distro of ROS 1"),
         (lambda: api.explain("UC999999"), "unknown rule 'UC999999'"),
         (lambda: api.generate("gen-check", "."), "'gen-check' is no generator"),
         (lambda: api.generate("gen-controllers", "bad.urdf"), "bad.urdf"),

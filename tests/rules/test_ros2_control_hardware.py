@@ -37,7 +37,7 @@ def plugin(name: str, attributes: str = 'name="arm" type="system"') -> str:
         ("${plugin}", "jazzy", ["error UC353"]),
         ("gazebo_ros2_control/GazeboSystem", "jazzy", ["warning UC353"]),
         ("gazebo_ros2_control/GazeboSystem", "humble", []),
-        ("gz_ros2_control/GzSimSystem", "jazzy", ["warning UC353"]),
+        ("gz_ros2_control/GzSimSystem", "jazzy", ["error UC353"]),
         ("gz_ros2_control/GazeboSimSystem", "galactic", ["warning UC353"]),
         ("my_robot/MyHardware", None, []),
     ],
@@ -67,7 +67,7 @@ def test_a_plugin_of_another_type_is_an_error_unless_a_condition_chose_it(robot:
         (f'<command_interface name="acceleration"/>{STATE}', MOCK, "jazzy", []),
         (f'<command_interface name="acceleration"/>{STATE}', GZ, "jazzy", ["warning UC355"]),
         ('<state_interface name="torque"/>', GZ, "jazzy", ["warning UC355"]),
-        (f'<command_interface name="position_pid"/>{STATE}', GZ.replace("gz_", "gazebo_"), "humble", ["warning UC353"]),
+        (f'<command_interface name="position_pid"/>{STATE}', GZ.replace("gz_", "gazebo_"), "humble", ["error UC353"]),
         (f'<command_interface name="acceleration"/>{STATE}', GZ, None, ["warning UC355"]),  # since humble
     ],
 )

@@ -10,7 +10,8 @@ from urdfctl.catalog.distros import ROS2, since
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind
-from urdfctl.output.change import Change, bytes_of
+from urdfctl.output.change import Change
+from urdfctl.source.disk.files import first_bytes
 from urdfctl.startup.records import NamedTuple
 
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".hh")
@@ -155,7 +156,7 @@ def _code(scratch: Scratch, target: str) -> Iterator[ReportLine]:
     for path in scratch.files():
         ending = os.path.splitext(path)[1]
         kinds = [code for code in _LOST if ending in code.endings and target in code.distros]
-        data = (bytes_of(path) or b"")[:_MOST_BYTES] if kinds else b""
+        data = _read(path) if kinds else b""
         if not data or (not ending and not data.startswith(b"#!")):
             continue
         text = data.decode("utf-8", "replace")
@@ -166,6 +167,14 @@ def _code(scratch: Scratch, target: str) -> Iterator[ReportLine]:
                 yield ReportLine(
                     EntryKind.FOR_YOU, code.message, file=scratch.real(path), line=line, authority=code.authority
                 )
+
+
+def _read(path: str) -> bytes:
+    """The beginning of a file; nothing of a link, whose file is listed by itself, or of what is no regular file."""
+    try:
+        return b"" if os.path.islink(path) else first_bytes(path, _MOST_BYTES)
+    except OSError:
+        return b""
 
 
 def _topics(change: Change, target: str) -> Iterator[ReportLine]:
