@@ -76,6 +76,7 @@ EXCEPTIONS = {
     "urdfctl/lint/cache.py RunCache.store os.makedirs": CACHE,
     "urdfctl/lint/cache.py _delete_old os.unlink": CACHE,
     "urdfctl/commands/editor/init.py _workflow open": OWN,
+    "urdfctl/doctor/collecting.py collected subprocess.run": "our own script, with the Python in which ROS is sourced",
     "urdfctl/migrate/writing.py _copy os.makedirs": SCRATCH,
     "urdfctl/migrate/writing.py _copy os.symlink": SCRATCH,
     "urdfctl/migrate/writing.py _copy shutil.copyfile": SCRATCH,

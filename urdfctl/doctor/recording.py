@@ -174,6 +174,11 @@ def read_recording(path: str) -> Recording:
         raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
     if len(text) > _MOST_BYTES:
         raise UserError(f"'{path}' is not a recording: larger than {_MOST_BYTES >> 20} MiB")
+    return recording_of(path, text)
+
+
+def recording_of(path: str, text: bytes | str) -> Recording:
+    """Return the recording in a text. UserError if it is none; path: what it is called there."""
     try:
         data = json.loads(text)
     except (ValueError, RecursionError) as error:

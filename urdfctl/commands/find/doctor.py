@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from urdfctl.commands.declaring import CHECKED_FOR, OUTPUT, Command, Reads, argument, option
+from urdfctl.commands.declaring import CHECKED_FOR, LIMITS, OUTPUT, Command, Reads, argument, option
 from urdfctl.commands.options import TEXT_OR_JSON, TargetOptions
 from urdfctl.commands.robot_targets import robots_of
 from urdfctl.commands.words import configured, output_of, settings_from, split_arguments
-from urdfctl.doctor.recording import read_recording
+from urdfctl.doctor.collecting import collected
+from urdfctl.doctor.recording import Recording, read_recording, recording_of
 from urdfctl.doctor.report import json_of, text_of
 from urdfctl.doctor.run import doctor
 from urdfctl.errors import UserError
-from urdfctl.output.printing import print_text
+from urdfctl.output.printing import print_message, print_text
 from urdfctl.output.writing import write_file
 
 
@@ -18,13 +19,14 @@ class DoctorOptions(TargetOptions):
     """Say what is wrong in a running system: compare a recording of it with the files, and name the cause first.
 
     \b
-    Example: urdfctl doctor snapshot.json --in src/my_robot
+    Example: urdfctl doctor --in src/my_robot
+             urdfctl doctor snapshot.json --in src/my_robot
     """
 
     words: tuple[str, ...] = argument(
-        "The recording, and name:=value arguments of the robot.",
-        metavar="SNAPSHOT.json [NAME:=VALUE]...",
-        is_required=True,
+        "A recording (default: the system that runs here is recorded, with the Python in which ROS is sourced), and "
+        "name:=value arguments of the robot.",
+        metavar="[SNAPSHOT.json] [NAME:=VALUE]...",
         reads=Reads.PLACE,
     )
     folders: tuple[str, ...] = option(
@@ -33,6 +35,13 @@ class DoctorOptions(TargetOptions):
         "--in",
         metavar="PATH",
         reads=Reads.WORKSPACE,
+    )
+    snapshot: str | None = option(
+        OUTPUT, "Write what was recorded to this file.", "--snapshot", metavar="FILE.json", reads=Reads.TARGET
+    )
+    seconds: float = option(LIMITS, "Seconds for which topics are listened to.", "--seconds", default=2.0)
+    private: bool = option(
+        OUTPUT, "Record private parameters too: serial numbers, names of hosts and users, passwords.", "--private"
     )
     output_format: str = option(
         OUTPUT,
@@ -49,9 +58,9 @@ def run_doctor(options: DoctorOptions) -> int:
     output, file = output_of(options.output_format, TEXT_OR_JSON)
     config = configured(options.folders, options)
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator, named=options.folders)
-    if len(paths) != 1:
-        raise UserError("doctor needs one recording: urdfctl doctor SNAPSHOT.json; --in names the files it is about")
-    recording = read_recording(paths[0])
+    if len(paths) > 1:
+        raise UserError("doctor reads one recording: urdfctl doctor SNAPSHOT.json; --in names the files it is about")
+    recording = read_recording(paths[0]) if paths else _recorded(options)
     if not (options.distro or config.distro):
         settings = settings._replace(distro=recording.distro)
     given = [f"{name}:={value}" for name, value in arguments.items()]
@@ -62,6 +71,17 @@ def run_doctor(options: DoctorOptions) -> int:
     else:
         print_text(text)
     return int(bool(report.ailments))
+
+
+def _recorded(options: DoctorOptions) -> Recording:
+    """The recording of the system that runs here, which is also written if the user wants it."""
+    text = collected(options.seconds, is_private=options.private)
+    if options.snapshot is not None:
+        write_file(options.snapshot, text, force=True)
+        print_message(
+            f"the recording is in '{options.snapshot}': urdfctl doctor {options.snapshot} reads it without ROS"
+        )
+    return recording_of(options.snapshot or "the recording", text)
 
 
 command = Command(DoctorOptions, run_doctor)
