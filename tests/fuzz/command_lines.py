@@ -179,6 +179,9 @@ def _generate(files: _Files) -> Line:
     if files.choose([True, False]):
         where = files.choose([[], ["-o", files.file("yaml")], ["-o", files.file("yaml"), "--force"]])
         return Line(name, [name, *target, *kind, *where], _INSIDE)
+    if files.choose([True, False, False]):
+        few = ["--samples", "50", *files.choose([[], ["--group", "arm=base:tip"], ["--force"]])]
+        return Line("gen-moveit", ["gen-moveit", files.robot, *files.distro, *few, "-o", "made"], _INSIDE)
     simulator = ["--simulator", files.choose(["gz", "gazebo-classic", "mujoco"])]
     return Line("gen-all", ["gen-all", *target, "--type", files.choose(_TYPES), *simulator, "-o", "made"], _INSIDE)
 
