@@ -18,6 +18,7 @@ _BOTH = (
         state_interfaces: [position, velocity]
 """
 )
+_ALL = _BOTH.replace("joints: [turn, bend]", "joints: [turn, bend, reach]")
 
 
 @fault(
@@ -29,7 +30,7 @@ _BOTH = (
     bad=[{"robot.urdf": REACHER, "controllers.yaml": _BOTH % ("«lifter»", "bend, reach")}],
     good=[
         {"robot.urdf": REACHER, "controllers.yaml": _BOTH % ("lifter", "reach")},
-        {"robot.urdf": REACHER, "controllers.yaml": _BOTH % ("lifter", "turn, bend")},
+        {"robot.urdf": REACHER, "controllers.yaml": _ALL % ("lifter", "turn, bend, reach")},
     ],
 )
 def controllers_share_a_joint(controller: str, other: str, joint: str) -> str:
