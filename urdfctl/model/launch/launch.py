@@ -371,6 +371,7 @@ class Launch(NamedTuple):
             others=tuple(each for each in robots if each.namespace != robot.namespace),
             loads=tuple(load for load in self.loads if belongs(load.of if self.ros > 1 else load.namespace)),
             spawns=tuple(spawn for spawn in self.spawns if belongs(spawn.namespace)),
+            inline=tuple(one for one in self.inline if belongs(one.namespace)),
         )
 
     def with_open_files(self, paths: Collection[str | None]) -> Launch:
