@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-import sys
 
 from urdfctl.errors import UserError
 
@@ -42,5 +41,6 @@ def collected(seconds: float, *, is_private: bool) -> str:
 def _python() -> str:
     """The Python of the environment that is sourced, whatever Python urdfctl has; none of the current folder."""
     found = shutil.which("python3")
-    is_here = found is not None and os.path.dirname(os.path.abspath(found)) == os.getcwd()
-    return sys.executable if found is None or is_here else os.path.abspath(found)
+    if found is None or os.path.dirname(os.path.abspath(found)) == os.getcwd():
+        raise UserError("no python3 on PATH: source ROS, or name a recording: urdfctl doctor SNAPSHOT.json")
+    return os.path.abspath(found)

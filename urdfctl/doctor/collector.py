@@ -265,7 +265,7 @@ def main() -> int:
     try:
         import rclpy
     except ImportError as error:
-        sys.stderr.write(f"ROS 2 is not sourced in this Python ({sys.executable}): {error}\n")
+        sys.stderr.write(f"ROS 2 is not sourced in this Python ({sys.prefix}): {error}\n")
         return 2
     rclpy.init()
     node = rclpy.create_node("urdfctl_doctor")
