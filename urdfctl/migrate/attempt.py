@@ -10,6 +10,7 @@ from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
 from urdfctl.fix.edits import Shift, Splice, Taken, clash, edited
 from urdfctl.migrate.acceptance import Before, Objection, objections
+from urdfctl.migrate.edits.python_edits import is_python
 from urdfctl.migrate.packages import Lint, Linted, MigratedPackages
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.migrate.todo import with_todos
@@ -111,6 +112,10 @@ class Attempt:
 
     def _is_admitted(self, step: Step, proposal: Proposal) -> bool:
         files = [os.path.realpath(file) for file in proposal.files]
+        for path in _broken(proposal):
+            message = f"not changed by step '{step.name}': the result would be no valid Python"
+            self.noted.append(Noted(step.name, ReportEntry(EntryKind.FOR_YOU, message, file=path)))
+            return False
         return all(self.packages.may_change(file) and (step.name, file) not in self.barred for file in files)
 
     def _note(self, step: Step, proposal: Proposal) -> None:
@@ -158,6 +163,15 @@ class Attempt:
         """Return the objections to what was applied."""
         self.linted = lint(settings._replace(distro=self.packages.options.target))
         return list(objections(state, self.linted, self.packages.loaded(), self._claims, self._moved))
+
+
+def _broken(proposal: Proposal) -> Iterator[str]:
+    """Yield the files in Python that a proposal would make invalid."""
+    for path in {edit.span.file for edit in proposal.edits if edit.span.file.endswith(".py")}:
+        own = {splice for splice in _splices(proposal) if splice.file == os.path.realpath(path)}
+        old = bytes_of(path) or b""
+        if is_python(old) and not is_python(edited(old, own)):
+            yield path
 
 
 def _splice(edit: Edit) -> Splice:

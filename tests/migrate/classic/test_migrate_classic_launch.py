@@ -95,19 +95,61 @@ def generate_launch_description():
 """
 
 
+GZ = '"ros2", "launch", "ros_gz_sim", "gz_sim.launch.py"'
+
+
 @pytest.mark.parametrize(
     ("command", "expected"),
     [
-        ("['gazebo', '--verbose', world, '-s', 'libgazebo_ros_factory.so']", '["gz", "sim", "-r", "-v4", world]'),
-        ("['gzserver', '-u', '-e', 'ode', world]", '["gz", "sim", "-s", world]'),
-        ("['gzclient']", '["gz", "sim", "-g"]'),
+        ("['gazebo', '--verbose', world, '-s', 'libgazebo_ros_factory.so']", f'[{GZ}, ["gz_args:=-r -v4 ", world]]'),
+        ("['gzserver', '-u', '-e', 'ode', world]", f'[{GZ}, ["gz_args:=-s ", world]]'),
+        ("['gzclient']", f'[{GZ}, ["gz_args:=-g "]]'),
         ("['gazebo_tool', world]", "['gazebo_tool', world]"),
     ],
 )
-def test_a_process_that_runs_gazebo_runs_gz(folder: Folder, command: str, expected: str) -> None:
+def test_a_process_that_runs_gazebo_runs_the_launch_file_of_gz(folder: Folder, command: str, expected: str) -> None:
     text = after(folder, "sim.launch.py", PROCESS.format(command=command))
     assert f"    command = {expected}\n" in text
-    assert ("parameter_bridge" in text) == ("gz" in expected.split(",", maxsplit=1)[0])
+    assert ("parameter_bridge" in text) == ("gz" in expected)
+
+
+@pytest.mark.parametrize(
+    ("command", "value"),
+    [
+        ("['gazebo', world, '-s', 'libgazebo_ros_factory.so']", '["-r ", world]'),
+        ("['gazebo']", '"-r empty.sdf"'),
+        ("['gzclient']", '"-g"'),
+    ],
+)
+def test_a_process_with_its_command_line_becomes_an_include_of_the_launch_file_of_gz(
+    folder: Folder, command: str, value: str
+) -> None:
+    process = PROCESS.replace("cmd=command", f"cmd={command}").format(command="None")
+    text = after(folder, "sim.launch.py", process)
+    file = 'PathJoinSubstitution([FindPackageShare("ros_gz_sim"), "launch", "gz_sim.launch.py"])'
+    arguments = f'launch_arguments={{"gz_args": {value}}}.items()'
+    assert f"IncludeLaunchDescription(PythonLaunchDescriptionSource({file}), {arguments})" in text
+    assert "import IncludeLaunchDescription\n" in text
+
+
+def test_a_process_that_an_event_handler_waits_for_stays_a_process(folder: Folder) -> None:
+    waiting = """\
+    gazebo = ExecuteProcess(cmd=["gzserver", world])
+    handler = RegisterEventHandler(OnProcessStart(target_action=gazebo, on_start=[]))
+    return LaunchDescription([gazebo, handler])
+"""
+    text = after(folder, "sim.launch.py", PROCESS[: PROCESS.index("    command")] + waiting)
+    assert f'gazebo = ExecuteProcess(cmd=[{GZ}, ["gz_args:=-s -r ", world]])' in text
+
+
+def test_what_is_added_to_a_launch_file_is_indented_by_its_tabs(folder: Folder) -> None:
+    source = PROCESS.replace("    return LaunchDescription([", "    ld = LaunchDescription()\n    ld.add_action(")
+    source = source.replace('output="screen")])', 'output="screen"))\n    return ld').format(
+        command="['gzserver', world]"
+    )
+    text = after(folder, "sim.launch.py", source.replace("    ", "\t"))
+    compile(text, "sim.launch.py", "exec")
+    assert "\tld.add_action(Node(" in text
 
 
 def test_a_launch_file_in_xml_starts_the_bridge_of_the_robots_topics(folder: Folder) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
-from urdfctl.migrate.classic.launch_process import command_of, in_gz
+from urdfctl.migrate.classic.launch_process import classic_processes
 from urdfctl.migrate.classic.starting import (
     ARGUMENTS,
     CLIENT,
@@ -60,8 +60,7 @@ class _ClassicLaunchFile:
             for call, scope in file.calls("IncludeLaunchDescription")
             if (name := self._launched(call, scope)) is not None
         ]
-        processes = (command_of(file, call, scope) for call, scope in file.calls("ExecuteProcess"))
-        self.commands = [command for command in processes if command is not None]
+        self.processes = list(classic_processes(file))
         nodes = ((call, scope, keyword(call, "executable")) for call, scope in file.calls("Node"))
         self.spawns = [(call, scope) for call, scope, given in nodes if given and text_of(given.value) == SPAWN]
 
@@ -89,19 +88,22 @@ class _ClassicLaunchFile:
     # -- to gz ---------------------------------------------------------------------------------------------------------
 
     def to_gz(self) -> Iterator[Proposal]:
-        if not self.includes and not self.spawns and not self.commands:
+        if not self.includes and not self.spawns and not self.processes:
             return
-        edits = [in_gz(self.file, command) for command in self.commands]
+        started = [process.in_gz(self.file, self.gz) for process in self.processes]
+        edits = [edit for edit, _ in started]
+        needed = [name for _, names in started for name in names]
         for call, scope, name in self.includes:
             edits += self._arguments(call, scope, name)
         for call, _ in self.spawns:
             edits += self._without_options(call)
         edits += self._names()
-        expression = self.file.imports("launch.substitutions", "PythonExpression")
-        if expression is not None and any("PythonExpression(" in edit.text for edit in edits):
-            edits.append(expression)
-        if (self.includes or self.commands) and (bridge := self._bridge()) is not None:
-            edits += bridge
+        if any("PythonExpression(" in edit.text for edit in edits):
+            needed.append(("launch.substitutions", "PythonExpression"))
+        if (self.includes or self.processes) and (bridge := self._bridge()) is not None:
+            edits.append(bridge[0])
+            needed += bridge[1]
+        edits += self.file.all_imports(needed)
         entries = [ReportEntry(EntryKind.DONE, "the launch file starts gz", self._place(), authority=_AUTHORITY)]
         if dropped := sorted({name for call, scope, _ in self.includes for name in self._dropped(call, scope)}):
             what = f"gz has no argument {', '.join(dropped)}: dropped"
@@ -126,7 +128,8 @@ class _ClassicLaunchFile:
 
     def _place(self) -> Place:
         calls: list[ast.expr] = [call for call, _, _ in self.includes]
-        return self.file.at([*calls, *(call for call, _ in self.spawns), *self.commands][0])
+        calls += [call for call, _ in self.spawns]
+        return self.file.at([*calls, *(process.command for process in self.processes)][0])
 
     @staticmethod
     def _is_inside_other(edit: Edit, edits: list[Edit]) -> bool:
@@ -199,38 +202,31 @@ class _ClassicLaunchFile:
                 span = self.file.span(node)
                 yield Edit(span, span.text.replace(node.value, new[node.value]))
 
-    def _bridge(self) -> list[Edit] | None:
-        """The edits that add the bridge of the clock and of the robot's topics; None if it cannot be placed."""
+    def _bridge(self) -> tuple[Edit, list[tuple[str, str]]] | None:
+        """The edit that adds the bridge of the clock and of the robot's topics, and what it imports; None if it cannot
+        be placed, or is there."""
         if b"parameter_bridge" in self.file.source.data:
-            return []
+            return None
         found = bridge_file_of(self.packages, self.file.source.path)
-        imports: list[Edit] = []
+        needed = [("launch_ros.actions", "Node")]
         if found is not None:
-            needed = (
-                ("launch.substitutions", "PathJoinSubstitution"),
-                ("launch_ros.substitutions", "FindPackageShare"),
-            )
-            imports = [edit for module, name in needed if (edit := self.file.imports(module, name)) is not None]
+            needed.insert(0, ("launch_ros.substitutions", "FindPackageShare"))
+            needed.insert(0, ("launch.substitutions", "PathJoinSubstitution"))
             path = f'PathJoinSubstitution([FindPackageShare("{found}"), "{BRIDGE_FILE}"])'
             more = f'\n    parameters=[{{"config_file": {path}}}],\n'
         else:
             more = f'arguments=["/clock@rosgraph_msgs/msg/Clock[{self.gz["messages"]}.Clock"]'
         package, program = f'package="{self.gz["bridge"]}",', 'executable="parameter_bridge",'
         text = f"Node(\n    {package}\n    {program}{more})" if found else f"Node({package} {program} {more})"
-        node = self.file.imports("launch_ros.actions", "Node")
-        imports += [node] if node is not None else []
-        merged = [Edit(imports[0].span, "".join(edit.text for edit in imports))] if imports else []
         placed = self._added(text)
-        return None if placed is None else [*merged, placed]
+        return None if placed is None else (placed, needed)
 
     def _added(self, text: str) -> Edit | None:
         """The edit that adds an action to the launch description."""
         for call, scope in self.file.calls("LaunchDescription"):
             items = call.args[0] if call.args else None
             if isinstance(items, ast.List) and items.elts:
-                start = self.file.span(items.elts[-1]).start
-                line = self.file.source.data[self.file.source.data.rfind(b"\n", 0, start) + 1 : start].decode()
-                indent = line[: len(line) - len(line.lstrip())]
+                indent = self.file.indent_of(items.elts[-1])
                 return self.file.appended(items, [text.replace("\n", f"\n{indent}")])
             edit = self._before_return(call, scope, text)
             if edit is not None:
@@ -247,7 +243,7 @@ class _ClassicLaunchFile:
                 value = self.file.value_of(node.value, scope)
                 if value is call:
                     start = self.file.span(node).start
-                    indent = " " * node.col_offset
+                    indent = self.file.indent_of(node)
                     added = f"{node.value.id}.add_action({text})\n".replace("\n", f"\n{indent}")
                     return Edit(SourceSpan(self.file.source, start, start), added)
         return None
@@ -351,7 +347,7 @@ CLASSIC_LAUNCH = Step(
     rows=(
         Row("gazebo_ros gazebo.launch.py: world", "ros_gz_sim gz_sim.launch.py: gz_args", "jazzy", _AUTHORITY),
         Row("gzserver.launch.py, gzclient.launch.py", "gz_sim.launch.py with -s, with -g", "jazzy", _AUTHORITY),
-        Row("gazebo, gzserver, gzclient by ExecuteProcess", "gz sim -r, with -s, -g", "jazzy", _AUTHORITY),
+        Row("gazebo, gzserver, gzclient by ExecuteProcess", "gz_sim.launch.py: gz_args", "jazzy", _AUTHORITY),
         Row("spawn_entity.py -entity NAME", "ros_gz_sim create -name NAME", "jazzy", _AUTHORITY),
         Row("the clock of Gazebo Classic", "ros_gz_bridge parameter_bridge", "jazzy", _AUTHORITY),
         Row("GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH", "jazzy", _AUTHORITY),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.source.span import Place, SourceSpan, SourceText
@@ -20,11 +20,7 @@ class PythonFile:
 
     def __init__(self, source: SourceText) -> None:
         self.source = source
-        self.tree: ast.Module | None = None
-        try:
-            self.tree = ast.parse(source.data)
-        except (SyntaxError, ValueError, RecursionError):
-            return
+        self.tree = _parsed(source.data)
 
     def calls(self, *names: str) -> Iterator[tuple[ast.Call, ast.AST]]:
         """Yield the calls of functions with these names, each with the innermost function around it, or the module."""
@@ -49,6 +45,12 @@ class PythonFile:
     def text(self, node: ast.expr) -> str:
         """Return the text of a node."""
         return self.span(node).text
+
+    def indent_of(self, node: ast.expr | ast.stmt) -> str:
+        """Return the blanks and tabs at the start of the line on which a node begins."""
+        start = self.span(node).start
+        line = self.source.data[self.source.data.rfind(b"\n", 0, start) + 1 : start].decode("utf-8", "replace")
+        return line[: len(line) - len(line.lstrip())]
 
     def value_of(self, node: ast.expr, scope: ast.AST) -> ast.expr:
         """Return the expression that a name was last assigned in a scope or the module; any other node itself."""
@@ -146,8 +148,26 @@ class PythonFile:
         start = self.source.data.find(b"\n", self.span(imports[-1]).end) + 1 if imports else 0
         return Edit(SourceSpan(self.source, start, start), f"from {module} import {name}\n")
 
+    def all_imports(self, names: Iterable[tuple[str, str]]) -> list[Edit]:
+        """Return the one edit that imports some names, each a module and a name in it, if the file lacks any."""
+        found = [self.imports(module, name) for module, name in dict.fromkeys(names)]
+        edits = [edit for edit in found if edit is not None]
+        return [Edit(edits[0].span, "".join(edit.text for edit in edits))] if edits else []
+
     def _offset(self, line: int, column: int) -> int:
         return self.source.line_starts()[line - 1] + column
+
+
+def _parsed(data: bytes) -> ast.Module | None:
+    try:
+        return ast.parse(data)
+    except (SyntaxError, ValueError, RecursionError):
+        return None
+
+
+def is_python(data: bytes) -> bool:
+    """Return whether a file is valid Python."""
+    return _parsed(data) is not None
 
 
 def called(node: ast.Call) -> str:

@@ -46,6 +46,9 @@ def commanded_simulation(words: Sequence[str], at: Place, *, sure: bool) -> Simu
     """Return what a command line starts; None if it is not that of a simulator."""
     if words[:2] in (["gz", "sim"], ["ign", "gazebo"]):
         return _gz(" ".join(words[2:]), at, sure=sure)
+    if words[:2] == ["ros2", "launch"] and simulator_of("/".join(words[2:3])) == "gz":
+        given = (word.partition(":=") for word in words[3:])
+        return _gz(next((value for name, _, value in given if name in {"gz_args", "ign_args"}), ""), at, sure=sure)
     if words[0] in {"gazebo", "gzserver"}:
         return Simulation("gazebo-classic", at, any(word in {"-u", "--pause"} for word in words), sure)
     return None
