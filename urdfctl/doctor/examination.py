@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.diagnostic import Severity
 from urdfctl.doctor.expectation import Expectation, ExpectedController
+from urdfctl.doctor.log import Log
 from urdfctl.doctor.recording import RecordedController, RecordedManager, Recording
 from urdfctl.startup.records import NamedTuple
 
@@ -29,10 +30,14 @@ class Ailment(NamedTuple):
 
 
 class Examination(NamedTuple):
-    """A recording, and what the files expect: of each robot that the launch file starts, one."""
+    """A recording, and what the files expect: of each robot that the launch file starts, one.
+
+    log: what failed, as the system printed it.
+    """
 
     recording: Recording
     expected: tuple[Expectation, ...]
+    log: Log = Log()
 
     @property
     def managers(self) -> tuple[str, ...]:
@@ -49,6 +54,15 @@ class Examination(NamedTuple):
     def is_whole(self) -> bool:
         """Whether everything that is started is known from the files."""
         return all(each.complete for each in self.expected)
+
+    def settings(self, manager: str) -> Mapping[str, Any]:
+        """Return the parameters that the files give a manager."""
+        return next((each.settings[manager] for each in self.expected if manager in each.settings), {})
+
+    def logged(self, *names: str) -> str:
+        """Return what the log says of a controller, component or manager; empty if it says nothing."""
+        reason = self.log.of(*names)
+        return f"line {reason.line} of the log: {reason.text}" if reason else ""
 
     def manager(self, name: str) -> RecordedManager:
         """Return a manager as the recording shows it."""

@@ -22,6 +22,7 @@ from urdfctl.startup.records import NamedTuple
 
 _MOST_ARGUMENTS = 6
 _MANAGER = "controller_manager"
+_PUBLISHER = "robot_state_publisher"
 
 
 class ExpectedController(NamedTuple):
@@ -53,12 +54,13 @@ class Expectation(NamedTuple):
     robot: the file of the description.
     namespace: that of the description.
     managers: the full names of the controller managers.
-    rates: the update_rate of managers by name, in Hz.
+    settings: the parameters of managers, by their full name.
     controllers: of all managers.
     tree: the description.
     open: the addresses of values that depend on arguments of the launch file.
     joints: the joints that move.
     nodes: the full names of other nodes with a known name.
+    state_publishers: those of the nodes that publish transforms of the joint states.
     complete: whether the launch file is wholly known.
     """
 
@@ -66,19 +68,20 @@ class Expectation(NamedTuple):
     robot: str
     namespace: str
     managers: tuple[str, ...]
-    rates: Mapping[str, float]
+    settings: Mapping[str, Mapping[str, Any]]
     controllers: tuple[ExpectedController, ...]
     tree: TreeNode
     open: frozenset[str]
     joints: tuple[str, ...]
     nodes: tuple[str, ...]
+    state_publishers: tuple[str, ...]
     complete: bool
 
     def to_json(self) -> dict[str, Any]:
         """Return the expectation as plain data."""
         controllers = [{**each._asdict(), "parameters": dict(each.parameters)} for each in self.controllers]
         plain = {**self._asdict(), "controllers": controllers, "tree": self.tree.to_json(), "open": sorted(self.open)}
-        return {**plain, "rates": dict(self.rates)}
+        return {**plain, "settings": {name: dict(values) for name, values in self.settings.items()}}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Expectation:
@@ -92,6 +95,7 @@ class Expectation(NamedTuple):
                 "open": frozenset(data["open"]),
                 "joints": tuple(data["joints"]),
                 "nodes": tuple(data["nodes"]),
+                "state_publishers": tuple(data["state_publishers"]),
             }
         )
 
@@ -118,12 +122,13 @@ def expectation_of(loaded: LoadedTarget, loader: Loader, target: Target, roots: 
         robot=project.path,
         namespace=(launch.description.namespace or "") if launch and launch.description else "",
         managers=tuple(managers),
-        rates=_rates(project),
+        settings=dict(_settings(project, launch)),
         controllers=tuple(_controllers(project, managers)),
         tree=tree,
         open=_open(tree, project, loader, target, roots),
         joints=tuple(joint.name for joint in project.robot.joints if joint.moves and joint.name and not joint.mimic),
-        nodes=tuple(_nodes(launch)) if launch else (),
+        nodes=tuple(name for name, _ in _nodes(launch)) if launch else (),
+        state_publishers=tuple(name for name, is_it in _nodes(launch) if is_it) if launch else (),
         complete=project.complete and (launch is None or launch.complete),
     )
 
@@ -148,12 +153,14 @@ def _managers(project: Project) -> dict[str, None]:
     return own or found or {f"/{_MANAGER}": None}
 
 
-def _rates(project: Project) -> dict[str, float]:
-    managers = project.controllers.managers if project.controllers else ()
-    rates = {
-        f"{each.namespace or ''}/{each.name}": given_values(each.parameters).get("update_rate") for each in managers
-    }
-    return {name: float(rate) for name, rate in rates.items() if isinstance(rate, int | float)}
+def _settings(project: Project, launch: Launch | None) -> Iterator[tuple[str, dict[str, Any]]]:
+    """The parameters of managers from files, without those that a launch file overrides."""
+    nodes = launch.nodes if launch else ()
+    overridden = {word.text for node in nodes if node.runs(_MANAGER) for word in node.parameters}
+    for each in project.controllers.managers if project.controllers else ():
+        values = given_values(each.parameters)
+        known = {name: value for name, value in values.items() if _is_plain(value) and name not in overridden}
+        yield f"{each.namespace or ''}/{each.name}", known
 
 
 def _controllers(project: Project, managers: Mapping[str, None]) -> Iterator[ExpectedController]:
@@ -208,13 +215,13 @@ def _state(spawn: Spawn) -> str:
     return "active" if spawn.active else "inactive"
 
 
-def _nodes(launch: Launch) -> Iterator[str]:
+def _nodes(launch: Launch) -> Iterator[tuple[str, bool]]:
+    """The nodes with a known name, and whether each publishes the transforms of links."""
     for node in launch.nodes:
-        name = node.name or (
-            node.executable.text if node.runs("robot_state_publisher", "robot_state_publisher") else ""
-        )
+        is_it = node.runs(_PUBLISHER, _PUBLISHER)
+        name = node.name or (node.executable.text if is_it else "")
         if node.sure and name and node.namespace is not None and is_known(name, node.namespace):
-            yield f"{node.namespace}/{name}"
+            yield f"{node.namespace}/{name}", is_it
 
 
 def _shown(place: Place) -> str:

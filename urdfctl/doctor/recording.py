@@ -88,6 +88,8 @@ class JointStates(NamedTuple):
     writers: how many different publishers sent messages.
     rate: messages per second.
     numbers: the position of each joint in the last message; None where it is not finite.
+    lists: the joints of the messages, once for each different list.
+    stamps: the time stamps in s, those of the first and last message at least.
     """
 
     topic: str
@@ -96,6 +98,23 @@ class JointStates(NamedTuple):
     writers: int
     rate: float
     numbers: Mapping[str, float | None]
+    lists: tuple[tuple[str, ...], ...] = ()
+    stamps: tuple[float, ...] = ()
+
+
+class RecordedTransform(NamedTuple):
+    """A transform that was received on a topic.
+
+    writers: how many different publishers sent it. received: how often. first, last: its time stamps in s.
+    """
+
+    topic: str
+    parent: str
+    child: str
+    writers: int
+    received: int
+    first: float | None
+    last: float | None
 
 
 class Recording(NamedTuple):
@@ -149,11 +168,26 @@ class Recording(NamedTuple):
         return clock is not None and bool(clock.publishers)
 
     @property
-    def transforms(self) -> Iterator[tuple[str, str, str]]:
-        """Yield the topic, the parent and the child of each transform."""
+    def clock_advances(self) -> bool:
+        """Whether messages on /clock, if any were recorded, have different times."""
+        clock = _map(self.data.get("clock"))
+        return "first" not in clock or clock["first"] != clock.get("last")
+
+    @property
+    def transforms(self) -> Iterator[RecordedTransform]:
+        """Yield the transforms that were received."""
         for topic, sent in _items(self.data.get("tf", {})):
             for one in _maps(sent):
-                yield topic, str(one.get("parent")), str(one.get("child"))
+                count = one.get("count")
+                yield RecordedTransform(
+                    topic,
+                    parent=str(one.get("parent")),
+                    child=str(one.get("child")),
+                    writers=len(_map(one.get("publishers"))),
+                    received=count if isinstance(count, int) else 0,
+                    first=_seconds(one.get("first_stamp")),
+                    last=_seconds(one.get("last_stamp")),
+                )
 
     @property
     def said(self) -> tuple[str, ...]:
@@ -207,6 +241,14 @@ def _items(value: object) -> Iterator[tuple[str, Any]]:
 
 def _texts(value: object) -> tuple[str, ...]:
     return tuple(map(str, value)) if isinstance(value, list) else ()
+
+
+def _seconds(value: object) -> float | None:
+    """A time stamp in s, which may be written as a text."""
+    try:
+        return float(value) if isinstance(value, str | int | float) else None
+    except ValueError:
+        return None
 
 
 def _full(node: Mapping[str, Any]) -> str:
@@ -264,6 +306,7 @@ def _hardware(one: Mapping[str, Any]) -> RecordedHardware:
 def _joint_states(topic: str, sent: Mapping[str, Any]) -> JointStates:
     lists: Sequence[object] = sent.get("name_lists") or []
     last = _map(sent.get("last"))
+    texts = sent.get("stamps") or [_map(sent.get("first")).get("stamp"), last.get("stamp")]
     positions = last.get("position")
     numbers = dict(zip(_texts(last.get("name")), positions if isinstance(positions, list) else (), strict=False))
     rate = sent.get("rate_hz")
@@ -275,4 +318,6 @@ def _joint_states(topic: str, sent: Mapping[str, Any]) -> JointStates:
         writers=len(_map(sent.get("publishers"))),
         rate=float(rate) if isinstance(rate, int | float) else 0.0,
         numbers={name: float(one) if isinstance(one, int | float) else None for name, one in numbers.items()},
+        lists=tuple(map(_texts, lists)),
+        stamps=tuple(one for one in map(_seconds, texts if isinstance(texts, list) else ()) if one is not None),
     )

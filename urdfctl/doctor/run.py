@@ -9,6 +9,7 @@ from urdfctl.config.settings import Settings
 from urdfctl.doctor.checks import CHECKS
 from urdfctl.doctor.examination import Ailment, Examination
 from urdfctl.doctor.expectation import Expectation, expectation_work
+from urdfctl.doctor.log import Log
 from urdfctl.doctor.recording import Recording
 from urdfctl.errors import UserError
 from urdfctl.lint.job import run_on_targets
@@ -30,14 +31,14 @@ class DoctorReport(NamedTuple):
     fine: tuple[str, ...]
 
 
-def doctor(recording: Recording, pairs: Sequence[Pair], settings: Settings) -> DoctorReport:
+def doctor(recording: Recording, pairs: Sequence[Pair], settings: Settings, log: Log = Log()) -> DoctorReport:  # noqa: B008 (immutable)
     """Return what is wrong in a recorded system.
 
-    pairs: the robots of the files, each with its result.
+    pairs: the robots of the files, each with its result. log: what failed, as the system printed it.
     Raises UserError if the files have no robot that fits.
     """
     expected = _expected(recording, pairs, settings)
-    exam = Examination(recording, tuple(expected))
+    exam = Examination(recording, tuple(expected), log)
     found = [ailment for check in CHECKS for ailment in check(exam)]
     once = {(one.code, one.message): one for one in reversed(found)}
     ailments = tuple(one for one in found if once.get((one.code, one.message)) is one)

@@ -7,6 +7,7 @@ from urdfctl.commands.options import TEXT_OR_JSON, TargetOptions
 from urdfctl.commands.robot_targets import robots_of
 from urdfctl.commands.words import configured, output_of, settings_from, split_arguments
 from urdfctl.doctor.collecting import collected
+from urdfctl.doctor.log import Log, read_log
 from urdfctl.doctor.recording import Recording, read_recording, recording_of
 from urdfctl.doctor.report import json_of, text_of
 from urdfctl.doctor.run import doctor
@@ -39,6 +40,13 @@ class DoctorOptions(TargetOptions):
     snapshot: str | None = option(
         OUTPUT, "Write what was recorded to this file.", "--snapshot", metavar="FILE.json", reads=Reads.TARGET
     )
+    log: str | None = option(
+        CHECKED_FOR,
+        "Log of what was started: its lines say why a controller or hardware failed.",
+        "--log",
+        metavar="FILE",
+        reads=Reads.PLACE,
+    )
     seconds: float = option(LIMITS, "Seconds for which topics are listened to.", "--seconds", default=2.0)
     private: bool = option(
         OUTPUT, "Record private parameters too: serial numbers, names of hosts and users, passwords.", "--private"
@@ -63,8 +71,9 @@ def run_doctor(options: DoctorOptions) -> int:
     recording = read_recording(paths[0]) if paths else _recorded(options)
     if not (options.distro or config.distro):
         settings = settings._replace(distro=recording.distro)
+    log = read_log(options.log, settings.distro) if options.log else Log()
     given = [f"{name}:={value}" for name, value in arguments.items()]
-    report = doctor(recording, robots_of([*options.folders, *given], config, settings), settings)
+    report = doctor(recording, robots_of([*options.folders, *given], config, settings), settings, log)
     text = json_of(report) if output == "json" else text_of(report)
     if file is not None:
         write_file(file, text, force=True)

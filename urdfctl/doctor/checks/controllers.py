@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
-import math
 from collections.abc import Iterator
 
+from urdfctl.doctor.checks.parameters import of_manager, of_parameters
 from urdfctl.doctor.examination import Ailment, Examination, ailment
 from urdfctl.doctor.expectation import ExpectedController
 from urdfctl.doctor.recording import RecordedController, RecordedManager
@@ -14,22 +13,25 @@ from urdfctl.rules.running.running_controller_not_active import running_controll
 from urdfctl.rules.running.running_controller_not_in_files import running_controller_not_in_files
 from urdfctl.rules.running.running_controller_not_loaded import running_controller_not_loaded
 from urdfctl.rules.running.running_hardware_not_active import running_hardware_not_active
-from urdfctl.rules.running.running_parameter_differs import running_parameter_differs
+from urdfctl.rules.running.running_type_differs import running_type_differs
 from urdfctl.rules.running.running_type_unknown import running_type_unknown
 
-_MOST_NOTES = 5
-_LIKE = 1e-6
-_AUTOMATIC = ("use_sim_time", "robot_description")
-"""Parameters that launch arguments or other nodes mostly give."""
+_INITIAL = "hardware_components_initial_state"
 
 
 def check_hardware(exam: Examination) -> Iterator[Ailment]:
-    """Yield the hardware components that are not active."""
+    """Yield the hardware components that are not active, though the files do not leave them so."""
     for name in exam.managers:
+        meant = exam.settings(name)
         for component in exam.manager(name).hardware:
-            if component.state not in ("active", ""):
+            wanted = meant.get(f"{_INITIAL}.{component.state}")
+            if component.state not in ("active", "") and not (isinstance(wanted, list) and component.name in wanted):
                 yield ailment(
-                    running_hardware_not_active, component=component.name, state=component.state, manager=name
+                    running_hardware_not_active,
+                    notes=_notes(exam.logged(component.name)),
+                    component=component.name,
+                    state=component.state,
+                    manager=name,
                 )
 
 
@@ -38,66 +40,41 @@ def check_controllers(exam: Examination) -> Iterator[Ailment]:
     not active, then those that the files do not have."""
     answering = [one for one in exam.controllers if exam.manager(one.manager).answers]
     for expected in answering:
-        yield from _of_parameters(exam, expected)
-    for expected in answering:
+        yield from _of_type(exam, expected)
+        yield from of_parameters(exam, expected.node, expected.parameters, expected.at)
+    for name in exam.managers:
+        if exam.manager(name).answers:
+            yield from of_manager(exam, name)
+    down = [one for one in answering if _is_down(exam, one)]
+    names = {one.name for one in down}
+    for expected in sorted(down, key=lambda one: bool(_chained(exam, one) & names)):
         running = exam.running(expected)
-        if running is None and expected.state:
-            yield _not_loaded(exam, expected)
-        elif running is not None and running.state != "active" and expected.state == "active":
-            why = _why_not_active(exam, expected, running)
-            yield ailment(
-                running_controller_not_active, expected.at, controller=running.name, state=running.state, why=why
-            )
+        yield _not_loaded(exam, expected) if running is None else _not_active(exam, expected, running, names)
     if exam.is_whole:
         for name in exam.managers:
             yield from _unknown(exam, exam.manager(name))
 
 
-# -- parameters --------------------------------------------------------------------------------------------------------
+def _is_down(exam: Examination, expected: ExpectedController) -> bool:
+    """Whether a controller is not in the state in which the files start it."""
+    running = exam.running(expected)
+    if running is None:
+        return bool(expected.state)
+    return running.state != "active" and expected.state == "active"
 
 
-def _of_parameters(exam: Examination, expected: ExpectedController) -> Iterator[Ailment]:
-    """One finding for the parameters in which a running controller differs from the files."""
-    running = exam.recording.parameters(expected.node)
-    differing = [
-        (name, running[name], value)
-        for name, value in expected.parameters.items()
-        if name in running and name not in _AUTOMATIC and not _is_same(running[name], value)
-    ]
-    if differing:
-        (name, runs, files), *rest = differing
-        notes = [f"{other}: {_written(one)}, the files say {_written(two)}" for other, one, two in rest[:_MOST_NOTES]]
+def _chained(exam: Examination, expected: ExpectedController) -> set[str]:
+    """The controllers that a controller commands."""
+    running = exam.running(expected)
+    return {name.partition("/")[0] for name in running.commands} if running else set()
+
+
+def _of_type(exam: Examination, expected: ExpectedController) -> Iterator[Ailment]:
+    running = exam.running(expected)
+    if running is not None and expected.type and running.type not in ("", expected.type):
         yield ailment(
-            running_parameter_differs,
-            expected.at,
-            node=expected.node,
-            parameter=name,
-            running=_written(runs),
-            files=_written(files),
-            notes=notes,
+            running_type_differs, expected.at, controller=running.name, running=running.type, files=expected.type
         )
-
-
-def _is_same(one: object, other: object) -> bool:
-    if isinstance(one, list) and isinstance(other, list):
-        return len(one) == len(other) and all(map(_is_same, one, other))
-    first, second = _number(one), _number(other)
-    if first is not None and second is not None:
-        return first == second or math.isclose(first, second, rel_tol=_LIKE, abs_tol=_LIKE)
-    return str(one) == str(other) or (other is None and one in ("", [], None))
-
-
-def _number(value: object) -> float | None:
-    """A number, also one that JSON has no way to write; None for anything else."""
-    if isinstance(value, bool):
-        return None
-    if isinstance(value, int | float):
-        return float(value) if math.isfinite(value) else None
-    return None
-
-
-def _written(value: object) -> str:
-    return json.dumps(value, ensure_ascii=False)
 
 
 # -- states ------------------------------------------------------------------------------------------------------------
@@ -106,39 +83,68 @@ def _written(value: object) -> str:
 def _not_loaded(exam: Examination, expected: ExpectedController) -> Ailment:
     """Why a controller that the files start is not loaded."""
     manager = exam.manager(expected.manager)
-    given = exam.recording.parameters(expected.manager).get(f"{expected.name}.type")
+    settings = exam.recording.parameters(expected.manager)
+    given = settings.get(f"{expected.name}.type")
     if isinstance(given, str) and given and manager.types and given not in manager.types:
         files = f"; the files say '{expected.type}'" if expected.type and expected.type != given else ""
         return ailment(running_type_unknown, expected.at, controller=expected.name, running=given, files=files)
-    why = "no spawner asked for it (was an older launch file started?), or its initialisation failed: "
-    why += f"look for parameters of '{expected.node}' in the log"
+    logged = exam.logged(expected.name)
+    if logged:
+        why = logged
+    elif settings and given is None and expected.type:
+        why = f"the manager has no parameter '{expected.name}.type': it got other files, or they name another node"
+    else:
+        why = "no spawner asked for it (was an older launch file started?), or its initialisation failed: "
+        why += f"look for parameters of '{expected.node}' in the log"
     return ailment(
         running_controller_not_loaded, expected.at, controller=expected.name, manager=expected.manager, why=why
     )
 
 
-def _why_not_active(exam: Examination, expected: ExpectedController, running: RecordedController) -> str:
+def _not_active(
+    exam: Examination, expected: ExpectedController, running: RecordedController, down: set[str]
+) -> Ailment:
+    logged = exam.logged(running.name)
+    why = _why_not_active(exam, expected, running, down)
+    return ailment(
+        running_controller_not_active,
+        expected.at,
+        notes=_notes(logged if why else ""),
+        controller=running.name,
+        state=running.state,
+        why=why or logged or _what_to_do(expected, running),
+    )
+
+
+def _why_not_active(
+    exam: Examination, expected: ExpectedController, running: RecordedController, down: set[str]
+) -> str:
+    """What keeps a controller from being active; empty if nothing is seen."""
     manager = exam.manager(expected.manager)
-    missing = [
-        name for name in (*running.commands, *running.states) if manager.exported and name not in manager.exported
-    ]
+    chained = sorted(_chained(exam, expected) & down)
+    if chained:
+        return f"it commands {_few(chained)}, which is not active"
+    wanted = (*running.commands, *running.states)
+    missing = [name for name in wanted if manager.exported and name not in manager.exported]
     if missing:
         return f"no hardware exports {_few(missing)}"
-    holders = {
-        other.name: [name for name in running.commands if name in other.claimed]
-        for other in manager.controllers
-        if other.name != running.name and other.state == "active"
-    }
-    for name, held in holders.items():
-        if held:
-            return f"'{name}' holds {_few(held)}"
+    for other in manager.controllers:
+        held = [name for name in running.commands if name in other.claimed]
+        if held and other.name != running.name and other.state == "active":
+            return f"'{other.name}' holds {_few(held)}"
     idle = [component.name for component in manager.hardware if component.state not in ("active", "")]
-    if idle:
-        return f"hardware {_few(idle)} is not active"
+    return f"hardware {_few(idle)} is not active" if idle else ""
+
+
+def _what_to_do(expected: ExpectedController, running: RecordedController) -> str:
     if running.state == "unconfigured":
         return "it was not configured, or refused its parameters: look for its name in the log"
     how = f"ros2 control set_controller_state -c {expected.manager} {running.name} active"
     return f"its interfaces are free, but nobody activated it (a spawner with --inactive?); {how}"
+
+
+def _notes(logged: str) -> tuple[str, ...]:
+    return (logged,) if logged else ()
 
 
 def _few(names: list[str]) -> str:

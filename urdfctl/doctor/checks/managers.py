@@ -1,4 +1,4 @@
-"""Whether the controller managers run and answer, and whether time passes for them."""
+"""Whether the controller managers and the nodes beside them run and answer."""
 
 from __future__ import annotations
 
@@ -8,16 +8,17 @@ from collections.abc import Iterator
 
 from urdfctl.doctor.examination import Ailment, Examination, ailment
 from urdfctl.names import enumerated
-from urdfctl.rules.running.clock_stands_still import clock_stands_still
 from urdfctl.rules.running.description_not_received import description_not_received
 from urdfctl.rules.running.hardware_not_loaded import hardware_not_loaded
 from urdfctl.rules.running.manager_not_running import manager_not_running
 from urdfctl.rules.running.node_runs_twice import node_runs_twice
-from urdfctl.rules.running.simulation_time_mixed import simulation_time_mixed
+from urdfctl.rules.running.spawner_waits import spawner_waits
+from urdfctl.rules.running.state_publisher_not_running import state_publisher_not_running
 
 _PLUGIN = re.compile(r"<plugin>\s*([^<\s]+)\s*</plugin>")
 _DESCRIPTION = "robot_description"
-_MOST = 4
+_ASKED = "/list_controllers"
+_SPAWNER = re.compile(r"/spawner_\w|/spawner$")
 
 
 def check_managers(exam: Examination) -> Iterator[Ailment]:
@@ -27,8 +28,9 @@ def check_managers(exam: Examination) -> Iterator[Ailment]:
             continue
         if name not in exam.recording.nodes:
             elsewhere = [other.name for other in exam.recording.managers.values() if other.answers]
-            running = [f"these are running: {enumerated(elsewhere)}"] if elsewhere else []
-            yield ailment(manager_not_running, manager=name, notes=running)
+            others = [other for other in elsewhere if other not in exam.managers]
+            instead = f"; {enumerated(others)} runs instead" if others else ""
+            yield ailment(manager_not_running, manager=name, instead=instead)
         else:
             yield _waiting(exam, name)
 
@@ -61,25 +63,41 @@ def _waiting(exam: Examination, manager: str) -> Ailment:
 
 
 def check_nodes(exam: Examination) -> Iterator[Ailment]:
-    """Yield the nodes of which two have one name."""
+    """Yield the nodes of the robot's control of which two have one name."""
+    yield from _doubled(exam, _of_control(exam), is_own=True)
+
+
+def check_other_nodes(exam: Examination) -> Iterator[Ailment]:
+    """Yield the other nodes of which two have one name."""
+    yield from _doubled(exam, _of_control(exam), is_own=False)
+
+
+def _of_control(exam: Examination) -> frozenset[str]:
+    publishers = (node for each in exam.expected for node in each.state_publishers)
+    return frozenset((*exam.managers, *publishers, *(one.node for one in exam.controllers)))
+
+
+def _doubled(exam: Examination, own: frozenset[str], *, is_own: bool) -> Iterator[Ailment]:
     for name, count in Counter(exam.recording.nodes).items():
-        if count > 1 and "/_" not in name:
+        if count > 1 and "/_" not in name and (name in own) == is_own:
             yield ailment(node_runs_twice, node=name)
 
 
-def check_clock(exam: Examination) -> Iterator[Ailment]:
-    """Yield that the time of a simulation is wanted and missing, or used by some nodes only."""
-    recording = exam.recording
-    uses = {node: recording.parameters(node).get("use_sim_time") for node in sorted(recording.data["parameters"])}
-    simulated = [node for node, value in uses.items() if value is True]
-    if simulated and not recording.has_clock:
-        yield ailment(clock_stands_still, nodes=enumerated(_few(simulated)))
-    elif simulated:
-        concerned = {*exam.managers, *(node for each in exam.expected for node in each.nodes)}
-        for node in sorted(concerned):
-            if uses.get(node) is False:
-                yield ailment(simulation_time_mixed, node=node, others=enumerated(_few(simulated)))
+def check_publishers(exam: Examination) -> Iterator[Ailment]:
+    """Yield the nodes that should publish transforms, and do not run."""
+    running = exam.recording.nodes
+    for each in exam.expected:
+        for node in each.state_publishers:
+            others = [one for one in running if one.rpartition("/")[2] == node.rpartition("/")[2]]
+            if node not in running and not others:
+                yield ailment(state_publisher_not_running, node=node)
 
 
-def _few(names: list[str]) -> list[str]:
-    return names if len(names) <= _MOST else [*names[:_MOST], f"{len(names) - _MOST} more"]
+def check_spawners(exam: Examination) -> Iterator[Ailment]:
+    """Yield what spawners wait for: a client alone makes the name of a service appear."""
+    spawners = [node for node in exam.recording.nodes if _SPAWNER.search(node)]
+    answering = [one.name for one in exam.recording.managers.values() if one.answers]
+    asked = {name.removesuffix(_ASKED) for name in exam.recording.services if name.endswith(_ASKED)}
+    for manager in sorted(asked - {*answering, *exam.recording.nodes, *exam.managers}) if spawners else ():
+        running = f"; {enumerated(answering)} does" if answering else ""
+        yield ailment(spawner_waits, spawner=spawners[0], manager=manager, running=running)

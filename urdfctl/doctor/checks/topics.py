@@ -1,4 +1,4 @@
-"""The topics between controllers and whoever commands them, and the tree of transforms."""
+"""The topics between controllers and whoever commands them."""
 
 from __future__ import annotations
 
@@ -10,8 +10,12 @@ from urdfctl.names import enumerated, nearest
 from urdfctl.rules.running.command_topic_not_read import command_topic_not_read
 from urdfctl.rules.running.topic_qos_incompatible import topic_qos_incompatible
 from urdfctl.rules.running.topic_types_differ import topic_types_differ
-from urdfctl.rules.running.transform_has_two_parents import transform_has_two_parents
 
+_SIBLINGS = {
+    "geometry_msgs/msg/Twist": "geometry_msgs/msg/TwistStamped",
+    "geometry_msgs/msg/TwistStamped": "geometry_msgs/msg/Twist",
+}
+"""Types that are taken for each other: a command is published as one, and read as the other."""
 _WEAKER = {"durability": ("volatile", "transient_local"), "reliability": ("best_effort", "reliable")}
 """What a publisher offers, and a subscription may require instead."""
 
@@ -48,25 +52,20 @@ def _mismatches(topic: RecordedTopic, reader: str) -> Iterator[Ailment]:
 
 
 def _unread(topic: RecordedTopic, unserved: list[RecordedTopic], own: set[str]) -> Iterator[Ailment]:
-    kinds = {end.type for end in topic.publishers}
+    kinds = {kind for end in topic.publishers for kind in (end.type, _SIBLINGS.get(end.type, end.type))}
     if any(end.node in own for end in topic.publishers):
         return
     alike = [one.name for one in unserved if kinds & {end.type for end in one.subscriptions}]
     near = nearest(topic.name, alike) or (alike[0] if len(alike) == 1 and _ends_alike(topic.name, alike[0]) else None)
     if near:
-        yield ailment(command_topic_not_read, topic=topic.name, node=topic.publishers[0].node, near=near)
+        read, sent = _types_read(unserved, near), topic.publishers[0].type
+        other = f" (as {enumerated(sorted(read), 'or')}, not {sent})" if sent not in read else ""
+        yield ailment(command_topic_not_read, topic=topic.name, node=topic.publishers[0].node, near=near + other)
+
+
+def _types_read(topics: list[RecordedTopic], name: str) -> set[str]:
+    return {end.type for one in topics if one.name == name for end in one.subscriptions}
 
 
 def _ends_alike(name: str, other: str) -> bool:
     return name.rpartition("/")[2] == other.rpartition("/")[2]
-
-
-def check_transforms(exam: Examination) -> Iterator[Ailment]:
-    """Yield the frames with two parents."""
-    parents: dict[str, list[str]] = {}
-    for _, parent, child in exam.recording.transforms:
-        if parent not in parents.setdefault(child, []):
-            parents[child].append(parent)
-    for child, found in parents.items():
-        if len(found) > 1:
-            yield ailment(transform_has_two_parents, frame=child, parents=enumerated(f"'{one}'" for one in found))

@@ -19,9 +19,10 @@ def _break(recording: Recorded) -> None:
     bad=[example(_break)],
     good=[example()],
 )
-def manager_not_running(manager: str) -> str:
+def manager_not_running(manager: str, instead: str = "") -> str:
     """Controller manager of the files is not running.
 
     No node has its name. It ended, is stopped, or was started in another namespace: look at its last lines in the log.
     """
-    return f"controller manager '{manager}' is not running: it has ended, hangs, or was never started; look at its log"
+    why = instead or ": it has ended, hangs, or was never started; look at its log"
+    return f"controller manager '{manager}' is not running{why}"

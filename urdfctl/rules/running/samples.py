@@ -132,7 +132,8 @@ def sound() -> Recorded:
                 "rate_hz": 100.0,
                 "name_lists": [["pan", "tilt"]],
                 "publishers": {"/joint_state_broadcaster": 200},
-                "last": {"name": ["pan", "tilt"], "position": [0.1, 0.2]},
+                "stamps": ["100.0", "101.0", "102.0"],
+                "last": {"name": ["pan", "tilt"], "position": [0.1, 0.2], "stamp": "102.0"},
             }
         },
         "clock": {"error": "no publisher"},
