@@ -59,9 +59,11 @@ def migrate(
     first, known = source, Memory[LoadedTarget](scratch, by_package=True)
     noted: Sequence[Noted] = ()
     left_out: dict[Key, str] = {}
+    robots: Sequence[LoadedTarget] = ()
     for _ in range(MOST_PASSES):
         target = lint(settings._replace(distro=options.target))
         packages = MigratedPackages(scratch, options, settings, linted=source, known=known, began=first)
+        robots = packages.robots_before = robots or packages.loaded()
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())
         if not options.only:

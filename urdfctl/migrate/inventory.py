@@ -114,19 +114,26 @@ class _Moved(NamedTuple):
 
 _OF_ROS1 = (
     _Moved(
-        r"(?:position|velocity|effort)_controllers/Joint(?:Position|Velocity|Effort)Controller\b",
-        "its commands are ~/commands of type std_msgs/msg/Float64MultiArray now, not ~/command of type Float64: change "
-        "who publishes them",
+        r"(?:effort_controllers/Joint(?:Position|Velocity)|velocity_controllers/JointPosition)Controller\b",
+        "controllers that became PidController read ~/reference of type control_msgs/msg/MultiDOFCommand, not "
+        "~/command of type Float64: change who publishes it",
+        "ros2_controllers pid_controller.cpp: ControllerCommandMsg",
+    ),
+    _Moved(
+        r"(?:position_controllers/JointPosition|velocity_controllers/JointVelocity|effort_controllers/JointEffort)"
+        r"Controller\b",
+        "the controllers of single joints read ~/commands of type std_msgs/msg/Float64MultiArray now, not ~/command of "
+        "type Float64: change who publishes it",
         "ros2_controllers forward_controllers_base.cpp",
     ),
     _Moved(
         r"(?:position|velocity|effort)_controllers/JointGroup(?:Position|Velocity|Effort)Controller\b",
-        "its commands are on ~/commands now, not on ~/command: change who publishes them",
+        "the controllers of groups of joints read ~/commands now, not ~/command: change who publishes it",
         "ros2_controllers forward_controllers_base.cpp",
     ),
     _Moved(
         r"_controllers/JointTrajectoryController\b",
-        "its trajectories are on ~/joint_trajectory now, not on ~/command",
+        "trajectories are read from ~/joint_trajectory now, not from ~/command",
         "ros2_controllers joint_trajectory_controller.cpp",
     ),
 )

@@ -36,6 +36,7 @@ class MigratedPackages:
     linted: the targets before the migration, with their results.
     known: the targets that were read before.
     began: the targets at the beginning of the run, which say what is migrated; in a later pass they are not `linted`.
+    robots_before: those targets with their models; none before they were loaded.
     """
 
     def __init__(
@@ -52,6 +53,7 @@ class MigratedPackages:
         self.settings = settings
         self.linted = linted
         self._known, self._began = known, began
+        self.robots_before: Sequence[LoadedTarget] = ()
         self._sources: dict[str, tuple[WrittenFile | None, SourceText]] = {}
         self._loaded: dict[str | None, list[LoadedTarget]] = {}
         self._files: list[str] = []

@@ -94,6 +94,11 @@ class Scratch:
         """Return whether a migration may change, create or delete a file: it is in a folder to migrate."""
         return any(_is_below(os.path.realpath(path), folder) for folder in self.folders)
 
+    def original(self, path: str) -> bytes:
+        """Return what a file was before it was written; empty if it did not exist."""
+        path = os.path.normpath(path)
+        return (self._originals[path] if path in self._originals else bytes_of(path)) or b""
+
     def write(self, path: str, data: bytes | None) -> None:
         """Write a file in the copy, or delete it if `data` is None."""
         path = os.path.normpath(path)

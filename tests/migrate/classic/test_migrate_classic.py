@@ -13,6 +13,7 @@ LIDAR = """\
         <range><min>0.1</min><max>10</max></range>
       </ray>
       <plugin name="scan" filename="libgazebo_ros_ray_sensor.so">
+        <output_type>sensor_msgs/LaserScan</output_type>
         <ros>
           <namespace>/front</namespace>
           <remapping>~/out:=scan</remapping>
@@ -217,3 +218,74 @@ def test_a_tricycle_drive_is_left_to_a_person_with_its_joints_and_the_controller
     text = migrated(folder, {"urdf/base.xacro": base(TRICYCLE)})["urdf/base.xacro"]
     joints = "velocity of 'right' and position of 'left'"
     assert f"TODO(urdfctl): gz has no tricycle drive: give <ros2_control> {joints}, start tricycle_controller" in text
+
+
+def bridged(folder: Folder, gazebo: str) -> dict[str, tuple[str, str]]:
+    """The topics of the bridge: the name in gz and the type in ROS, by the name in ROS."""
+    after = migrated(folder, {"urdf/base.xacro": base(gazebo), "launch/sim.launch.py": LAUNCH})
+    entries = yaml.safe_load(after["config/bridge.yaml"])
+    return {entry["ros_topic_name"]: (entry["gz_topic_name"], entry["ros_type_name"]) for entry in entries}
+
+
+def test_a_sensor_keeps_its_topics_in_ros(folder: Folder) -> None:
+    camera = """\
+  <gazebo reference="body">
+    <sensor name="eye" type="depth">
+      <plugin name="eye" filename="libgazebo_ros_camera.so">
+        <ros><remapping>eye/points:=/cloud</remapping></ros>
+      </plugin>
+    </sensor>
+    <sensor name="front" type="camera">
+      <plugin name="front" filename="libgazebo_ros_camera.so">
+        <ros><remapping>image_raw:=unused</remapping></ros>
+      </plugin>
+    </sensor>
+  </gazebo>
+"""
+    cloud = LIDAR.replace("LaserScan", "PointCloud2").replace('name="lidar"', 'name="cloud"')
+    found = bridged(folder, camera + cloud)
+    assert found["/cloud"] == ("eye/points", "sensor_msgs/msg/PointCloud2")
+    assert found["eye/image_raw"] == ("eye/image", "sensor_msgs/msg/Image")
+    assert found["eye/depth/image_raw"] == ("eye/depth_image", "sensor_msgs/msg/Image")
+    assert found["front/image_raw"] == ("front/image_raw", "sensor_msgs/msg/Image")
+    assert found["front/camera_info"] == ("front/camera_info", "sensor_msgs/msg/CameraInfo")
+    assert found["front/scan"] == ("front/scan/points", "sensor_msgs/msg/PointCloud2")
+
+
+def test_the_topics_of_a_sensor_in_a_macro_are_those_of_the_robot_before(folder: Folder) -> None:
+    sensor = """\
+  <xacro:macro name="eye" params="topic is_framed">
+    <gazebo reference="body">
+      <sensor name="eye" type="ray">
+        <plugin name="eye" filename="libgazebo_ros_block_laser.so">
+          <topicName>${topic}</topicName>
+          <xacro:if value="${is_framed}"><frameName>body</frameName></xacro:if>
+        </plugin>
+      </sensor>
+    </gazebo>
+  </xacro:macro>
+  <xacro:eye topic="front/cloud" is_framed="true"/>
+"""
+    after = migrated(folder, {"urdf/base.xacro": base(sensor), "launch/sim.launch.py": LAUNCH})
+    assert "- ros_topic_name: front/cloud\n  gz_topic_name: front/cloud/points\n" in after["config/bridge.yaml"]
+    text = " ".join(after["urdf/base.xacro"].split())
+    assert '<xacro:if value="${is_framed}"> <gz_frame_id>body</gz_frame_id> </xacro:if>' in text
+
+
+def test_the_topic_of_a_contact_sensor_is_where_gz_reads_it(folder: Folder) -> None:
+    bumper = """\
+  <gazebo reference="body">
+    <sensor name="bumper" type="contact">
+      <contact>
+        <collision>body_collision</collision>
+      </contact>
+      <plugin name="bumper" filename="libgazebo_ros_bumper.so">
+        <ros><remapping>bumper_states:=touched</remapping></ros>
+      </plugin>
+    </sensor>
+  </gazebo>
+"""
+    after = migrated(folder, {"urdf/base.xacro": base(bumper), "launch/sim.launch.py": LAUNCH})
+    assert "</collision> <topic>touched</topic> </contact>" in " ".join(after["urdf/base.xacro"].split())
+    assert "- ros_topic_name: touched\n  gz_topic_name: touched\n" in after["config/bridge.yaml"]
+    assert "publishes ros_gz_interfaces/msg/Contacts, not gazebo_msgs/msg/ContactsState" in after["MIGRATION.md"]

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
-from urdfctl.migrate.edits.markup import attribute, content, elements, root_of
+from urdfctl.migrate.classic.sdf import OF_SDF
+from urdfctl.migrate.classic.sensor_topics import SENSORS, Sensor, SensorPlugin, plugin_as_expanded, plugin_as_written
+from urdfctl.migrate.classic.systems import library_of
+from urdfctl.migrate.edits.markup import attribute, child, children, content, elements, root_of
 from urdfctl.migrate.edits.places import written_elements
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import OF_XML, MigratedPackages
@@ -17,20 +20,23 @@ from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, inst
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.opaque import is_known
-from urdfctl.source.span import SourceSpan
+from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.workspaces.packages import package_around
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 _AUTHORITY = "ros_gz_bridge README: config_file"
 
 
 class Topic(NamedTuple):
-    """A topic to bridge: its name, its type in ROS and in gz, and whether ROS sends it."""
+    """A topic to bridge: its name in gz, its type in ROS and in gz, whether ROS sends it, and its name in ROS if that
+    is another one."""
 
     name: str
     ros: str
     gz: str
     from_ros: bool = False
+    in_ros: str = ""
 
 
 _OF_SYSTEMS = {
@@ -41,7 +47,10 @@ _OF_SYSTEMS = {
 _DRIVES = ("gz-sim-diff-drive-system", "gz-sim-velocity-control-system", "gz-sim-odometry-publisher-system")
 _STATES = "gz-sim-joint-state-publisher-system"
 _OF_SENSORS: dict[str, tuple[tuple[str, str, str], ...]] = {
-    "gpu_lidar": (("", "sensor_msgs/msg/LaserScan", "LaserScan"),),
+    "gpu_lidar": (
+        ("", "sensor_msgs/msg/LaserScan", "LaserScan"),
+        ("/points", "sensor_msgs/msg/PointCloud2", "PointCloudPacked"),
+    ),
     "imu": (("", "sensor_msgs/msg/Imu", "IMU"),),
     "camera": (("", "sensor_msgs/msg/Image", "Image"), ("../camera_info", "sensor_msgs/msg/CameraInfo", "CameraInfo")),
     "rgbd_camera": (
@@ -55,6 +64,8 @@ _OF_SENSORS: dict[str, tuple[tuple[str, str, str], ...]] = {
     "force_torque": (("", "geometry_msgs/msg/WrenchStamped", "Wrench"),),
 }
 """For each type of sensor: the ending of a topic, its type in ROS and in gz."""
+_UNASKED = frozenset({("gpu_lidar", "/points")})
+"""Topics that no plugin of Gazebo Classic publishes unless it is told to."""
 
 
 def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
@@ -64,7 +75,9 @@ def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
         {folder for path in packages.files(*OF_XML) if (folder := package_around(os.path.dirname(path)))}
     ):
         path = os.path.join(folder, BRIDGE_FILE)
-        found = (topic._replace(name=_valid(topic.name)) for topic in _topics(packages, folder))
+        found = (
+            topic._replace(name=_valid(topic.name), in_ros=_valid(topic.in_ros)) for topic in _topics(packages, folder)
+        )
         topics = list(dict.fromkeys(found))
         if topics and not exists(path) and not _has_bridge(packages):
             message = f"{len(topics)} topics of gz are bridged to ROS"
@@ -87,18 +100,65 @@ def _topics(packages: MigratedPackages, folder: str) -> Iterator[Topic]:
     """The topics of the files of a package: as they are written, with the defaults of arguments, and as its robots have
     them."""
     defaults = packages.found(_defaults)
+    names = packages.found(_names_in_ros)
     for path in packages.files(*OF_XML):
         source = packages.read(path)
         root = root_of(source) if path.startswith(folder + os.sep) and b"<gazebo" in source.data else None
         for element in elements(root) if root is not None else ():
             if element.tagName in {"plugin", "sensor"}:
-                texts = {each.tagName: _with_defaults(content(each), defaults) for each in element.elements()}
-                yield from _of_element(element.tagName, element.attrs, texts)
+                written = {each.tagName: each for each in (*_in_contact(element), *element.elements())}
+                texts = {name: _with_defaults(content(each), defaults) for name, each in written.items()}
+                yield from _of_element(element.tagName, element.attrs, texts, names)
     for loaded in packages.loaded():
         gazebos = loaded.project.robot.gazebos if loaded.project.robot else ()
         for tag in (tag for gazebo in gazebos for tag in gazebo.tag.children):
             if tag.name in {"plugin", "sensor"} and tag.at.source.path.startswith(folder + os.sep):
-                yield from _of_element(tag.name, tag.attributes, {each.name: each.text for each in tag.children})
+                inner = (each for one in tag.named("contact") for each in one.named("topic"))
+                texts = {each.name: each.text for each in (*inner, *tag.children)}
+                yield from _of_element(tag.name, tag.attributes, texts, names)
+
+
+def _in_contact(sensor: Element) -> Iterator[Element]:
+    """The topic of a contact sensor."""
+    around = child(sensor, "contact")
+    topic = child(around, "topic") if around is not None else None
+    return iter(() if topic is None else (topic,))
+
+
+def _names_in_ros(packages: MigratedPackages) -> dict[str, list[tuple[str, str]]]:
+    """The names in ROS that sensors had before the migration, by their topic in gz: each after an ending of that."""
+    found: dict[str, list[tuple[str, str]]] = {}
+    for plugin, known, kind in (*_before_as_written(packages), *_before_as_expanded(packages)):
+        topic = plugin.in_gz(known, kind, is_ros1=packages.is_ros1)
+        found.setdefault(topic, list(plugin.in_ros(known, kind, is_ros1=packages.is_ros1)))
+    return found
+
+
+def _before_as_written(packages: MigratedPackages) -> Iterator[tuple[SensorPlugin, Sensor, str]]:
+    defaults = packages.found(_defaults)
+    for path in packages.files(*OF_XML, *OF_SDF):
+        data = packages.scratch.original(path)
+        root = root_of(SourceText(path, data)) if b"<sensor" in data else None
+        for element in elements(root) if root is not None else ():
+            for plugin in children(element, "plugin") if element.tagName == "sensor" else ():
+                library = library_of(attribute(plugin, "filename"))
+                kind = SENSORS[library].types.get(attribute(element, "type"), "") if library in SENSORS else ""
+                if kind:
+                    one = plugin_as_written(plugin, element, library)
+                    given = {name: _with_defaults(text, defaults) for name, text in one.settings.items()}
+                    space = _with_defaults(one.space, defaults)
+                    yield one._replace(settings=given, space=space), SENSORS[library], kind
+
+
+def _before_as_expanded(packages: MigratedPackages) -> Iterator[tuple[SensorPlugin, Sensor, str]]:
+    for loaded in packages.robots_before:
+        gazebos = loaded.project.robot.gazebos if loaded.project.robot else ()
+        for sensor in (tag for gazebo in gazebos for tag in gazebo.tag.named("sensor")):
+            for plugin in sensor.named("plugin"):
+                library = library_of(plugin.attributes.get("filename", ""))
+                kind = SENSORS[library].types.get(sensor.attributes.get("type", ""), "") if library in SENSORS else ""
+                if kind:
+                    yield plugin_as_expanded(plugin, sensor, library), SENSORS[library], kind
 
 
 def _defaults(packages: MigratedPackages) -> dict[str, str]:
@@ -114,19 +174,29 @@ def _with_defaults(text: str, defaults: Mapping[str, str]) -> str:
     return re.sub(r"\$\(arg\s+(\w+)\s*\)", lambda match: defaults.get(match[1], match[0]), text)
 
 
-def _of_element(name: str, attributes: Mapping[str, str], texts: Mapping[str, str]) -> Iterator[Topic]:
+def _of_element(
+    name: str,
+    attributes: Mapping[str, str],
+    texts: Mapping[str, str],
+    names: Mapping[str, Sequence[tuple[str, str]]],
+) -> Iterator[Topic]:
     """The topics of a plugin or sensor.
 
     texts: the texts of its children by name.
+    names: of sensors in ROS, as `_names_in_ros` says.
     """
     if name == "plugin":
         yield from _of_plugin(attributes.get("filename", ""), texts)
         return
-    topic = texts.get("topic", "")
-    for ending, ros, gz in _OF_SENSORS.get(attributes.get("type", ""), ()) if _is_plain(topic) else ():
-        above = topic.rpartition("/")[0]
-        beside = f"{above}/{ending[3:]}".lstrip("/")
-        yield Topic(beside if ending.startswith("../") else f"{topic}{ending}", ros, gz)
+    topic, kind = texts.get("topic", ""), attributes.get("type", "")
+    known = dict(names.get(topic, ()))
+    for ending, ros, gz in _OF_SENSORS.get(kind, ()) if _is_plain(topic) else ():
+        if ending in known if known else (kind, ending) not in _UNASKED:
+            above = topic.rpartition("/")[0]
+            beside = f"{above}/{ending[3:]}".lstrip("/")
+            in_gz = beside if ending.startswith("../") else f"{topic}{ending}"
+            in_ros = known.get(ending, "")
+            yield Topic(in_gz, ros, gz, in_ros=in_ros if _is_plain(in_ros) and in_ros != in_gz else "")
 
 
 def _of_plugin(filename: str, texts: Mapping[str, str]) -> Iterator[Topic]:
@@ -148,9 +218,9 @@ def _text(packages: MigratedPackages, topics: list[Topic]) -> str:
     blocks = ["# The topics between ROS and gz, for parameter_bridge of ros_gz_bridge.\n"]
     for topic in (clock, *topics):
         way = "ROS_TO_GZ" if topic.from_ros else "GZ_TO_ROS"
-        name = f'"{topic.name}"' if topic.name.startswith("~") else topic.name
+        in_gz, in_ros = (f'"{each}"' if each.startswith("~") else each for each in (topic.name, topic.in_ros))
         blocks.append(
-            f"- ros_topic_name: {name}\n  gz_topic_name: {name}\n  ros_type_name: {topic.ros}\n"
+            f"- ros_topic_name: {in_ros or in_gz}\n  gz_topic_name: {in_gz}\n  ros_type_name: {topic.ros}\n"
             f"  gz_type_name: {messages}.{topic.gz}\n  direction: {way}\n"
         )
     return "".join(blocks)

@@ -11,7 +11,7 @@ from urdfctl.migrate.classic.axles import axles
 from urdfctl.migrate.classic.choice import is_chosen, keeps_classic, replaced
 from urdfctl.migrate.classic.loose_sensors import LOOSE
 from urdfctl.migrate.classic.sdf import OF_SDF
-from urdfctl.migrate.classic.sensors import SENSORS
+from urdfctl.migrate.classic.sensor_topics import SENSORS
 from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, dropped_settings, flush, library_of, system_text
 from urdfctl.migrate.edits.markup import (
     ancestors,

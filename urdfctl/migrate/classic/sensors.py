@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.depth import DEPTH_RANGE, depth_range
 from urdfctl.migrate.classic.sdf import OF_SDF
-from urdfctl.migrate.classic.systems import in_namespace, library_of, relative_topic
+from urdfctl.migrate.classic.sensor_topics import PLAIN_LIDAR, SENSORS, plugin_as_written, unread
+from urdfctl.migrate.classic.systems import library_of
 from urdfctl.migrate.edits.markup import (
+    CONDITIONS,
     appended,
     attribute,
     child,
@@ -17,7 +19,6 @@ from urdfctl.migrate.edits.markup import (
     content,
     elements,
     indent_of,
-    is_zero,
     merged,
     removal,
     root_of,
@@ -30,7 +31,6 @@ from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
-from urdfctl.startup.records import NamedTuple
 
 _AUTHORITY = "gz-sensors; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _FRAMES = ("frameName", "frame_name", "frameId", "frame_id", "bodyName")
@@ -39,46 +39,6 @@ _READ = (
     *_FRAMES,
 )
 """Settings that every sensor has in another way."""
-
-
-class Sensor(NamedTuple):
-    """What a plugin of a sensor publishes.
-
-    types: the type of the sensor in gz for that in Classic.
-    topic: the setting of ROS 1 with the topic.
-    output: the topic of the plugin in ROS 2, before remapping.
-    default: the topic if nothing names it.
-    """
-
-    types: Mapping[str, str]
-    topic: str
-    output: str
-    default: str
-
-
-_LIDAR = Sensor({"ray": "gpu_lidar", "gpu_ray": "gpu_lidar", "lidar": "gpu_lidar"}, "topicName", "out", "scan")
-_IMU = Sensor({"imu": "imu"}, "topicName", "out", "imu")
-_CAMERA = Sensor({"camera": "camera"}, "imageTopicName", "image_raw", "camera/image_raw")
-_DEPTH = Sensor({"depth": "rgbd_camera", "camera": "rgbd_camera"}, "imageTopicName", "image_raw", "camera")
-SENSORS: Mapping[str, Sensor] = {
-    "gazebo_ros_ray_sensor": _LIDAR,
-    "gazebo_ros_laser": _LIDAR,
-    "gazebo_ros_gpu_laser": _LIDAR,
-    "gazebo_ros_block_laser": _LIDAR,
-    "gazebo_ros_range": _LIDAR,
-    "gazebo_ros_velodyne_laser": _LIDAR,
-    "gazebo_ros_velodyne_gpu_laser": _LIDAR,
-    "gazebo_ros_imu_sensor": _IMU,
-    "gazebo_ros_camera": Sensor(
-        {"camera": "camera", "depth": "rgbd_camera"}, "imageTopicName", "image_raw", "camera/image_raw"
-    ),
-    "gazebo_ros_openni_kinect": _DEPTH,
-    "gazebo_ros_depth_camera": _DEPTH,
-    "gazebo_ros_bumper": Sensor({"contact": "contact"}, "bumperTopicName", "bumper_states", "bumper"),
-    "gazebo_ros_ft_sensor": Sensor({"force_torque": "force_torque"}, "topicName", "wrench", "wrench"),
-    "gazebo_ros_gps_sensor": Sensor({"gps": "navsat"}, "topicName", "out", "navsat"),
-}
-"""By library of Gazebo Classic: the sensors whose data gz publishes itself."""
 
 
 def _sensors(packages: MigratedPackages) -> Iterator[Proposal]:
@@ -94,12 +54,12 @@ def _sensors(packages: MigratedPackages) -> Iterator[Proposal]:
                 plugin for plugin in children(element, "plugin") if library_of(attribute(plugin, "filename")) in SENSORS
             ]
             kind = attribute(element, "type")
-            if known or (kind in _LIDAR.types and kind != "gpu_lidar"):
+            if known or (kind in PLAIN_LIDAR.types and kind != "gpu_lidar"):
                 yield _migrated(packages, element, known[0] if known else None)
 
 
 def _migrated(packages: MigratedPackages, element: Element, plugin: Element | None) -> Proposal:
-    sensor = SENSORS[library_of(attribute(plugin, "filename"))] if plugin is not None else _LIDAR
+    sensor = SENSORS[library_of(attribute(plugin, "filename"))] if plugin is not None else PLAIN_LIDAR
     old = attribute(element, "type")
     new = sensor.types.get(old, old)
     source = element.source
@@ -116,15 +76,19 @@ def _migrated(packages: MigratedPackages, element: Element, plugin: Element | No
         topic = child(element, "topic")
         edits += [removal(topic)] if topic is not None and content(topic).startswith("__") else []
         edits.append(removal(plugin))
-        edits.append(_settings(element, plugin, sensor, new))
+        edits += _settings(element, plugin, _topic(packages, element, plugin, new), new)
         edits += depth_range(element, plugin) if new == "rgbd_camera" else ()
     text = merged([edit for edit in edits if edit.text or edit.span.start != edit.span.end])
     whole = _applied(element, text)
     message = f"sensor '{attribute(element, 'name')}' became one of type {new} that gz publishes itself"
     entries = [ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
-    if plugin is not None and (dropped := ", ".join(_dropped(element, plugin, sensor, new))):
+    range_read = DEPTH_RANGE if plugin is not None and new == "rgbd_camera" and depth_range(element, plugin) else ()
+    kept = (*_READ, *range_read)
+    if plugin is not None and (dropped := ", ".join(unread(plugin, sensor, new, kept))):
         message = f"gz does not read {dropped} of '{library_of(attribute(plugin, 'filename'))}': dropped"
         entries.append(ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
+    if plugin is not None:
+        entries += _other_messages(element, plugin, new)
     if old == "ray":
         why = "the sensor is rendered by the GPU: gz has no lidar on the CPU (gz-sensors#26)"
         entries.append(ReportEntry(EntryKind.DECIDED, why, element.at))
@@ -139,47 +103,62 @@ def _applied(element: Element, edit: Edit) -> str:
     return "".join(f"{line.removeprefix(indent)}\n" for line in text.splitlines())
 
 
-def _settings(element: Element, plugin: Element, sensor: Sensor, kind: str) -> Edit:
-    """The edit that adds topic, frame and update rate in place of the plugin's settings."""
+def _settings(element: Element, plugin: Element, topic: str, kind: str) -> Iterator[Edit]:
+    """Yield the edits that add topic, frame and update rate in place of the plugin's settings.
+
+    The topic of a contact sensor is in its <contact> (gz-sim src/systems/contact/Contact.cc Load()).
+    """
     indent, step = indent_of(plugin), step_of(element.source)
     lines = []
-    topic = child(element, "topic")
-    if topic is None or content(topic).startswith("__"):
-        lines.append(f"<topic>{_topic(plugin, sensor, kind)}</topic>")
-    frame = next((content(one) for name in _FRAMES if (one := child(plugin, name)) is not None and content(one)), "")
-    if frame and child(element, "gz_frame_id") is None:
-        lines.append(f"<gz_frame_id>{frame}</gz_frame_id>")
+    written = child(element, "topic")
+    around = child(element, "contact") if kind == "contact" else None
+    if around is not None and around.close is not None:
+        if child(around, "topic") is None:
+            yield appended(around, [f"{indent_of(around)}{step}<topic>{topic}</topic>"])
+    elif written is None or content(written).startswith("__"):
+        lines.append(f"<topic>{topic}</topic>")
+    if child(element, "gz_frame_id") is None:
+        lines += _frames(plugin, step)
     if child(element, "always_on") is None and child(element, "alwaysOn") is None:
         lines.append("<always_on>true</always_on>")
     rate = child(plugin, "updateRate") or child(plugin, "updateRateHZ")
     if rate is not None and child(element, "update_rate") is None:
         lines.append(f"<update_rate>{content(rate)}</update_rate>")
-    return appended(element, (f"{indent or step}{line}" for line in lines))
+    yield appended(element, (f"{indent or step}{line}" for line in lines))
 
 
-def _dropped(element: Element, plugin: Element, sensor: Sensor, kind: str) -> Iterator[str]:
-    """Yield the settings of a plugin that say something, and that gz does not have."""
-    kept = {*_READ, sensor.topic, *(DEPTH_RANGE if kind == "rgbd_camera" and depth_range(element, plugin) else ())}
-    for setting in plugin.elements():
-        if setting.tagName not in kept and ":" not in setting.tagName and not is_zero(setting):
-            yield setting.tagName
+def _frames(plugin: Element, step: str) -> Iterator[str]:
+    """The lines with the frame that a plugin names, also within conditions of xacro."""
+    frame = _frame(plugin)
+    if frame:
+        yield f"<gz_frame_id>{frame}</gz_frame_id>"
+        return
+    for choice in plugin.elements():
+        if choice.tagName in CONDITIONS and (chosen := _frame(choice)):
+            yield f'<{choice.tagName} value="{attribute(choice, "value")}">'
+            yield from (f"{step}<gz_frame_id>{chosen}</gz_frame_id>", f"</{choice.tagName}>")
 
 
-def _topic(plugin: Element, sensor: Sensor, kind: str) -> str:
-    """The topic on which the plugin published; for a camera with depth, what its topics begin with."""
-    own = child(plugin, sensor.topic)
-    camera = child(plugin, "cameraName") or child(plugin, "camera_name")
-    written = content(own) if own is not None else ""
-    if not written or written.startswith("__"):  # the default that the plugin's own files name
-        written = relative_topic(plugin, sensor.output, sensor.output)
-    if written == sensor.output and camera is None:
-        written = sensor.default
-    name = content(camera) if camera is not None else ""
-    if name and not written.startswith(("/", f"{name}/")):
-        written = f"{name}/{written}"
-    if kind == "rgbd_camera":
-        written = written.rpartition("/")[0] or written
-    return in_namespace(plugin, written).lstrip("/")
+def _frame(around: Element) -> str:
+    return next((content(one) for name in _FRAMES if (one := child(around, name)) is not None and content(one)), "")
+
+
+def _topic(packages: MigratedPackages, element: Element, plugin: Element, kind: str) -> str:
+    """The topic of a sensor in gz."""
+    library = library_of(attribute(plugin, "filename"))
+    return plugin_as_written(plugin, element, library).in_gz(SENSORS[library], kind, is_ros1=packages.is_ros1)
+
+
+def _other_messages(element: Element, plugin: Element, kind: str) -> Iterator[ReportEntry]:
+    """What a person must know of a sensor whose messages are of another type now."""
+    old, new = "", ""
+    if kind == "contact":
+        old, new = "gazebo_msgs/msg/ContactsState", "ros_gz_interfaces/msg/Contacts"
+    elif plugin_as_written(plugin, element, library_of(attribute(plugin, "filename"))).is_range:
+        old, new = "sensor_msgs/msg/Range", "sensor_msgs/msg/LaserScan"
+    if new:
+        message = f"sensor '{attribute(element, 'name')}' publishes {new}, not {old}: change who reads it"
+        yield ReportEntry(EntryKind.FOR_YOU, message, element.at, authority="ros_gz_bridge README: types of messages")
 
 
 CLASSIC_SENSORS = Step(
