@@ -48,3 +48,15 @@ def test_comments_stay(folder: Folder) -> None:
         "find_package(ament_cmake REQUIRED)\n"
         "# catkin_package() is next, see ${CATKIN_PACKAGE_SHARE_DESTINATION}\n\nament_package()\n"
     )
+
+
+def test_a_package_that_is_needed_to_build_and_to_run_is_still_needed_to_run(folder: Folder) -> None:
+    kinds = ("build_depend", "build_export_depend", "exec_depend")
+    lines = "".join(f"  <{kind}>{name}</{kind}>\n" for name in ("rospy", "gazebo_ros") for kind in kinds)
+    tool = "  <buildtool_depend>catkin</buildtool_depend>\n"
+    text = f'<package format="2">\n  <name>arm</name>\n{tool}{lines}</package>\n'
+    launch = '<launch>\n  <include file="$(find gazebo_ros)/launch/empty_world.launch"/>\n</launch>\n'
+    files = {"package.xml": text, "urdf/arm.urdf": ROBOT, "launch/arm.launch": launch}
+    manifest = migrated(folder, files, "--simulator", "gz")["package.xml"]
+    for name in ("rclpy", "ros_gz_sim", "ros_gz_bridge"):
+        assert manifest.count(name) == manifest.count(f"<exec_depend>{name}</exec_depend>") == 1

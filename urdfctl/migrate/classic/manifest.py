@@ -36,7 +36,7 @@ def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
                 continue
             added = [name for name in new if name not in known]
             known.update(added)
-            indent, kind = indent_of(element), element.tagName
+            indent, kind = indent_of(element), "depend" if element.tagName == "depend" else "exec_depend"
             edits.append(Edit(lines_of(element), "".join(f"{indent}<{kind}>{name}</{kind}>\n" for name in added)))
         edits += _missing(packages, root, known)
         if edits:

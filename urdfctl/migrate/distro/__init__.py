@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from urdfctl.migrate.distro.controller_commands import CONTROLLER_COMMANDS
 from urdfctl.migrate.distro.launch_python import LAUNCH_PYTHON
 from urdfctl.migrate.distro.launch_xml import LAUNCH_XML
 from urdfctl.migrate.distro.mimic import MIMIC
@@ -24,5 +25,6 @@ STEPS: tuple[Step, ...] = (
     STAMPED_NODES,
     LAUNCH_PYTHON,
     LAUNCH_XML,
+    CONTROLLER_COMMANDS,
     MOVEIT,
 )

@@ -87,11 +87,13 @@ def _manifest_edits(packages: MigratedPackages, root: Element) -> Iterator[Edit]
         at = root.start + len(b"<package")
         yield Edit(SourceSpan(source, at, at), ' format="3"')
     known = {content(one) for name in _DEPENDS for one in children(root, name)}
+    added: set[tuple[str, str]] = set()
     for element in root.elements():
         if element.tagName == "buildtool_depend" and content(element) == "catkin":
             yield _text_edit(element, "ament_cmake")
         elif element.tagName in _DEPENDS:
-            yield from _dependency(packages, element, known)
+            yield from _dependency(packages, element, known, added)
+    known |= {name for _, name in added}
     yield from _additions(packages, root, known)
     yield _export(root)
 
@@ -122,13 +124,21 @@ def _text_edit(element: Element, text: str) -> Edit:
     return Edit(SourceSpan(element.source, start, element.close or start), text)
 
 
-def _dependency(packages: MigratedPackages, element: Element, known: set[str]) -> Iterator[Edit]:
+def _dependency(
+    packages: MigratedPackages, element: Element, known: set[str], written: set[tuple[str, str]]
+) -> Iterator[Edit]:
+    """The edit of a dependency.
+
+    known: the packages that the manifest names. written: what was put in their place, each with its kind.
+    """
     name = content(element)
     new = _successors(packages, name)
     kind = "exec_depend" if element.tagName in {"run_depend", "depend"} and new != (name,) else element.tagName
     kind = "exec_depend" if kind == "run_depend" else kind
-    added = [each for each in new if each == name or each not in known]
-    known.update(added)
+    if new != (name,) and kind in {"build_depend", "build_export_depend"}:
+        kind = "exec_depend"  # nothing is compiled
+    added = [each for each in new if each == name or (each not in known and (kind, each) not in written)]
+    written.update((kind, each) for each in added)
     if added == [name] and kind == element.tagName:
         return
     indent = indent_of(element)

@@ -1,0 +1,93 @@
+"""Commands of `ros2 control` in launch files in Python whose verbs and states have other names."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.options import Part
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
+
+_AUTHORITY = "ros2_control ros2controlcli/verb/load_controller.py: choices of --set-state"
+_VERB = "load_controller"
+_OPTIONS = {"--set-state": "--set-state", "--set_state": "--set-state", "--state": "--set-state"}
+_STATES = {"start": "active", "configure": "inactive", "configured": "inactive"}
+_VERBS = {"load_start_controller": "active", "load_configure_controller": "inactive"}
+
+
+def _commands(packages: MigratedPackages) -> Iterator[Proposal]:
+    if packages.is_ros1:
+        return
+    for path in packages.files(".py"):
+        source = packages.read(path)
+        if b"load_" not in source.data or not packages.may_change(path):
+            continue
+        file = PythonFile(source)
+        for call, scope in file.calls("ExecuteProcess"):
+            given = keyword(call, "cmd")
+            command = file.value_of(given.value, scope) if given else None
+            words = command.elts if isinstance(command, ast.List) else []
+            texts = [text_of(word) for word in words]
+            new = dict(_changed(texts)) if texts[:2] == ["ros2", "control"] else {}
+            if new:
+                edits = tuple(Edit(file.span(words[at]), text) for at, text in new.items())
+                message = "the command names the state of a controller as ros2controlcli does"
+                at = file.at(words[next(iter(new))])
+                yield Proposal(edits, entries=(ReportEntry(EntryKind.DONE, message, at, authority=_AUTHORITY),))
+
+
+def _changed(texts: list[str]) -> Iterator[tuple[int, str]]:
+    """Yield the words of a command that change, each with its place and its new expression."""
+    verb = next(iter(texts[2:]), "")
+    if verb in _VERBS:
+        yield 2, f'"{_VERB}", "--set-state", "{_VERBS[verb]}"'
+    elif verb == _VERB:
+        for at, text in enumerate(texts[:-1]):
+            if text in _OPTIONS and text != _OPTIONS[text]:
+                yield at, f'"{_OPTIONS[text]}"'
+            if text in _OPTIONS and texts[at + 1] in _STATES:
+                yield at + 1, f'"{_STATES[texts[at + 1]]}"'
+
+
+CONTROLLER_COMMANDS = Step(
+    name="controller-commands",
+    part=Part.LAUNCH,
+    summary="Commands that load controllers",
+    propose=_commands,
+    rows=(
+        Row("ros2 control load_controller --state STATE", "--set-state STATE", "humble", _AUTHORITY),
+        Row("load_controller --set-state start, configure", "active, inactive", "humble", _AUTHORITY),
+        Row("load_start_controller, load_configure_controller", "load_controller --set-state", "humble", _AUTHORITY),
+    ),
+    before=[
+        {
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch.actions import ExecuteProcess
+
+
+                def generate_launch_description():
+                    arm = ExecuteProcess(cmd=["ros2", "control", "load_controller", "--set-state", "start", "arm"])
+                    old = ExecuteProcess(cmd=["ros2", "control", "load_start_controller", "hand"])
+                    return LaunchDescription([arm, old])
+            """,
+        },
+    ],
+    after=[
+        {
+            "launch/arm.launch.py": """
+                from launch import LaunchDescription
+                from launch.actions import ExecuteProcess
+
+
+                def generate_launch_description():
+                    arm = ExecuteProcess(cmd=["ros2", "control", "load_controller", "--set-state", "active", "arm"])
+                    old = ExecuteProcess(cmd=["ros2", "control", "load_controller", "--set-state", "active", "hand"])
+                    return LaunchDescription([arm, old])
+            """,
+        },
+    ],
+)
