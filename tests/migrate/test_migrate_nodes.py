@@ -157,3 +157,26 @@ def test_expressions_get_the_text_of_their_arguments(folder: Folder, written: st
     launch = {"launch/arm.launch": f"<launch>{arguments}{node}</launch>"}
     assert f"condition=IfCondition({in_python})" in migrated(folder, launch)["launch/arm.launch.py"]
     assert f'if="{in_xml}"' in migrated(folder, launch, "--launch", "xml")["launch/arm.launch.xml"]
+
+
+@pytest.mark.parametrize(
+    ("args", "expected"),
+    [
+        ("pub /ready std_msgs/Bool true", '"/ready", "std_msgs/msg/Bool", "{data: true}"'),
+        ("pub -1 -l /level std_msgs/Float64 0.5", '"--once", "/level", "std_msgs/msg/Float64", "{data: 0.5}"'),
+    ],
+)
+def test_a_node_that_publishes_a_topic_from_the_command_line_is_a_command_of_ros_2(
+    folder: Folder, args: str, expected: str
+) -> None:
+    launch = f'<launch>\n  <node name="p" pkg="rostopic" type="rostopic" args="{args}"/>\n</launch>\n'
+    text = " ".join(migrated(folder, {"launch/a.launch": launch})["launch/a.launch.py"].split())
+    words = text[text.index("ExecuteProcess(") :].replace("[ ", "[").replace(", ]", "]")
+    assert words.startswith(f'ExecuteProcess(cmd=["ros2", "topic", "pub", {expected}])') or expected in words
+
+
+def test_another_command_of_ros_1_is_left_to_a_person_and_does_not_end_the_launch(folder: Folder) -> None:
+    launch = '<launch>\n  <node name="b" pkg="rosbag" type="record" args="-a"/>\n</launch>\n'
+    after = migrated(folder, {"launch/a.launch": launch})
+    assert "Node(" not in after["launch/a.launch.py"]
+    assert "'record -a' is a command of ROS 1" in after["MIGRATION.md"]

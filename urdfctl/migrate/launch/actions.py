@@ -36,11 +36,13 @@ class ActionCondition(NamedTuple):
 class Action(NamedTuple):
     """An action.
 
-    kind: `argument`, `let`, `include`, `group`, `node`, `set_parameter`, `set_env`, `set_remap` or `comment`.
+    kind: `argument`, `let`, `include`, `group`, `node`, `process`, `set_parameter`, `set_env`, `set_remap` or
+        `comment`.
     name: the name of an argument, parameter or variable, the executable of a node, or the text of a comment.
     value: the default or value; the file of an include; the namespace of a group or node.
     package: of a node.
     pairs: the arguments of an include, the parameters of a node, by name.
+    words: the arguments of a node, or the command of a process.
     env: the environment variables of a node.
     """
 

@@ -14,6 +14,7 @@ _NAMES = {
     "launch": ("LaunchDescription",),
     "launch.actions": (
         "DeclareLaunchArgument",
+        "ExecuteProcess",
         "GroupAction",
         "IncludeLaunchDescription",
         "SetEnvironmentVariable",
@@ -33,6 +34,10 @@ _NAMES = {
     "launch_ros.parameter_descriptions": ("ParameterFile", "ParameterValue"),
     "launch_ros.substitutions": ("FindPackageShare",),
 }
+
+
+_SETTINGS = {"let": "SetLaunchConfiguration", "set_env": "SetEnvironmentVariable"}
+"""The classes of actions that are a name and a value."""
 
 
 def python_file(actions: Sequence[Action], about: str) -> str:
@@ -79,12 +84,10 @@ def _call(action: Action, depth: int) -> tuple[str, list[str]]:
         more = [f"default_value={value}"] if action.value is not None else []
         about = [f"description={python_text(action.about)}"] if action.about else []
         return "DeclareLaunchArgument", [python_text(action.name), *more, *about]
-    if action.kind == "let":
-        return "SetLaunchConfiguration", [python_text(action.name), value]
+    if action.kind in _SETTINGS:
+        return _SETTINGS[action.kind], [python_text(action.name), value]
     if action.kind == "set_parameter":
         return "SetParameter", [f"name={python_text(action.name)}", f"value={_typed(action.value or ())}"]
-    if action.kind == "set_env":
-        return "SetEnvironmentVariable", [python_text(action.name), value]
     if action.kind == "set_remap":
         return "SetRemap", [f"src={_text(action.remaps[0][0])}", f"dst={_text(action.remaps[0][1])}"]
     if action.kind == "include":
@@ -97,6 +100,9 @@ def _call(action: Action, depth: int) -> tuple[str, list[str]]:
         indent = _STEP * (depth + 1)
         body = "\n".join([*(f"{indent}{_STEP}{each}," for each in inner), *lines])
         return "GroupAction", [f"[\n{body}\n{indent}]"]
+    if action.kind == "process":
+        words = _items([_text(word) for word in action.words], depth + 1)
+        return "ExecuteProcess", [f"cmd={words}", *(f"{name}={_flag(name, each)}" for name, each in action.flags)]
     return "Node", list(_node(action, depth))
 
 

@@ -17,6 +17,7 @@ _KINDS = {
     "IncludeLaunchDescription": "include",
     "GroupAction": "group",
     "Node": "node",
+    "ExecuteProcess": "process",
 }
 
 
@@ -78,6 +79,10 @@ class _PythonFile:
         condition = self._condition(given.pop("condition")) if "condition" in given else None
         if kind == "node":
             return self._node(given)._replace(condition=condition)
+        if kind == "process":
+            words = tuple(self._text_of(item) for item in _items(given.pop("cmd", None)))
+            flags = tuple((name, self._flag(value)) for name, value in given.items())
+            return Action(kind, words=words, flags=flags, condition=condition)
         if kind == "argument":
             value = self._text_of(given["default_value"]) if "default_value" in given else None
             about = plain(self._text_of(given["description"])) if "description" in given else ""

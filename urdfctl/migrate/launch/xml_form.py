@@ -43,12 +43,8 @@ def _element(action: Action, depth: int) -> tuple[str, list[tuple[str, str]], li
         more = [("default", value)] if action.value is not None else []
         about = [("description", xml_text(action.about))] if action.about else []
         return "arg", [("name", action.name), *more, *about], []
-    if action.kind == "let":
-        return "let", [("name", action.name), ("value", value)], []
-    if action.kind == "set_parameter":
-        return "set_parameter", [("name", action.name), ("value", value)], []
-    if action.kind == "set_env":
-        return "set_env", [("name", action.name), ("value", value)], []
+    if action.kind in {"let", "set_parameter", "set_env"}:
+        return action.kind, [("name", action.name), ("value", value)], []
     if action.kind == "set_remap":
         return "set_remap", [("from", _text(action.remaps[0][0])), ("to", _text(action.remaps[0][1]))], []
     if action.kind == "include":
@@ -57,6 +53,10 @@ def _element(action: Action, depth: int) -> tuple[str, list[tuple[str, str]], li
     if action.kind == "group":
         push = [f'{inner}<push-ros-namespace namespace="{value}"/>'] if action.value else []
         return "group", [], [*push, *(line for each in action.inner for line in _action(each, depth + 1))]
+    if action.kind == "process":
+        words = [_text(word) for word in action.words]
+        command = " ".join(f"'{word}'" if " " in word else word for word in words)
+        return "executable", [("cmd", command), *_flags(action)], []
     return "node", list(_attributes(action)), [f"{inner}{line}" for line in _children(action)]
 
 
@@ -69,7 +69,11 @@ def _attributes(node: Action) -> Iterator[tuple[str, str]]:
         yield "namespace", _text(node.value)
     if node.words:
         yield "args", " ".join(_text(word) for word in node.words)
-    for name, value in node.flags:
+    yield from _flags(node)
+
+
+def _flags(action: Action) -> Iterator[tuple[str, str]]:
+    for name, value in action.flags:
         if name != "condition":
             yield (
                 name.replace("prefix", "launch-prefix"),

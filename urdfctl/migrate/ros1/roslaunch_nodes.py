@@ -17,6 +17,7 @@ from urdfctl.migrate.launch.actions import (
     plain,
     words_of,
 )
+from urdfctl.migrate.ros1.command_nodes import COMMANDS, published
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
 from urdfctl.migrate.ros1.roslaunch_values import parameters_of, unread_parameters_of
 from urdfctl.source.xml.dom import Element
@@ -133,10 +134,23 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
         yield _joint_states(element)
     elif package == "tf2_ros" or (package == "tf" and program == "static_transform_publisher"):
         yield _plain(element, "tf2_ros", program)._replace(words=tuple(_transform(words, is_tf=package == "tf")))
+    elif package in COMMANDS:
+        yield from _command(reading, element, words)
     elif package in {"xacro", "nodelet"}:
         reading.left.append(f"nodes of package '{package}' have another form in ROS 2")
     else:
         yield _other_node(reading, element)
+
+
+def _command(reading: Notes, element: Element, words: Sequence[Text]) -> Iterator[Action]:
+    """A command of ROS 1; nothing if it is left to a person, because a node of no package ends the launch."""
+    program = element.attrs.get("type", "")
+    known = published(words, tuple(_flags(element.attrs))) if program == "rostopic" else None
+    if known is not None:
+        yield known
+    else:
+        what = f"'{program} {element.attrs.get('args', '')}'".replace(" '", "'")
+        reading.left.append(f"{what} is a command of ROS 1: start that of ROS 2 by ExecuteProcess")
 
 
 def _other_node(reading: Notes, element: Element) -> Action:
