@@ -180,3 +180,11 @@ def test_another_command_of_ros_1_is_left_to_a_person_and_does_not_end_the_launc
     after = migrated(folder, {"launch/a.launch": launch})
     assert "Node(" not in after["launch/a.launch.py"]
     assert "'record -a' is a command of ROS 1" in after["MIGRATION.md"]
+
+
+def test_launch_files_that_are_started_with_a_simulator_have_its_time(folder: Folder) -> None:
+    world = '  <include file="$(find gazebo_ros)/launch/empty_world.launch"/>\n'
+    launch = f'<launch>\n{world}  <include file="$(find arm)/launch/b.launch"/>\n</launch>\n'
+    files = {"launch/a.launch": launch, "launch/b.launch": ONE_NODE.format(more="")}
+    text = migrated(folder, files, "--simulator", "gz")["launch/a.launch.py"]
+    assert 'SetParameter(name="use_sim_time", value=True)' in text

@@ -289,3 +289,11 @@ def test_the_topic_of_a_contact_sensor_is_where_gz_reads_it(folder: Folder) -> N
     assert "</collision> <topic>touched</topic> </contact>" in " ".join(after["urdf/base.xacro"].split())
     assert "- ros_topic_name: touched\n  gz_topic_name: touched\n" in after["config/bridge.yaml"]
     assert "publishes ros_gz_interfaces/msg/Contacts, not gazebo_msgs/msg/ContactsState" in after["MIGRATION.md"]
+
+
+def test_the_topics_of_a_macro_that_nothing_calls_are_not_bridged(folder: Folder) -> None:
+    macro = f'  <xacro:macro name="{{name}}" params="">\n{LIDAR}  </xacro:macro>\n'
+    called = macro.format(name="used") + "  <xacro:used/>\n" + macro.format(name="spare").replace("/front", "/spare")
+    found = bridged(folder, called)
+    assert "front/scan" in found
+    assert "spare/scan" not in found

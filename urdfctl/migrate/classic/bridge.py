@@ -11,7 +11,7 @@ from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.sensor_topics import SENSORS, Sensor, SensorPlugin, plugin_as_expanded, plugin_as_written
 from urdfctl.migrate.classic.systems import library_of
-from urdfctl.migrate.edits.markup import attribute, child, children, content, elements, root_of
+from urdfctl.migrate.edits.markup import MACRO, ancestors, attribute, child, children, content, elements, root_of
 from urdfctl.migrate.edits.places import written_elements
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import OF_XML, MigratedPackages
@@ -105,7 +105,7 @@ def _topics(packages: MigratedPackages, folder: str) -> Iterator[Topic]:
         source = packages.read(path)
         root = root_of(source) if path.startswith(folder + os.sep) and b"<gazebo" in source.data else None
         for element in elements(root) if root is not None else ():
-            if element.tagName in {"plugin", "sensor"}:
+            if element.tagName in {"plugin", "sensor"} and not _is_uncalled(packages, element):
                 written = {each.tagName: each for each in (*_in_contact(element), *element.elements())}
                 texts = {name: _with_defaults(content(each), defaults) for name, each in written.items()}
                 yield from _of_element(element.tagName, element.attrs, texts, names)
@@ -116,6 +116,32 @@ def _topics(packages: MigratedPackages, folder: str) -> Iterator[Topic]:
                 inner = (each for one in tag.named("contact") for each in one.named("topic"))
                 texts = {each.name: each.text for each in (*inner, *tag.children)}
                 yield from _of_element(tag.name, tag.attributes, texts, names)
+
+
+def _is_uncalled(packages: MigratedPackages, element: Element) -> bool:
+    """Whether an element is in a macro that nothing calls, although a robot of the packages reads its file."""
+    macro = next((one for one in ancestors(element) if one.tagName == MACRO), None)
+    name = attribute(macro, "name").removeprefix("xacro:") if macro is not None else ""
+    path = element.source.path
+    return bool(name) and name not in packages.found(_called) and path in packages.found(_read_by_robots)
+
+
+def _called(packages: MigratedPackages) -> frozenset[str]:
+    """The names of the macros that are called, without those of namespaces."""
+    roots = (root_of(packages.read(path)) for path in packages.files(*OF_XML))
+    every = (one for root in roots if root is not None for one in elements(root))
+    return frozenset(
+        attribute(one, "macro")
+        if one.tagName == "xacro:call"
+        else one.tagName.removeprefix("xacro:").rpartition(".")[2]
+        for one in every
+        if one.tagName.startswith("xacro:")
+    )
+
+
+def _read_by_robots(packages: MigratedPackages) -> frozenset[str]:
+    robots = (loaded for loaded in packages.loaded() if loaded.project.robot and not loaded.project.library)
+    return frozenset(path for loaded in robots for path in loaded.sources)
 
 
 def _in_contact(sensor: Element) -> Iterator[Element]:

@@ -315,12 +315,14 @@ def _name_of(element: Element) -> str:
 
 
 def _needs_simulated_time(actions: Sequence[Action]) -> bool:
-    """Whether actions start a simulator and a node that needs its time: empty_world.launch set that for all nodes."""
+    """Whether actions start a simulator and a node that needs its time, or another launch file, which may start one:
+    empty_world.launch set that for all nodes."""
     every = list(all_actions(tuple(actions)))
     is_set = any(action.kind == "set_parameter" and action.name == "use_sim_time" for action in every)
     starts = any(action.kind == "include" and action.value == parsed(CLASSIC_FILE) for action in every)
-    others = (action for action in every if action.kind == "node" and action.package not in _TIMED)
-    return starts and not is_set and any(True for _ in others)
+    nodes = any(action.kind == "node" and action.package not in _TIMED for action in every)
+    others = any(action.kind == "include" and action.value != parsed(CLASSIC_FILE) for action in every)
+    return starts and not is_set and (nodes or others)
 
 
 def _is_idle(action: Action) -> bool:
