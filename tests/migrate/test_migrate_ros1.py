@@ -125,6 +125,14 @@ def test_a_joint_that_another_plugin_moves_is_not_held_by_the_simulator(folder: 
     assert '<command_interface name="effort"/>' in without["urdf/arm.xacro"]
 
 
+def test_the_wheels_of_a_drive_are_not_held_by_the_simulator(folder: Folder) -> None:
+    settings = "<leftJoint>shoulder</leftJoint><rightJoint>elbow</rightJoint>"
+    drive = f'  <gazebo><plugin name="d" filename="libgazebo_ros_diff_drive.so">{settings}</plugin></gazebo>\n'
+    after = migrated(folder, {"urdf/arm.xacro": arm(transmission("VelocityJointInterface"), PLUGIN + drive)})
+    assert "gz-sim-diff-drive-system" in after["urdf/arm.xacro"]
+    assert "command_interface" not in after["urdf/arm.xacro"]
+
+
 def test_an_interface_of_its_own_is_left_to_a_person(folder: Folder) -> None:
     text = arm(transmission("my_interfaces/TorqueInterface"))
     after = migrated(folder, {"urdf/arm.xacro": text})

@@ -21,6 +21,8 @@ HELD = "gz_ros2_control and gazebo_ros2_control doc/index.rst: hold_joints, whic
 _DISTRO = "noetic"
 _READERS = ("joint_state_publisher", "ft_sensor", "p3d", "f3d")
 """Parts of the names of plugins that only read joints."""
+_DRIVES = "_drive"
+"""A part of the names of plugins that move wheels, whose velocity a plugin for ros2_control sets to zero."""
 
 
 class Passive:
@@ -43,7 +45,9 @@ class Passive:
         found = self._uses.robots[robot].project.robot
         if found is None or host_plugin(self._packages) is None:
             return set()
-        return set(_by_effort(found)) & set(_named_by_plugins(found)) - self._commanded
+        free = set(_by_effort(found)) & set(_named_by_plugins(found, ""))
+        driven = set(_transmitted(found)) & set(_named_by_plugins(found, _DRIVES))
+        return (free | driven) - self._commanded
 
 
 def _commanded(packages: MigratedPackages) -> Iterator[str]:
@@ -61,7 +65,14 @@ def _by_effort(robot: Robot) -> Iterator[str]:
                 yield joint.name
 
 
-def _named_by_plugins(robot: Robot) -> Iterator[str]:
+def _transmitted(robot: Robot) -> Iterator[str]:
+    for transmission in robot.transmissions:
+        yield from (joint.name for joint in transmission.kept_joints if joint.name)
+
+
+def _named_by_plugins(robot: Robot, part_of_name: str) -> Iterator[str]:
+    """The settings of the plugins with a part in their names, without those that only read joints."""
     for plugin in robot.plugins:
-        if not any(part in (plugin.filename or "") for part in _READERS):
+        filename = plugin.filename or ""
+        if part_of_name in filename and not any(part in filename for part in _READERS):
             yield from (setting.text for setting in plugin.tag.children)
