@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import shutil
 from pathlib import Path
 
 import pytest
@@ -334,13 +335,7 @@ def example_of(name: str) -> str:
 
 @pytest.mark.parametrize("name", GENERATORS)
 def test_the_example_in_the_help_does_what_it_says(name: str, folder: Folder) -> None:
-    arm = ROBOT.replace('name="j"', 'name="arm_joint"')
-    folder.write({"package.xml": "<package format='3'><name>my_robot</name></package>", "robot.xacro": arm})
-    if "--into" in example_of(name):
-        folder.write({"urdf/robot.xacro": (folder.path / "robot.xacro").read_bytes()})
-        (folder.path / "robot.xacro").unlink()
-    for made in ("config", "urdf", "launch"):
-        (folder.path / made).mkdir(exist_ok=True)
+    shutil.copytree(CHECKOUT / "samples/picker", folder.path, dirs_exist_ok=True)
     example = example_of(name)
     ran = command(*shlex.split(example)[1:])
     assert ran.returncode == 0, ran.stderr
@@ -349,4 +344,4 @@ def test_the_example_in_the_help_does_what_it_says(name: str, folder: Folder) ->
 
 def test_every_command_that_generates_is_in_the_list_of_commands() -> None:
     text = (CHECKOUT / "docs/commands.md").read_text(encoding="utf-8")
-    assert [name for name in (*GENERATORS, "gen-check") if f"urdfctl {name} " not in text] == []
+    assert [name for name in (*GENERATORS, "gen-check") if f"commands/{name}.md" not in text] == []

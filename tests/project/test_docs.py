@@ -4,26 +4,25 @@ from __future__ import annotations
 
 import inspect
 import re
-import shlex
 import textwrap
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from doc_lines import lines_of
 from folder import CHECKOUT
 from generating import command
 
 from urdfctl.catalog.log_messages import log_messages
 from urdfctl.commands import COMMANDS, FIND, command_named
-from urdfctl.commands.generate.options import GenerateOptions
-from urdfctl.commands.options import ReadingOptions
+from urdfctl.commands.document import explanation_of, man_page
+from urdfctl.commands.document import pages as documented
 from urdfctl.logs.cookbook import COMMONEST, cookbook
 from urdfctl.migrate.document import document
 from urdfctl.rules import all_faults
 
 PAGES = [
     path.relative_to(CHECKOUT).as_posix()
-    for path in (*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/*.md"), *CHECKOUT.glob("samples/*.md"))
+    for path in (*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/**/*.md"), *CHECKOUT.glob("samples/*.md"))
 ]
 README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
 OPTIONS = {name: command_named(name).options for name in COMMANDS}
@@ -34,15 +33,6 @@ def blocks(page: str) -> list[str]:
     return re.findall(r"^```\w*\n(.*?)^```", (CHECKOUT / page).read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
 
 
-def test_the_terminal_in_the_readme_says_what_it_really_says(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(CHECKOUT)
-    shown = [block for block in blocks("README.md") if block.startswith("$ ")]
-    assert shown
-    for block in shown:
-        typed, _, printed = block.partition("\n")
-        assert command(*shlex.split(typed)[2:]).stdout == printed
-
-
 def test_the_readme_is_read_in_two_screens() -> None:
     assert len(README.splitlines()) <= 100
 
@@ -51,7 +41,7 @@ def test_the_readme_promises_no_more_rules_and_messages_than_there_are() -> None
     [rules] = re.findall(r"more than (\d+) rules", README)
     assert 0.8 * len(all_faults()) < int(rules) < len(all_faults())
     known = sum(len(message.patterns) for message in log_messages())
-    for page in ("docs/commands.md", "docs/cookbook.md", "CHANGELOG.md"):
+    for page in ("docs/commands/explain.md", "docs/cookbook.md", "CHANGELOG.md"):
         [messages] = re.findall(r"more than (\d+) messages", (CHECKOUT / page).read_text("utf-8"))
         assert 0.8 * known < int(messages) < known, page
 
@@ -68,53 +58,29 @@ def test_each_command_on_a_page_has_the_options_that_stand_there(page: str) -> N
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_the_help_of_every_command_has_an_example_and_the_pages_name_it(name: str) -> None:
+def test_the_help_of_every_command_has_an_example(name: str) -> None:
     [example] = re.findall(r"^  Example: (urdfctl .*)$", command(name, "--help").stdout, re.MULTILINE)
     assert example in inspect.cleandoc(str(OPTIONS[name].__doc__)), "it is not broken, for it is copied"
     assert example.startswith(f"urdfctl {name} ")
-    assert f"urdfctl {name}" in (CHECKOUT / "docs/commands.md").read_text(encoding="utf-8")
 
 
-def commands_in(cell: str) -> set[str]:
-    """The commands that a row of the table of options names."""
-    sets = {
-        "robots": {name for name, options in OPTIONS.items() if issubclass(options, ReadingOptions)},
-        "generators": {name for name, options in OPTIONS.items() if issubclass(options, GenerateOptions)},
-    }
-    return set().union(*(sets.get(name, {name}) for name in cell.split(", ")))
+def test_the_pages_of_the_commands_say_what_their_declarations_say() -> None:
+    old = [path.name for path, text in documented(CHECKOUT / "docs") if path.read_text(encoding="utf-8") != text]
+    assert old == [], "python -m urdfctl.commands.document docs"
 
 
-def rows_of_options() -> Iterator[tuple[str, str, str]]:
-    """Yield what the page of commands says of options: a command, a flag and what it does."""
-    page = (CHECKOUT / "docs/commands.md").read_text(encoding="utf-8").partition("## Options")[2]
-    for flags, cell, text in re.findall(r"^\| (`-.*?`) \| ([a-z0-9, -]+) \| (\S.*?) *\|$", page, re.MULTILINE):
-        for name in commands_in(cell):
-            for flag in re.findall("[\\w-]+", flags):
-                yield name, flag, text
+def test_the_page_of_a_command_begins_with_the_examples_of_its_help() -> None:
+    for name, options in OPTIONS.items():
+        text, examples = explanation_of(options)
+        page = (CHECKOUT / f"docs/commands/{name}.md").read_text(encoding="utf-8")
+        assert page.startswith(f"# urdfctl {name}\n\n{' '.join(text.split())}\n"), name
+        assert set(examples) <= {line.text for line in lines_of(CHECKOUT / f"docs/commands/{name}.md")}, name
 
 
-def test_each_option_of_each_command_is_on_the_page_of_commands_and_no_other() -> None:
-    written = {(name, flag) for name, flag, _ in rows_of_options()}
-    there = {
-        (name, flag)
-        for name, options in OPTIONS.items()
-        for one in options.declared.values()
-        for flag in (*one.flags, *one.negatives)
-        if not one.hidden
-    }
-    assert there - written == set(), "give each option a line in its group's table of docs/commands.md"
-    assert written - there == set(), "docs/commands.md has options that are not there"
-
-
-def test_the_page_of_commands_says_of_an_option_what_its_help_says() -> None:
-    helps = {
-        (name, flag): one.help.removesuffix(".")
-        for name, options in OPTIONS.items()
-        for one in options.declared.values()
-        for flag in one.flags
-    }
-    others = [(*row, said) for *row, said in rows_of_options() if helps.get((row[0], row[1]), "") not in said]
-    assert others == [], "write the words of the option's declaration into docs/commands.md"
+def test_the_manual_page_has_each_command_and_no_control_line_of_its_own() -> None:
+    page = man_page()
+    assert [name for name in COMMANDS if f".SS urdfctl {name} ".replace("-", "\\-") not in page] == []
+    assert set(re.findall(r"^\.[A-Z]+", page, re.MULTILINE)) <= {".TH", ".SH", ".SS", ".TP", ".B", ".PP", ".EX", ".EE"}
 
 
 def test_the_list_of_commands_says_each_to_its_end() -> None:

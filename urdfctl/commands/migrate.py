@@ -46,7 +46,7 @@ class MigrateOptions(ReadingOptions):
     ROS 1 to ROS 2. Shows a diff and writes nothing, unless --in-place or -o is given.
 
     \b
-    Example: urdfctl migrate src/my_robot --to jazzy --in-place
+    Example: urdfctl migrate . --to kilted
     """
 
     paths: tuple[str, ...] = argument(

@@ -20,8 +20,8 @@ class DoctorOptions(TargetOptions):
     """Say what is wrong in a running system: compare a recording of it with the files, and name the cause first.
 
     \b
-    Example: urdfctl doctor --in src/my_robot
-             urdfctl doctor snapshot.json --in src/my_robot
+    Example: urdfctl doctor now.json --in .
+             urdfctl doctor --snapshot now.json
     """
 
     words: tuple[str, ...] = argument(

@@ -38,7 +38,7 @@ class LintOptions(CheckOptions, ReportOptions):
     """Find what keeps a robot from loading, starting and moving.
 
     \b
-    Example: urdfctl lint urdf/robot.xacro prefix:=left_ --distro noetic
+    Example: urdfctl lint urdf/robot.xacro reach:=0.6 --distro jazzy
     """
 
     select: tuple[str, ...] = option(RULES, "Select rules by code or prefix, e.g. UC2,UC401.", metavar="CODE,...")

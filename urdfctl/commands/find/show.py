@@ -26,7 +26,7 @@ class ShowOptions(CheckOptions):
     """Show what is started together: launch files with their robots, arguments and controllers; and unused files.
 
     \b
-    Example: urdfctl show urdf/robot.xacro
+    Example: urdfctl show .
     """
 
     formats: tuple[str, ...] = option(OUTPUT, FORMAT, "--format", choices=TEXT_OR_JSON)

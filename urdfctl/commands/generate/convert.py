@@ -11,7 +11,7 @@ class ConvertRobot(GenerateOptions, command="convert"):
     """Convert a robot to MuJoCo's own format: meshes, an actuator for each commanded joint, mimic joints and sensors.
 
     \b
-    Example: urdfctl convert robot.xacro --to mjcf -o robot.xml
+    Example: urdfctl convert urdf/robot.xacro --to mjcf -o robot.xml
     """
 
 

@@ -11,7 +11,7 @@ class GenerateAll(GenerateOptions, command="gen-all"):
     """Write a package with all of it: robot, controllers, launch file and dependencies.
 
     \b
-    Example: urdfctl gen-all robot.xacro --type effort --distro jazzy --simulator gz -o my_robot_control
+    Example: urdfctl gen-all urdf/body.xacro --distro jazzy --simulator gz -o ../picker_control
     """
 
 

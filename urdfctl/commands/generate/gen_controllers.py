@@ -11,7 +11,7 @@ class GenerateControllers(GenerateOptions, command="gen-controllers"):
     """Write the controllers' YAML file.
 
     \b
-    Example: urdfctl gen-controllers robot.xacro --type trajectory --joints 'arm_.*' -o config/controllers.yaml
+    Example: urdfctl gen-controllers urdf/robot.xacro --type trajectory --joints 'elbow|wrist' --distro jazzy
     """
 
 

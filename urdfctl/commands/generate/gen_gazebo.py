@@ -11,7 +11,7 @@ class GenerateGazebo(GenerateOptions, command="gen-gazebo"):
     """Write the simulator plugin that runs the controllers, as a xacro file to include.
 
     \b
-    Example: urdfctl gen-gazebo --simulator gz --distro jazzy --package my_robot --into urdf/robot.xacro
+    Example: urdfctl gen-gazebo --simulator gz --distro jazzy -o urdf/simulator.xacro
     """
 
 

@@ -11,7 +11,7 @@ class GenerateLaunch(GenerateOptions, command="gen-launch"):
     """Write a launch file that starts the robot and its controllers.
 
     \b
-    Example: urdfctl gen-launch robot.xacro --type trajectory --simulator gz -o launch/control.launch.py
+    Example: urdfctl gen-launch urdf/robot.xacro --distro jazzy --simulator gz -o launch/arm.launch.py
     """
 
 

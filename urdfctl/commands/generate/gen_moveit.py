@@ -11,7 +11,7 @@ class GenerateMoveIt(GenerateOptions, command="gen-moveit"):
     """Write a package that plans with MoveIt, and all that it needs: robot, controllers and launch files.
 
     \b
-    Example: urdfctl gen-moveit robot.xacro --distro jazzy -o my_robot_moveit
+    Example: urdfctl gen-moveit urdf/body.xacro --distro jazzy -o ../picker_moveit
     """
 
 

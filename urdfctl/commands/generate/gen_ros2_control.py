@@ -11,7 +11,7 @@ class GenerateRos2Control(GenerateOptions, command="gen-ros2-control"):
     """Write the <ros2_control> tag of ROS 2, as a xacro file to include.
 
     \b
-    Example: urdfctl gen-ros2-control robot.xacro --command position --state position,velocity --hardware mock
+    Example: urdfctl gen-ros2-control urdf/robot.xacro --joints 'elbow|wrist' --hardware mock --distro jazzy
     """
 
 

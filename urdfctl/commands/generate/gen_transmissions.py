@@ -11,7 +11,7 @@ class GenerateTransmissions(GenerateOptions, command="gen-transmissions"):
     """Write the ROS 1 transmissions, as a xacro file to include.
 
     \b
-    Example: urdfctl gen-transmissions robot.xacro --interface effort --macro --distro noetic -o urdf/joints.xacro
+    Example: urdfctl gen-transmissions urdf/body.xacro --interface effort --macro --distro noetic
     """
 
 

@@ -25,6 +25,7 @@ from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.controllers.wanted import needs_joints, with_requests
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.files.again import words_of_generated_file
+from urdfctl.generate.files.bringup import plain_name
 from urdfctl.generate.files.next_steps import steps_after
 from urdfctl.generate.files.package import around_package, nested_in
 from urdfctl.generate.files.writing import Writing, deliver
@@ -326,6 +327,7 @@ def _requested(
         moveit=_plans(options),
         planning_groups=options.planning_groups,
         output=options.output if options.command in _PACKAGES else None,
+        launch=plain_name(options.output) if options.command == "gen-launch" else None,
         command=_repeatable_command(options, words, distro, simulator),
     )
 

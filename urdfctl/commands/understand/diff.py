@@ -27,8 +27,8 @@ class DiffOptions(ReadingOptions):
     """Show what changed between two robots: their models, not their text. Order, blanks and macros are no difference.
 
     \b
-    Example: urdfctl diff origin/main: urdf/robot.xacro --format markdown
-             urdfctl diff urdf/robot.xacro model:=small urdf/robot.xacro model:=big
+    Example: urdfctl diff urdf/robot.xacro reach:=0.5 urdf/robot.xacro reach:=0.6
+             urdfctl diff HEAD: urdf/robot.xacro --format markdown
     """
 
     words: tuple[str, ...] = argument(

@@ -23,7 +23,7 @@ class ExpandOptions(ReadingOptions):
     """Expand xacro without ROS, byte for byte as xacro does.
 
     \b
-    Example: urdfctl expand urdf/robot.xacro prefix:=left_ -o robot.urdf
+    Example: urdfctl expand urdf/robot.xacro reach:=0.6 -o robot.urdf
     """
 
     file: str = argument("The xacro file.", is_required=True)

@@ -26,8 +26,8 @@ class WhyOptions(TargetOptions):
     """Show where a value of a robot comes from, and what uses it.
 
     \b
-    Example: urdfctl why urdf/robot.xacro joint:elbow/limit/@velocity prefix:=left_
-             urdfctl why config/joint_limits.yaml:12
+    Example: urdfctl why urdf/robot.xacro joint:elbow/limit/@velocity reach:=0.6
+             urdfctl why config/joint_limits.yaml:26
     """
 
     words: tuple[str, ...] = argument(

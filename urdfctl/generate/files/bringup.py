@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -63,7 +64,7 @@ def launch_file(
     text = templates.render(
         f"launch/ros{options.ros}.{name.partition('.')[2]}",
         command=options.command,
-        file=name,
+        file=options.launch or name,
         package=options.package or "my_robot_control",
         robot_file=options.description or "urdf/robot.urdf.xacro",
         arguments=[
@@ -134,6 +135,12 @@ def _within_quotes(name: str) -> str:
 def launch_name(options: GeneratorOptions) -> str:
     """Return the name of the launch file."""
     return f"control.{FORMS[options.form] if options.ros == 2 else 'launch'}"  # noqa: PLR2004
+
+
+def plain_name(path: str | None) -> str | None:
+    """Return the name of a file that is written under another than its usual one; None for one with odd characters."""
+    name = os.path.basename(path or "")
+    return name if re.fullmatch(r"\w+(\.\w+)*", name, re.ASCII) else None
 
 
 def spawner(distro: str) -> str:
