@@ -156,8 +156,12 @@ def _names_in_ros(packages: MigratedPackages) -> dict[str, list[tuple[str, str]]
     found: dict[str, list[tuple[str, str]]] = {}
     for plugin, known, kind in (*_before_as_written(packages), *_before_as_expanded(packages)):
         topic = plugin.in_gz(known, kind, is_ros1=packages.is_ros1)
-        found.setdefault(topic, list(plugin.in_ros(known, kind, is_ros1=packages.is_ros1)))
+        found.setdefault(_key(topic), list(plugin.in_ros(known, kind, is_ros1=packages.is_ros1)))
     return found
+
+
+def _key(topic: str) -> str:
+    return "/".join(filter(None, topic.split("/")))
 
 
 def _before_as_written(packages: MigratedPackages) -> Iterator[tuple[SensorPlugin, Sensor, str]]:
@@ -172,7 +176,7 @@ def _before_as_written(packages: MigratedPackages) -> Iterator[tuple[SensorPlugi
                 if kind:
                     one = plugin_as_written(plugin, element, library)
                     given = {name: _with_defaults(text, defaults) for name, text in one.settings.items()}
-                    space = _with_defaults(one.space, defaults)
+                    space = _with_defaults(one.space, defaults).strip("/")
                     yield one._replace(settings=given, space=space), SENSORS[library], kind
 
 
@@ -215,14 +219,15 @@ def _of_element(
         yield from _of_plugin(attributes.get("filename", ""), texts)
         return
     topic, kind = texts.get("topic", ""), attributes.get("type", "")
-    known = dict(names.get(topic, ()))
+    known = dict(names.get(_key(topic), ()))
     for ending, ros, gz in _OF_SENSORS.get(kind, ()) if _is_plain(topic) else ():
         if ending in known if known else (kind, ending) not in _UNASKED:
             above = topic.rpartition("/")[0]
             beside = f"{above}/{ending[3:]}".lstrip("/")
             in_gz = beside if ending.startswith("../") else f"{topic}{ending}"
             in_ros = known.get(ending, "")
-            yield Topic(in_gz, ros, gz, in_ros=in_ros if _is_plain(in_ros) and in_ros != in_gz else "")
+            is_same = _key(in_ros) == _key(in_gz) and (in_gz.startswith("/") or not in_ros.startswith("/"))
+            yield Topic(in_gz, ros, gz, in_ros=in_ros if _is_plain(in_ros) and not is_same else "")
 
 
 def _of_plugin(filename: str, texts: Mapping[str, str]) -> Iterator[Topic]:
