@@ -664,3 +664,11 @@ def test_what_launch_files_use_beside_package_xml_is_installed(folder: Folder) -
     assert (
         "install(FILES arm.urdf\n  DESTINATION share/${PROJECT_NAME}\n)\n\nament_package()" in after["CMakeLists.txt"]
     )
+
+
+def test_a_namespace_within_a_condition_stays_that_of_the_plugin(folder: Folder) -> None:
+    space = "<robotNamespace>arm</robotNamespace>"
+    chosen = PLUGIN.replace("<robotNamespace>/arm</robotNamespace>", f'<xacro:if value="true">{space}</xacro:if>')
+    assert chosen != PLUGIN
+    after = migrated(folder, {"urdf/arm.xacro": arm(transmission("EffortJointInterface"), chosen)})["urdf/arm.xacro"]
+    assert '<xacro:if value="true"><ros> <namespace>arm</namespace> </ros></xacro:if>' in " ".join(after.split())

@@ -33,7 +33,8 @@ def _commands(packages: MigratedPackages) -> Iterator[Proposal]:
             texts = [text_of(word) for word in words]
             new = dict(_changed(texts)) if texts[:2] == ["ros2", "control"] else {}
             if new:
-                edits = tuple(Edit(file.span(words[at]), text) for at, text in new.items())
+                quote = file.text(words[2])[0]
+                edits = tuple(Edit(file.span(words[at]), text.replace('"', quote)) for at, text in new.items())
                 message = "the command names the state of a controller as ros2controlcli does"
                 at = file.at(words[next(iter(new))])
                 yield Proposal(edits, entries=(ReportEntry(EntryKind.DONE, message, at, authority=_AUTHORITY),))

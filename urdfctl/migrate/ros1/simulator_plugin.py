@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.edits.markup import (
+    CONDITIONS,
     attribute,
     child,
     content,
@@ -94,6 +95,7 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
     created: tuple[tuple[str, str], ...] = ()
     if not files and (new := _new_file(element, text)) is not None:
         files, created = [new[0]], (new[1:],)
+    edits += _chosen_namespaces(element, step)
     edits.append(_with_parameters(element, files, step))
     edits = [edit for edit in edits if edit.text or edit.span.start != edit.span.end]
     entries = [
@@ -112,6 +114,15 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
         message = "name the controller file in <parameters>: no launch file says which one belongs to this robot"
         entries.append(ReportEntry(EntryKind.FOR_YOU, message, element.at))
     yield Proposal((merged(edits), *_as_xacro(element, files)), created=created, entries=tuple(entries))
+
+
+def _chosen_namespaces(element: Element, step: str) -> Iterator[Edit]:
+    """The edits of namespaces within conditions of xacro."""
+    for choice in element.elements():
+        space = child(choice, "robotNamespace") if choice.tagName in CONDITIONS else None
+        if space is not None:
+            text = f"<ros>\n{step}<namespace>{content(space)}</namespace>\n</ros>"
+            yield Edit(span_of(space), indented(text, indent_of(space)).lstrip())
 
 
 def _chosen(element: Element, files: list[str], fitting: list[str]) -> Iterator[ReportEntry]:
