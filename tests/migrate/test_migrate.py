@@ -356,6 +356,19 @@ def test_the_report_says_once_what_is_the_same_in_several_places() -> None:
     assert "- `a`: more.\n" in report
 
 
+def test_the_report_says_once_what_differs_in_one_name() -> None:
+    def line(name: str, number: int) -> ReportLine:
+        message = f"parameter 'joint' of '{name}' became dof_names"
+        return ReportLine(EntryKind.DONE, message, file="/w/c.yaml", line=number)
+
+    lines = [line(name, number) for number, name in enumerate(("a", "b", "c", "d", "e", "f", "g", "h", "i"), 1)]
+    shown = as_markdown(lines, None, "jazzy", "/w")
+    assert "- parameter 'joint' of 'a', 'b', 'c', 'd' and 5 more became dof_names.\n" in shown
+    assert shown.count("c.yaml:") == 6
+    assert "  - and 3 more places\n" in shown
+    assert as_markdown(lines[:2], None, "jazzy", "/w").count("became dof_names") == 2
+
+
 def test_what_lint_fixes_for_the_target_alone_does_not_keep_a_step_from_being_applied(folder: Folder) -> None:
     classic = ROBOT.replace("ign_ros2_control/IgnitionSystem", "gazebo_ros2_control/GazeboSystem")
     text = classic.replace("<!-- the hardware -->", "<!-- the hardware: simulated -->")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.migrate.step import EntryKind
@@ -14,6 +15,12 @@ _TITLES = {
     EntryKind.DECIDED: "Decided",
     EntryKind.FOR_YOU: "For you",
 }
+
+
+_QUOTED = re.compile(r"'([^'\n]*)'")
+_FEWEST_SIMILAR = 3
+_MOST_NAMES, _MOST_PLACES = 4, 6
+_NOUNS = frozenset({"controller", "joint", "material", "model", "node", "parameter", "plugin", "sensor"})
 
 
 class ReportLine(NamedTuple):
@@ -56,27 +63,75 @@ def as_markdown(lines: Sequence[ReportLine], source: str | None, target: str, ba
         groups: dict[tuple[str, ...], list[ReportLine]] = {}
         for line in _of(kind, lines):
             groups.setdefault((line.message, line.option, line.authority), []).append(line)
-        items = [text for group in groups.values() for text in _item(group, base)]
+        items = [text for message, group in _similar(list(groups.values())) for text in _item(message, group, base)]
         parts += [f"## {title}", "", *(items or ["Nothing."]), ""]
     return "\n".join(parts)
+
+
+def _similar(groups: Sequence[Sequence[ReportLine]]) -> Iterator[tuple[str, Sequence[ReportLine]]]:
+    """Yield the groups of equal lines with their message; those as one that differ only in one name between quotes."""
+    shapes: dict[tuple[object, ...], list[int]] = {}
+    for index, group in enumerate(groups):
+        for shape in _shapes(group[0]):
+            shapes.setdefault(shape, []).append(index)
+    used: set[int] = set()
+    for index, group in enumerate(groups):
+        if index in used:
+            continue
+        found = {shape: [one for one in shapes[shape] if one not in used] for shape in _shapes(group[0])}
+        best = max(found, key=lambda shape: len(found[shape]), default=())
+        same = found.get(best, [])
+        if len(same) < _FEWEST_SIMILAR:
+            yield group[0].message, group
+            continue
+        used.update(same)
+        yield (
+            _joined([groups[one][0] for one in same], int(str(best[0]))),
+            [line for one in same for line in groups[one]],
+        )
+
+
+def _shapes(line: ReportLine) -> list[tuple[object, ...]]:
+    """What the message is without each of the names in it, with the place of the name."""
+    parts = _QUOTED.split(line.message)
+    return [
+        (at, *parts[:at], *parts[at + 1 :], line.option, line.authority) for at in range(1, len(parts), 2) if parts[at]
+    ]
+
+
+def _joined(lines: Sequence[ReportLine], at: int) -> str:
+    """The message of lines that differ in the name at a place."""
+    names = list(dict.fromkeys(_QUOTED.split(line.message)[at] for line in lines))
+    shown = names[:_MOST_NAMES] if len(names) > _MOST_NAMES + 1 else names
+    more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
+    parts = [f"'{part}'" if index % 2 else part for index, part in enumerate(_QUOTED.split(lines[0].message))]
+    before = parts[at - 1].rstrip()
+    if before.rpartition(" ")[2] in _NOUNS:
+        parts[at - 1] = f"{before}s "
+    parts[at] = ", ".join(f"'{name}'" for name in shown) + more
+    return "".join(parts)
 
 
 def _of(kind: EntryKind, lines: Sequence[ReportLine]) -> Iterator[ReportLine]:
     return (line for line in sorted(lines, key=lambda one: (one.file, one.line)) if line.kind is kind)
 
 
-def _item(lines: Sequence[ReportLine], base: str) -> Iterator[str]:
-    """Yield the lines of an item about one or more places."""
+def _item(message: str, lines: Sequence[ReportLine], base: str) -> Iterator[str]:
+    """Yield the lines of an item about one or more places. Of what is done, some places are enough."""
     line = lines[0]
     option = f" Alternative: `{line.option}`." if line.option else ""
     authority = f" ({line.authority})" if line.authority else ""
-    text = f"{line.message}.{option}{authority}"
+    text = f"{message}.{option}{authority}"
     places = list(dict.fromkeys(_place(line, base) for line in lines if line.file))
     if len(places) < 2:  # noqa: PLR2004 (one place is in the same line)
         yield f"- {f'`{places[0]}`: ' if places else ''}{text}"
-    else:
-        yield f"- {text}"
-        yield from (f"  - `{place}`" for place in places)
+        return
+    is_long = line.kind is EntryKind.DONE and len(places) > _MOST_PLACES + 1
+    shown = places[:_MOST_PLACES] if is_long else places
+    yield f"- {text}"
+    yield from (f"  - `{place}`" for place in shown)
+    if is_long:
+        yield f"  - and {len(places) - len(shown)} more places"
 
 
 def _place(line: ReportLine, base: str) -> str:
