@@ -60,7 +60,7 @@ def _exports(packages: MigratedPackages) -> Iterator[Proposal]:
         folder = os.path.dirname(path)
         is_used = content(name) in used or is_folder(os.path.join(folder, "meshes"))
         lines = list(_paths(folder, is_used=is_used))
-        if lines and not _is_set(packages) and (edit := _added(export, lines)) is not None:
+        if lines and not _is_set(packages, content(name)) and (edit := _added(export, lines)) is not None:
             what = "the package exports where the simulator finds its meshes and models"
             yield Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, what, export.at, authority=_EXPORT),))
 
@@ -80,11 +80,11 @@ def _paths(folder: str, *, is_used: bool) -> Iterator[str]:
         yield '<gazebo_ros gazebo_model_path="${prefix}/models"/>'
 
 
-def _is_set(packages: MigratedPackages) -> bool:
-    """Whether a launch file or a hook of the packages says where the models are."""
+def _is_set(packages: MigratedPackages, name: str) -> bool:
+    """Whether a launch file or a hook of the packages says where the models of a package are."""
     names = (b"GZ_SIM_RESOURCE_PATH", b"IGN_GAZEBO_RESOURCE_PATH")
     texts = (packages.read(path).data for path in packages.files(*HOOKS, ".py", ".xml"))
-    return any(name in text for text in texts for name in names)
+    return any(name.encode() in text and any(one in text for one in names) for text in texts)
 
 
 def _added(export: Element, lines: list[str]) -> Edit | None:
