@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
@@ -13,6 +14,9 @@ from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 
 _AUTHORITY = "ros2_control ros2controlcli/verb/load_controller.py: choices of --set-state"
 _VERB = "load_controller"
+_PROGRAMS = "ros2_control controller_manager/setup.cfg: console_scripts spawner, unspawner"
+_PROGRAM = re.compile(r"\bros2 run controller_manager (?:un)?spawner\.py\b")
+_WORDS = (b"load_", b"spawner.py")
 _OPTIONS = {"--set-state": "--set-state", "--set_state": "--set-state", "--state": "--set-state"}
 _STATES = {"start": "active", "configure": "inactive", "configured": "inactive"}
 _VERBS = {"load_start_controller": "active", "load_configure_controller": "inactive"}
@@ -23,9 +27,10 @@ def _commands(packages: MigratedPackages) -> Iterator[Proposal]:
         return
     for path in packages.files(".py"):
         source = packages.read(path)
-        if b"load_" not in source.data or not packages.may_change(path):
+        if not any(word in source.data for word in _WORDS) or not packages.may_change(path):
             continue
         file = PythonFile(source)
+        yield from _programs(file)
         for call, scope in file.calls("ExecuteProcess"):
             given = keyword(call, "cmd")
             command = file.value_of(given.value, scope) if given else None
@@ -38,6 +43,21 @@ def _commands(packages: MigratedPackages) -> Iterator[Proposal]:
                 message = "the command names the state of a controller as ros2controlcli does"
                 at = file.at(words[next(iter(new))])
                 yield Proposal(edits, entries=(ReportEntry(EntryKind.DONE, message, at, authority=_AUTHORITY),))
+
+
+def _programs(file: PythonFile) -> Iterator[Proposal]:
+    """Programs in a command line that is one text."""
+    for node in ast.walk(file.tree) if file.tree else ():
+        found = re.search(_PROGRAM, text_of(node)) if isinstance(node, ast.Constant) else None
+        if found is None or not isinstance(node, ast.Constant):
+            continue
+        span = file.span(node)
+        if span.text.count(found[0]) == 1:
+            at = span.start + len(span.text[: span.text.index(found[0])].encode())
+            edit = Edit(span._replace(start=at, end=at + len(found[0].encode())), found[0].removesuffix(".py"))
+            message = f"'{found[0]}' became '{edit.text}'"
+            entry = ReportEntry(EntryKind.DONE, message, file.at(node), authority=_PROGRAMS)
+            yield Proposal((edit,), entries=(entry,))
 
 
 def _changed(texts: list[str]) -> Iterator[tuple[int, str]]:
@@ -61,6 +81,7 @@ CONTROLLER_COMMANDS = Step(
     rows=(
         Row("ros2 control load_controller --state STATE", "--set-state STATE", "humble", _AUTHORITY),
         Row("load_controller --set-state start, configure", "active, inactive", "humble", _AUTHORITY),
+        Row("ros2 run controller_manager spawner.py", "ros2 run controller_manager spawner", "humble", _PROGRAMS),
         Row("load_start_controller, load_configure_controller", "load_controller --set-state", "humble", _AUTHORITY),
     ),
     before=[
@@ -73,7 +94,8 @@ CONTROLLER_COMMANDS = Step(
                 def generate_launch_description():
                     arm = ExecuteProcess(cmd=["ros2", "control", "load_controller", "--set-state", "start", "arm"])
                     old = ExecuteProcess(cmd=["ros2", "control", "load_start_controller", "hand"])
-                    return LaunchDescription([arm, old])
+                    leg = ExecuteProcess(cmd=["ros2 run controller_manager spawner.py leg"], shell=True)
+                    return LaunchDescription([arm, old, leg])
             """,
         },
     ],
@@ -87,7 +109,8 @@ CONTROLLER_COMMANDS = Step(
                 def generate_launch_description():
                     arm = ExecuteProcess(cmd=["ros2", "control", "load_controller", "--set-state", "active", "arm"])
                     old = ExecuteProcess(cmd=["ros2", "control", "load_controller", "--set-state", "active", "hand"])
-                    return LaunchDescription([arm, old])
+                    leg = ExecuteProcess(cmd=["ros2 run controller_manager spawner leg"], shell=True)
+                    return LaunchDescription([arm, old, leg])
             """,
         },
     ],
