@@ -26,14 +26,12 @@ class Future:
     def result(self): return self.value
 class Client:
     def __init__(self, kind, name): self.kind, self.name = kind, name
-    def wait_for_service(self, timeout_sec):
-        if MUTE: time.sleep(timeout_sec)
-        return not MUTE
+    def service_is_ready(self): return not MUTE
     def call_async(self, request): return Future(self.kind.answer(self.name, request))
 class Node:
     def __init__(self, name): self.name, self.queue = name, []
     def get_name(self): return self.name
-    def destroy_node(self): pass
+    def destroy_node(self): print("destroyed", file=open(os.environ["FAKE_SYSTEM"] + ".end", "a"))
     def destroy_client(self, client): pass
     def destroy_subscription(self, subscription): pass
     def get_node_names_and_namespaces(self):
@@ -47,7 +45,7 @@ class Node:
     def create_subscription(self, kind, name, callback, qos): self.queue += [(callback, m) for m in kind.messages(name)]
 def init(): pass
 def shutdown(): pass
-def create_node(name): return Node(name)
+def create_node(name, **options): return Node(name)
 def spin_once(node, timeout_sec):
     time.sleep(min(timeout_sec, 0.02))
     while node.queue:
@@ -104,7 +102,7 @@ class GetParameters:
 _UTILITIES = """
 from types import SimpleNamespace as S
 from rclpy import R
-HEADER = S(stamp=S(sec=1, nanosec=0), frame_id="")
+def header(number): return S(stamp=S(sec=1, nanosec=number), frame_id="")
 class Description:
     @staticmethod
     def messages(name): return [S(**one) for one in R["robot_description"].get(name, [])]
@@ -112,7 +110,8 @@ class JointState:
     @staticmethod
     def messages(name):
         sent = R["joint_states"].get(name, {})
-        return [S(header=HEADER, **sent["last"])] * sent["count"] if sent else []
+        values = {"velocity": [], "effort": [], **(sent.get("last") or {})}
+        return [S(**{**values, "header": header(number)}) for number in range(sent.get("count", 0))]
 class Others:
     @staticmethod
     def messages(name): return []

@@ -150,7 +150,9 @@ def _managers(project: Project) -> dict[str, None]:
             found.setdefault(f"{spawn.namespace}/{spawn.manager}")
     home = (launch.description.namespace or "") if launch and launch.description else ""
     own = {name: None for name in found if name.rpartition("/")[0] == home}
-    return own or found or {f"/{_MANAGER}": None}
+    if not found and not project.controllers and not (project.robot and project.robot.ros2_controls):
+        return {}
+    return own or found or {f"{home}/{_MANAGER}" if project.ros == 1 else f"/{_MANAGER}": None}
 
 
 def _settings(project: Project, launch: Launch | None) -> Iterator[tuple[str, dict[str, Any]]]:

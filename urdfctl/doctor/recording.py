@@ -1,4 +1,4 @@
-"""A recording of a running ROS 2 system: what its nodes, topics, controller managers and parameters answered."""
+"""A recording of a running system: what its nodes, topics, controller managers and parameters answered."""
 
 from __future__ import annotations
 
@@ -13,6 +13,9 @@ from urdfctl.startup.records import NamedTuple
 _MOST_BYTES = 64 << 20
 _PARTS = ("nodes", "topics", "controller_managers", "parameters")
 """What every recording has."""
+LEFT_OUT = "left out"
+"""What the collector writes instead of a private value."""
+_STATES_OF_ROS1 = {"running": "active", "stopped": "inactive", "initialized": "inactive"}
 
 
 class TopicEnd(NamedTuple):
@@ -124,6 +127,11 @@ class Recording(NamedTuple):
     data: Mapping[str, Any]
 
     @property
+    def is_of_ros1(self) -> bool:
+        """Whether the system is of ROS 1: its parameters are on a server, and topics have no QoS."""
+        return _map(self.data.get("recorded")).get("how") == "rospy"
+
+    @property
     def nodes(self) -> tuple[str, ...]:
         """The full names of all nodes."""
         return tuple(_full(node) for node in _maps(self.data["nodes"]))
@@ -197,6 +205,10 @@ class Recording(NamedTuple):
 
     def parameters(self, node: str) -> dict[str, Any]:
         """Return the parameters of a node, by its full name; none if it did not answer."""
+        if self.is_of_ros1:
+            every = _map(_map(self.data["parameters"].get("/")).get("values"))
+            below = f"{node}/"
+            return {name[len(below) :].replace("/", "."): one for name, one in every.items() if name.startswith(below)}
         return dict(_map(_map(self.data["parameters"].get(node)).get("values")))
 
 
@@ -265,9 +277,10 @@ def _topic(topic: Mapping[str, Any]) -> RecordedTopic:
 
 def _end(end: Mapping[str, Any]) -> TopicEnd:
     qos = _map(end.get("qos"))
-    return TopicEnd(
-        _full(end), str(end.get("type", "")), str(qos.get("durability", "")), str(qos.get("reliability", ""))
-    )
+    kind = str(end.get("type", ""))
+    if kind.count("/") == 1:  # ROS 1
+        kind = kind.replace("/", "/msg/")
+    return TopicEnd(_full(end), kind, str(qos.get("durability", "")), str(qos.get("reliability", "")))
 
 
 def _manager(name: str, answers: object) -> RecordedManager:
@@ -290,7 +303,7 @@ def _manager(name: str, answers: object) -> RecordedManager:
 def _controller(one: Mapping[str, Any]) -> RecordedController:
     return RecordedController(
         name=str(one.get("name", "")),
-        state=str(one.get("state", "")),
+        state=_STATES_OF_ROS1.get(str(one.get("state", "")), str(one.get("state", ""))),
         type=str(one.get("type", "")),
         claimed=_texts(one.get("claimed_interfaces")),
         commands=_texts(one.get("required_command_interfaces")),

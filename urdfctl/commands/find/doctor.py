@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import time
+
 from urdfctl.commands.declaring import CHECKED_FOR, LIMITS, OUTPUT, Command, Reads, argument, option
 from urdfctl.commands.options import TEXT_OR_JSON, TargetOptions
 from urdfctl.commands.robot_targets import robots_of
 from urdfctl.commands.words import configured, output_of, settings_from, split_arguments
-from urdfctl.doctor.collecting import collected
+from urdfctl.doctor.collecting import SystemSilent, collected
 from urdfctl.doctor.log import Log, read_log
 from urdfctl.doctor.recording import Recording, read_recording, recording_of
 from urdfctl.doctor.report import json_of, text_of
@@ -14,6 +16,9 @@ from urdfctl.doctor.run import doctor
 from urdfctl.errors import UserError
 from urdfctl.output.printing import print_message, print_text
 from urdfctl.output.writing import write_file
+
+_PAUSE = 1.0
+"""Seconds between two questions to a system that does not answer."""
 
 
 class DoctorOptions(TargetOptions):
@@ -47,6 +52,7 @@ class DoctorOptions(TargetOptions):
         metavar="FILE",
         reads=Reads.PLACE,
     )
+    watch: bool = option(OUTPUT, "Record again and again, and tell what changed, until nothing is wrong.", "--watch")
     seconds: float = option(LIMITS, "Seconds for which topics are listened to.", "--seconds", default=2.0)
     private: bool = option(
         OUTPUT, "Record private parameters too: serial numbers, names of hosts and users, passwords.", "--private"
@@ -62,13 +68,22 @@ class DoctorOptions(TargetOptions):
 
 def run_doctor(options: DoctorOptions) -> int:
     """Print what is wrong, and return the exit status: 1 if anything is, otherwise 0."""
-    paths, arguments = split_arguments(options.words)
+    paths, _ = split_arguments(options.words)
+    if len(paths) > 1:
+        raise UserError("doctor reads one recording: urdfctl doctor SNAPSHOT.json; --in names the files it is about")
+    if not options.watch:
+        return _examined(options, read_recording(paths[0]) if paths else _recorded(options))[1]
+    if paths:
+        raise UserError("--watch records the system that runs here; it does not go with a recording")
+    return _watched(options)
+
+
+def _examined(options: DoctorOptions, recording: Recording, told: str = "") -> tuple[str, int]:
+    """Write what is wrong, if it differs from what was told; return it, and the exit status."""
+    _, arguments = split_arguments(options.words)
     output, file = output_of(options.output_format, TEXT_OR_JSON)
     config = configured(options.folders, options)
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator, named=options.folders)
-    if len(paths) > 1:
-        raise UserError("doctor reads one recording: urdfctl doctor SNAPSHOT.json; --in names the files it is about")
-    recording = read_recording(paths[0]) if paths else _recorded(options)
     if not (options.distro or config.distro):
         settings = settings._replace(distro=recording.distro)
     log = read_log(options.log, settings.distro) if options.log else Log()
@@ -77,9 +92,26 @@ def run_doctor(options: DoctorOptions) -> int:
     text = json_of(report) if output == "json" else text_of(report)
     if file is not None:
         write_file(file, text, force=True)
-    else:
+    elif text != told:
         print_text(text)
-    return int(bool(report.ailments))
+    return text, int(bool(report.ailments))
+
+
+def _watched(options: DoctorOptions) -> int:
+    """Examine the system that runs here until nothing is wrong in it, or the user has seen enough."""
+    told, status = "", 1
+    try:
+        while status:
+            try:
+                told, status = _examined(options, _recorded(options), told)
+            except SystemSilent as error:
+                if str(error) != told:
+                    told = str(error)
+                    print_message(told)
+                time.sleep(_PAUSE)
+    except KeyboardInterrupt:
+        return status
+    return status
 
 
 def _recorded(options: DoctorOptions) -> Recording:
@@ -87,9 +119,10 @@ def _recorded(options: DoctorOptions) -> Recording:
     text = collected(options.seconds, is_private=options.private)
     if options.snapshot is not None:
         write_file(options.snapshot, text, force=True)
-        print_message(
-            f"the recording is in '{options.snapshot}': urdfctl doctor {options.snapshot} reads it without ROS"
-        )
+        if not options.watch:
+            print_message(
+                f"the recording is in '{options.snapshot}': urdfctl doctor {options.snapshot} reads it without ROS"
+            )
     return recording_of(options.snapshot or "the recording", text)
 
 

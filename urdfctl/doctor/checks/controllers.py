@@ -39,7 +39,7 @@ def check_controllers(exam: Examination) -> Iterator[Ailment]:
     """Yield what is wrong with the controllers: first what a wrong parameter explains, then those that are missing or
     not active, then those that the files do not have."""
     answering = [one for one in exam.controllers if exam.manager(one.manager).answers]
-    for expected in answering:
+    for expected in exam.controllers if exam.recording.is_of_ros1 else answering:
         yield from _of_type(exam, expected)
         yield from of_parameters(exam, expected.node, expected.parameters, expected.at)
     for name in exam.managers:

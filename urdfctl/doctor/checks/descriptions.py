@@ -9,6 +9,7 @@ from urdfctl.compare.changes import RobotChange, changes
 from urdfctl.compare.tree import TreeNode, node_of
 from urdfctl.doctor.examination import Ailment, Examination, ailment
 from urdfctl.doctor.expectation import Expectation
+from urdfctl.doctor.recording import LEFT_OUT
 from urdfctl.rules.running.running_hardware_differs import running_hardware_differs
 from urdfctl.rules.running.running_part_missing import running_part_missing
 from urdfctl.rules.running.running_value_differs import running_value_differs
@@ -44,7 +45,9 @@ def check_values(exam: Examination) -> Iterator[Ailment]:
     """Yield the values in which the running description differs from the files."""
     for expected in exam.expected:
         values = [one for one in _differences(exam, expected) if one.kind == "changed" and one.path[-1] != "plugin"]
-        values = [one for one in values if not _is_same_file(one.before or "", one.after or "")]
+        values = [
+            one for one in values if one.after != LEFT_OUT and not _is_same_file(one.before or "", one.after or "")
+        ]
         if values:
             first, *rest = values
             notes = [

@@ -27,7 +27,7 @@ def check_joint_states(exam: Examination) -> Iterator[Ailment]:
     topics = [topic for topic in exam.recording.topics.values() if _is_of_states(topic)]
     published = [topic for topic in topics if topic.publishers]
     for expected in exam.expected:
-        if expected.joints and all(exam.manager(name).answers for name in expected.managers):
+        if expected.joints and all(_may_publish(exam, name) for name in expected.managers):
             yield from _of_robot(exam, expected, published)
     for topic in published:
         writers = sorted({end.node for end in topic.publishers})
@@ -41,6 +41,10 @@ def check_joint_states(exam: Examination) -> Iterator[Ailment]:
             yield ailment(joint_states_not_read, node=readers[0], reads=topic.name, published=names)
 
 
+def _may_publish(exam: Examination, manager: str) -> bool:
+    return exam.manager(manager).answers or exam.recording.is_of_ros1
+
+
 def _overlap(sent: JointStates) -> bool:
     """Whether two publishers of a topic may send the state of one joint; each may send those of its own."""
     every = [name for names in sent.lists for name in names]
@@ -52,10 +56,11 @@ def _is_of_states(topic: RecordedTopic) -> bool:
 
 
 def _of_robot(exam: Examination, expected: Expectation, published: list[RecordedTopic]) -> Iterator[Ailment]:
-    home = expected.managers[0].rpartition("/")[0]
+    home = expected.managers[0].rpartition("/")[0] if expected.managers else expected.namespace
     near = [topic for topic in published if topic.name.startswith(f"{home}/")]
     if not near:
-        yield ailment(no_joint_states, topic=f"{home}/joint_states")
+        kind = "joint_state_controller" if exam.recording.is_of_ros1 else "joint_state_broadcaster"
+        yield ailment(no_joint_states, topic=f"{home}/joint_states", broadcaster=kind)
         return
     received = [one for topic in near if (one := exam.recording.joint_states.get(topic.name)) and one.received]
     if not received:
@@ -76,9 +81,9 @@ def _of_robot(exam: Examination, expected: Expectation, published: list[Recorded
 
 def _of_rate(exam: Examination, expected: Expectation, received: JointStates) -> Iterator[Ailment]:
     """One topic that comes more slowly than its manager, or its publisher if it has a rate of its own, should run."""
-    settings = expected.settings.get(expected.managers[0], {})
+    settings = expected.settings.get(expected.managers[0], {}) if expected.managers else {}
     senders = [end.node for end in exam.recording.topics[received.topic].publishers]
     given = [settings.get("update_rate"), *(exam.recording.parameters(node).get("update_rate") for node in senders)]
     rates = [float(rate) for rate in given if isinstance(rate, int | float) and rate > 0]
-    if given[0] and rates and received.writers == 1 and 0 < received.rate < _SLOWEST * min(rates):
+    if settings.get("update_rate") and rates and received.writers == 1 and 0 < received.rate < _SLOWEST * min(rates):
         yield ailment(joint_states_too_slow, topic=received.topic, rate=received.rate, wanted=min(rates))

@@ -26,7 +26,10 @@ def check_managers(exam: Examination) -> Iterator[Ailment]:
     for name in exam.managers:
         if exam.manager(name).answers:
             continue
-        if name not in exam.recording.nodes:
+        if exam.recording.is_of_ros1:
+            if f"{name}{_ASKED}" not in exam.recording.services:
+                yield ailment(manager_not_running, manager=name)
+        elif name not in exam.recording.nodes:
             elsewhere = [other.name for other in exam.recording.managers.values() if other.answers]
             others = [other for other in elsewhere if other not in exam.managers]
             instead = f"; {enumerated(others)} runs instead" if others else ""

@@ -8,12 +8,11 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from urdfctl.doctor.examination import Ailment, Examination, ailment
+from urdfctl.doctor.recording import LEFT_OUT
 from urdfctl.rules.running.running_parameter_differs import running_parameter_differs
 
 _MOST_NOTES = 5
 _LIKE = 1e-6
-_LEFT_OUT = "left out"
-"""What the collector writes instead of a private value."""
 _AUTOMATIC = ("use_sim_time", "robot_description")
 """Parameters that launch arguments or other nodes mostly give."""
 
@@ -40,7 +39,7 @@ def of_parameters(exam: Examination, node: str, meant: Mapping[str, Any], at: st
 
 
 def _is_same(one: object, other: object) -> bool:
-    if one == _LEFT_OUT:
+    if one == LEFT_OUT:
         return True
     if isinstance(one, list) and isinstance(other, list):
         return len(one) == len(other) and all(map(_is_same, one, other))

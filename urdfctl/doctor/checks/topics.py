@@ -24,9 +24,13 @@ def check_topics(exam: Examination) -> Iterator[Ailment]:
     """Yield the topics on which messages do not arrive."""
     topics = exam.recording.topics
     own = {*exam.managers, *(one.node for one in exam.controllers)}
-    unserved = [one for one in topics.values() if not one.publishers and _reader(one, own)]
+    readers = set(own)
+    if exam.recording.is_of_ros1:  # the node of the hardware reads the topics of all controllers
+        below = tuple(f"{node}/" for node in own)
+        readers |= {end.node for one in topics.values() if one.name.startswith(below) for end in one.subscriptions}
+    unserved = [one for one in topics.values() if not one.publishers and _reader(one, readers)]
     for topic in topics.values():
-        reader = _reader(topic, own)
+        reader = _reader(topic, readers)
         if reader is not None and topic.publishers:
             yield from _mismatches(topic, reader)
         elif topic.publishers and not topic.subscriptions:

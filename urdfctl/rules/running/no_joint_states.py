@@ -19,9 +19,9 @@ def _break(recording: Recorded) -> None:
     bad=[example(_break)],
     good=[example()],
 )
-def no_joint_states(topic: str) -> str:
+def no_joint_states(topic: str, broadcaster: str) -> str:
     """Nobody publishes the joint states.
 
     robot_state_publisher and planners wait for them. A joint_state_broadcaster publishes them while it is active.
     """
-    return f"nobody publishes {topic}: spawn joint_state_broadcaster; without it moving links have no transform"
+    return f"nobody publishes {topic}: spawn {broadcaster}; without it moving links have no transform"
