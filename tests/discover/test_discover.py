@@ -243,3 +243,43 @@ def generate_launch_description():
     assert launches() == ["launch/demo.launch.py"]
     (folder.path / "launch/demo.launch.py").unlink()
     assert launches() == [f"launch/{kind}.launch.py" for kind in ("move_group", "rsp", "spawn_controllers")]
+
+
+STARTS = "def generate_launch_description():\n    # robot_state_publisher\n    return {}\n"
+SHARE = "os.path.join(get_package_share_directory({}), 'launch', 'gazebo.launch.py')"
+ARM_AND_CELL = "arm/launch/gazebo.launch.py", "cell/launch/gazebo.launch.py"
+
+
+@pytest.mark.parametrize(
+    "included",
+    [
+        SHARE.format("'simulation'"),
+        SHARE.format("package='simulation'"),
+        "PathJoinSubstitution([FindPackageShare('simulation'), 'launch', 'gazebo.launch.py'])",
+        "[get_package_share_directory('simulation'), '/launch/gazebo.launch.py']",
+        f"arm_cell_share, {SHARE.format('package')}; package = 'simulation'",
+        "os.path.join(share, 'launch', 'gazebo.launch.py'); share = get_package_share_directory('simulation')",
+        "f'{share}/launch/gazebo.launch.py'; share = get_package_share_path('simulation')",
+        "share / 'launch' / 'gazebo.launch.py'; share = FindPackageShare(package='simulation').find('simulation')",
+    ],
+)
+def test_a_launch_file_is_not_included_by_one_that_includes_its_namesake_in_another_package(
+    included: str, folder: Folder
+) -> None:
+    """The launch file also names both packages otherwise, and the file that it includes is not always here."""
+    outer = STARTS.format(f"{included}  # arm cell")
+    own = dict.fromkeys(ARM_AND_CELL, STARTS.format("None"))
+    folder.write({**own, "cell/launch/bringup.launch.py": outer})
+    assert launches() == [ARM_AND_CELL[0], "cell/launch/bringup.launch.py", ARM_AND_CELL[1]]
+    folder.write({"simulation/launch/gazebo.launch.py": STARTS.format("None")})
+    assert launches() == [ARM_AND_CELL[0], "cell/launch/bringup.launch.py", ARM_AND_CELL[1]]
+
+
+def test_a_launch_file_in_xml_is_not_included_by_one_that_includes_its_namesake(folder: Folder) -> None:
+    world = '<launch><node pkg="robot_state_publisher" type="robot_state_publisher" name="r"/>{}</launch>'
+    include = '<include file="$(find {})/launch/empty_world.launch"/>'
+    folder.write({"arm/launch/empty_world.launch": world.format(include.format("gazebo_ros"))})
+    folder.write({"arm/launch/bringup.launch": world.format(include.format("gazebo_ros"))})
+    assert launches() == ["arm/launch/bringup.launch", "arm/launch/empty_world.launch"]
+    folder.write({"arm/launch/bringup.launch": world.format(include.format("arm"))})
+    assert launches() == ["arm/launch/bringup.launch"]

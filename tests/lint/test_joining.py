@@ -213,3 +213,74 @@ def test_a_part_that_a_launch_file_shows_is_not_called_unused(folder: Folder) ->
     assert "not used by any robot" not in folder.run("lint", "arm", "--distro", "noetic").stdout
     folder.write({"arm/launch/table.launch": launch()})
     assert json.loads(folder.run("show", "arm", "--format", "json").stdout)["unused"] == ["arm/table.urdf"]
+
+
+DESCRIBED2 = (
+    '<node pkg="robot_state_publisher" exec="robot_state_publisher">'
+    '<param name="robot_description" value="$(command \'cat $(find-pkg-share crane)/crane.urdf\')" type="str"/></node>'
+)
+PARAMETERS = """\
+controller_manager:
+  ros__parameters:
+    winch: {type: position_controllers/JointGroupPositionController}
+winch:
+  ros__parameters: {joints: [hoist]}
+"""
+HARDWARE = (
+    '<ros2_control name="c" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>'
+    '<joint name="hoist"><command_interface name="position"/><state_interface name="position"/></joint></ros2_control>'
+)
+MANAGED = (
+    '<node pkg="controller_manager" exec="ros2_control_node"><param from="$(find-pkg-share crane)/c.yaml"/>'
+    '<remap from="~/robot_description" to="/robot_description"/></node>'
+)
+SPAWNED2 = '<node pkg="controller_manager" exec="spawner" args="winch"/>'
+
+
+def crane2(**launches: str) -> dict[str, str]:
+    """A package of ROS 2, in a folder of another name, with a robot and launch files."""
+    manifest = '<package format="3"><name>crane</name><export><build_type>ament_cmake</build_type></export></package>'
+    described = f'<robot name="crane">{BASE}{JOINT.format("hoist")}{HARDWARE}</robot>'
+    files = {"package.xml": manifest, "crane.urdf": described, "c.yaml": PARAMETERS}
+    files |= {f"launch/{name}.launch.xml": text for name, text in launches.items()}
+    return {f"folder/{name}": text for name, text in files.items()}
+
+
+def started(folder: Folder) -> list[tuple[str, list[str]]]:
+    given = json.loads(folder.run("lint", ".", "--format", "json", "--distro", "jazzy", "--exit-zero").stdout)
+    return [(each["launch"], each["beside"]) for each in given["targets"] if each["launch"]]
+
+
+def test_what_is_included_is_no_start_though_the_folder_of_its_package_has_another_name(folder: Folder) -> None:
+    whole = launch('<include file="$(find-pkg-share crane)/launch/model.launch.xml"/>', MANAGED, SPAWNED2)
+    folder.write(crane2(model=launch(DESCRIBED2), whole=whole))
+    assert started(folder) == [("folder/launch/whole.launch.xml", [])]
+
+
+def test_a_launch_file_that_spawns_what_a_start_spawns_is_no_second_start(folder: Folder) -> None:
+    whole = launch(DESCRIBED2, MANAGED, SPAWNED2)
+    folder.write(crane2(model=launch(DESCRIBED2), whole=whole, spawn=launch(SPAWNED2)))
+    assert started(folder) == [("folder/launch/model.launch.xml", []), ("folder/launch/whole.launch.xml", [])]
+    given = json.loads(folder.run("lint", ".", "--format", "json", "--distro", "jazzy", "--exit-zero").stdout)
+    assert not errors(given)
+
+
+def test_a_launch_file_with_a_robot_of_a_package_that_is_not_here_is_joined_with_no_start(folder: Folder) -> None:
+    absent = DESCRIBED2.replace("share crane", "share winches")
+    folder.write(crane2(whole=launch(DESCRIBED2, MANAGED, SPAWNED2), other=launch(absent, MANAGED, SPAWNED2)))
+    assert started(folder) == [("folder/launch/whole.launch.xml", [])]
+
+
+def test_two_managers_are_never_started_beside_each_other(folder: Folder) -> None:
+    """The second start takes only the description of the first, whose manager is a simulator."""
+    simulated = launch(DESCRIBED2, '<include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"/>')
+    folder.write(crane2(simulated=simulated, real=launch(MANAGED, SPAWNED2)))
+    assert started(folder) == [("folder/launch/real.launch.xml", []), ("folder/launch/simulated.launch.xml", [])]
+
+
+@pytest.mark.parametrize("kind", ["node_container", "load_composable_node"])
+def test_a_robot_state_publisher_in_a_container_describes_the_robot(kind: str, folder: Folder) -> None:
+    component = DESCRIBED2.replace("node", "composable_node").replace("exec=", "plugin=")
+    component = component.replace('="robot_state_publisher">', '="robot_state_publisher::RobotStatePublisher">')
+    folder.write(crane2(whole=launch(f'<{kind} name="c">{component}</{kind}>', MANAGED, SPAWNED2)))
+    assert started(folder) == [("folder/launch/whole.launch.xml", [])]

@@ -4,24 +4,16 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import lru_cache
 
+from urdfctl.discover.included import included_in
 from urdfctl.discover.walk import LAUNCHES
 
-_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
-_INCLUDE = rb"(?s)<include\s[^<>]*?file\s*=\s*[\"']([^\"']+)[\"']"
-_NAMED = (
-    rb"[\"'/]([\w.-]+[._]launch\.(?:py|xml|ya?ml))[\"']"
-    rb"|file:[^\n#]{0,300}?/([\w.-]{1,100}[._]launch\.(?:py|xml|ya?ml))\b"
-)
 _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']control[\"']"
 _DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
 _PLANNING = rb"\bmoveit_ros_move_group\b|\bgenerate_(?:demo|move_group|rsp|spawn_controllers)_launch\b"
 _SIMULATING = rb"\b(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo)\b"
-_DEMO = rb"\bgenerate_demo_launch\b"
-_OF_DEMO = "static_virtual_joint_tfs rsp move_group moveit_rviz warehouse_db spawn_controllers".split()
-"""The launch files of its package that MoveIt's demo includes (moveit_configs_utils, launches.py)."""
 _ROS2 = (".py", ".yaml", ".yml")
 _PARAMETERS = rb"(?m)^[ \t]*[\"']?ros__parameters[\"']?[ \t]*:"
 _MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"
@@ -92,8 +84,8 @@ def _is_broken_xml(text: bytes) -> bool:
 
 
 def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> list[str]:
-    """The launch files that no other one includes, and which describe a robot, load parameters or start controllers,
-    themselves or by what they include, in order.
+    """The launch files that no other one certainly includes, and which describe a robot, load parameters or start
+    controllers, themselves or by what they include, in order.
 
     naming: if given, only those which also name one of these, themselves or by what they include.
     """
@@ -103,61 +95,16 @@ def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> li
     by_name: dict[str, list[str]] = {}
     for path in texts:
         by_name.setdefault(os.path.basename(path), []).append(path)
-    included = {path: list(_included(path, text, by_name)) for path, text in texts.items()}
-    inner = {path for paths in included.values() for path in paths}
-    return [path for path in texts if path not in inner and _is_relevant(path, included, texts, named)]
-
-
-def _included(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:
-    """Yield the files that a launch file may include: those whose path ends like the included one."""
-    if path.endswith(_ROS2):
-        yield from _named(path, text, by_name)
-        return
-    for tail in _tails(text):
-        for candidate in by_name.get(tail.rpartition("/")[2], ()):
-            if candidate != path and _with_slashes(candidate, os.getcwd()).endswith(f"/{tail}"):
-                yield candidate
-
-
-@lru_cache(maxsize=_MOST_TEXTS)
-def _tails(text: bytes) -> tuple[str, ...]:
-    """The ends of the paths that an XML launch file includes. Texts are kept: each package's search reads them."""
-    addresses = re.findall(_INCLUDE, re.sub(_COMMENT, b"", text))
-    decoded = (address.decode("utf-8", "replace") for address in addresses)
-    return tuple(re.sub(r"^.*\$\([^)]*\)+/?", "", address).lstrip("./") for address in decoded)
-
-
-@lru_cache(maxsize=_MOST_TEXTS)
-def _with_slashes(path: str, current: str) -> str:
-    """A path relative to the current folder, from the root."""
-    return "/" + os.path.normpath(os.path.join(current, path)).replace(os.sep, "/")
-
-
-@lru_cache(maxsize=_MOST_TEXTS)
-def _launch_names(text: bytes) -> tuple[str, ...]:
-    """The names of launch files in a Python or YAML launch file."""
-    names = [(one or other).decode("utf-8", "replace") for one, other in re.findall(_NAMED, text)]
-    return (*names, *(f"{name}.launch.py" for name in _OF_DEMO if re.search(_DEMO, text)))
+    found = {path: included_in(path, text, by_name) for path, text in texts.items()}
+    inner = {path for included in found.values() for path in included.sure}
+    every = {path: included.every for path, included in found.items()}
+    return [path for path in texts if path not in inner and _is_relevant(path, every, texts, named)]
 
 
 @lru_cache(maxsize=_MOST_TEXTS)
 def _starts_robots(text: bytes) -> bool:
     """Whether a launch file describes a robot, loads parameters, starts controllers or plans for a robot itself."""
     return any(re.search(pattern, text) for pattern in (_RELEVANT, _DESCRIBING, _PLANNING, _SIMULATING))
-
-
-def _named(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:
-    """Yield the launch files that a Python or YAML launch file names.
-
-    If several files have the name: those in a folder that it names too, or else those in its own folder.
-    """
-    for name in _launch_names(text):
-        candidates = [candidate for candidate in by_name.get(name, ()) if candidate != path]
-        beside = [candidate for candidate in candidates if os.path.dirname(candidate) == os.path.dirname(path)]
-        in_named_folder = [
-            path for path in candidates if any(part.encode() in text for part in path.split(os.sep)[-3:-2])
-        ]
-        yield from candidates if len(candidates) == 1 else in_named_folder or beside or candidates
 
 
 def _is_relevant(

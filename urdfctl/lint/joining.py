@@ -106,8 +106,11 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     lonely = [pair for pair in pairs if is_lonely(pair[1]) and pair[1].path not in included]
     if not lonely:
         return Joined()
+    starts = starts_in(pairs)
+    covered = {id(result) for _, result in lonely if any(_spawns_all(start, result) for start in starts)}
+    lonely = [pair for pair in lonely if id(pair[1]) not in covered]
     loading = [pair for pair in lonely if pair[1].joining.claimed]
-    first = _joined_once(_joins(loading, starts_in(pairs), wanted, alone=alone), lint)
+    first = _joined_once(_joins(loading, starts, wanted, alone=alone), lint)
     left = [pair for pair in lonely if id(pair[1]) not in first.replaced]
     now = [pair for pair in pairs if id(pair[1]) not in first.replaced]
     made = {id(result) for _, result in first.results}
@@ -116,7 +119,7 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     kept = [pair for pair in first.results if id(pair[1]) not in second.replaced]
     results = (*kept, *second.results)
     within = {path for _, result in results if result.bringup for path in result.bringup.includes}
-    covered = {id(result) for result in inner if result.path in within}
+    covered |= {id(result) for result in inner if result.path in within}
     return Joined(results, first.replaced | second.replaced | covered)
 
 
@@ -188,8 +191,16 @@ def _is_of_generation(start: TargetResult, lonely: TargetResult) -> bool:
 
 
 def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
-    """The starts beside which a launch file is started, the best known ones."""
-    same = starts_of_generation(lonely, starts)
+    """The starts beside which a launch file is started, the best known ones.
+
+    None, if it names another robot: one in a package that is not here.
+    """
+    if lonely.joining.described_in:
+        return []
+    same = [start for start in starts_of_generation(lonely, starts) if not _excludes(start, lonely)]
+    if lonely.joining.manages:
+        described = {(start.first.path, start.first.arguments): start for start in map(_without_manager, same[::-1])}
+        same = [*described.values()][::-1]
     own = [start for start in same if _package(start.first) == _package(lonely)]
     own = [start for start in own if start.first.launch is not None] or own
     fits = _has_joints if lonely.joining.claimed else _declares
@@ -199,6 +210,31 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
             return _best(whole)
     paths = {frozenset(result.path for _, result in start.robots) for start in own}
     return _best([start for start in own if _may_be_meant(lonely, start)]) if len(paths) == 1 else []
+
+
+def _excludes(start: Start, lonely: TargetResult) -> bool:
+    """Whether a start spawns controllers that a launch file would spawn a second time."""
+    return any(set(_spawned(lonely)) & set(_spawned(result)) for _, result in start.robots)
+
+
+def _spawns_all(start: Start, lonely: TargetResult) -> bool:
+    """Whether a start of the same package spawns all that a launch file spawns, which is then a part of it."""
+    spawned = {name for _, result in start.robots for name in _spawned(result)}
+    return _package(start.first) == _package(lonely) and bool(_spawned(lonely)) and spawned >= set(_spawned(lonely))
+
+
+def _without_manager(start: Start) -> Start:
+    """Only the description of a start that has a manager, beside which there is no place for another one."""
+    if not start.first.joining.manages:
+        return start
+    robots = (
+        (
+            Target(result.path, result.arguments, namespace=target.namespace),
+            result._replace(launch=None, bringup=None, joining=result.joining._replace(manages=False)),
+        )
+        for target, result in start.robots
+    )
+    return Start(tuple(robots))
 
 
 def _package(result: TargetResult) -> str:

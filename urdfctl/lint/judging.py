@@ -213,7 +213,7 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
     def linted(entries: list[PlannedTarget]) -> Iterator[tuple[Target, TargetResult]]:
         return lint_targets([entry.target for entry in entries], [entry.must_read for entry in entries])
 
-    results = list(zip(entries, linted(entries), strict=True))
+    results = _outer(list(zip(entries, linted(entries), strict=True)))
     known = {os.path.abspath(entry.target.path) for entry in entries}
     needy = [entry for entry, (_, result) in results if _lacks_robot(result) and not entry.target.launch]
     choices = linter.variants([entry.target for entry in needy]) if needy else []
@@ -235,6 +235,20 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
             more += [entry._replace(target=Target(path)) for path in inner]
     kept = [(entry, pair) for entry, pair in results if entry.target not in replaced]
     return [*kept, *zip(more, linted(more), strict=True)]
+
+
+def _outer(launched: LaunchedTargets) -> LaunchedTargets:
+    """The results without those of launch files that another one of them includes, as following it shows."""
+    includes = {
+        os.path.abspath(entry.target.path): set(result.bringup.includes)
+        for entry, (_, result) in launched
+        if result.bringup
+    }
+
+    def is_inner(path: str) -> bool:
+        return any(path in inner and outer not in includes.get(path, ()) for outer, inner in includes.items())
+
+    return [(entry, pair) for entry, pair in launched if not is_inner(os.path.abspath(entry.target.path))]
 
 
 def _lacks_robot(result: TargetResult) -> bool:

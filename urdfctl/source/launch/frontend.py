@@ -34,9 +34,10 @@ _SUBSTITUTIONS: dict[str, tuple[str, int]] = {
 }
 """The substitutions of XML and YAML: the class in Python, and the maximum number of arguments."""
 _OF_NODES = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace", "shell": "shell"}
+_OF_COMPONENTS = {"package": "pkg", "plugin": "plugin", "name": "name", "namespace": "namespace"}
 _WHOLE = {"eval": "PythonExpression", "command": "Command"}
 _PLAIN = {"log", "set_env", "unset_env", "append_env", "reset_env", "shutdown"} | {
-    "set_ros_log_dir", "node_container", "load_composable_node", "let_env", "cmd", "reset",
+    "set_ros_log_dir", "let_env", "cmd", "reset",
 }  # fmt: skip
 _FOR_ALL = {
     "set_parameter": "SetParameter",
@@ -151,9 +152,22 @@ def _called(name: str, entity: Entity, attributes: Mapping[str, str]) -> Called:
 
 
 def _node(entity: Entity) -> Called:
-    term = _called("Node", entity, _OF_NODES)
+    term = _with_parameters(_called("Node", entity, _OF_NODES), entity)
     if "args" in entity.attributes:
         term.keywords["arguments"] = words_of(entity.attributes["args"])
+    return term
+
+
+def _container(entity: Entity) -> Called:
+    components: list[Term] = [
+        _with_parameters(_called("ComposableNode", child, _OF_COMPONENTS), child)
+        for child in entity.named("composable_node", "composable-node")
+    ]
+    given = {"composable_node_descriptions": Items(components, entity.at)}
+    return Called("ComposableNodeContainer", entity.at, (), given)
+
+
+def _with_parameters(term: Called, entity: Entity) -> Called:
     parameters = [_parameter(child) for child in entity.named("param")]
     if parameters:
         term.keywords["parameters"] = Items(parameters, entity.at)
@@ -207,6 +221,8 @@ _ACTIONS: dict[str, Callable[[Entity], Called]] = {
     "arg": lambda entity: _called("DeclareLaunchArgument", entity, {"name": "name", "default_value": "default"}),
     "let": lambda entity: _called("SetLaunchConfiguration", entity, {"name": "name", "value": "value"}),
     "node": _node,
+    "node_container": _container,
+    "load_composable_node": _container,
     "executable": _executable,
     "include": _include,
     "group": _group,

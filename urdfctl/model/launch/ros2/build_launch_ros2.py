@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.model.launch import Launch, Simulation, Spawn, Word, joined
+from urdfctl.model.launch.ros2.containers import nodes_in_container
 from urdfctl.model.launch.ros2.descriptions import content_of
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import LAUNCHES
@@ -43,9 +44,8 @@ _HARMLESS = frozenset(
     (
         "LogInfo Shutdown EmitEvent SetEnvironmentVariable AppendEnvironmentVariable UnsetEnvironmentVariable "
         "PrependEnvironmentVariable SetROSLogDir "
-        "UnregisterEventHandler ResetEnvironment PushEnvironment PopEnvironment LoadComposableNodes "
-        "ComposableNodeContainer ComposableNode LifecycleTransition UnsetLaunchConfiguration ReadyToTest GzServer "
-        "RosGzBridge AppendEnvironment"
+        "UnregisterEventHandler ResetEnvironment PushEnvironment PopEnvironment LifecycleTransition "
+        "UnsetLaunchConfiguration ReadyToTest GzServer RosGzBridge AppendEnvironment"
     ).split()
 )
 """Actions that have no effect on a robot and its controllers."""
@@ -296,6 +296,10 @@ class _Walk:
             actions = actions.call([UnknownTerm(term.at), UnknownTerm(term.at)], {}, self.texts(scope).context)
         self.action(actions, scope, state)
 
+    def composed(self, term: Called, scope: ActionScope, state: _State) -> None:
+        """Follow the nodes that are loaded into a container, in one process, as nodes on their own."""
+        self.action(nodes_in_container(term, self.texts(scope)), scope, state)
+
     def moveit(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Add what a function of moveit_configs_utils.launches starts."""
         self.nodes(scope).moveit(term, sure=state.sure, held=state.held)
@@ -370,5 +374,7 @@ _ACTIONS: dict[str, Callable[[_Walk, Called, ActionScope, _State], None]] = {
     "ROSTimer": _Walk.timer,
     "RegisterEventHandler": _Walk.handler,
     "IncludeLaunchDescription": _Walk.include,
+    "ComposableNodeContainer": _Walk.composed,
+    "LoadComposableNodes": _Walk.composed,
     **dict.fromkeys(LAUNCHES, _Walk.moveit),
 }

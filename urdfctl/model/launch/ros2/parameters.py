@@ -114,7 +114,8 @@ class NodeParameters:
                 self.facts.described(content, self.executable, self.namespace, sure=self.sure)
 
     def _description(self, value: Term) -> None:
-        if self.executable not in DESCRIBED or is_of_other_node(value, self.texts):
+        takes = self.executable in DESCRIBED or re.search(_OF_MANAGERS, self.executable)
+        if not takes or is_of_other_node(value, self.texts):
             return
         content = content_of(value, self.texts, self.facts.exists) or Content(None, None, value.at)
         self.facts.described(content, self.executable, self.namespace, sure=self.sure)
