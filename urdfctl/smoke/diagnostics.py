@@ -98,3 +98,24 @@ def diagnostics_of(
             notes=tuple(map(Remark, notes)),
             fix=None,
         )
+
+
+def unexplained(troubles: Iterable[Trouble], known: Sequence[Trouble]) -> list[Trouble]:
+    """Return the troubles that no known one about the same controller explains.
+
+    What explains the trouble of a joint is about this joint, or about the whole controller.
+    """
+    explaining = {
+        (trouble.controller, fault.code, subject)
+        for trouble in known
+        for fault in fault_of(trouble.code).explains
+        for subject in ((trouble.subject,) if trouble.subject.startswith("joint:") else ("",))
+    }
+    by_fault = {(controller, code) for controller, code, _ in explaining}
+
+    def is_explained(trouble: Trouble) -> bool:
+        if not trouble.subject.startswith("joint:"):
+            return (trouble.controller, trouble.code) in by_fault
+        return any((trouble.controller, trouble.code, subject) in explaining for subject in ("", trouble.subject))
+
+    return [trouble for trouble in troubles if not is_explained(trouble)]

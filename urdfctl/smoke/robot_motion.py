@@ -7,14 +7,13 @@ from functools import partial
 
 from urdfctl.load.meshes import mesh_path
 from urdfctl.model.stage import Stage
-from urdfctl.rules import fault_of
 from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
 from urdfctl.rules.smoke.engine_died import engine_died
 from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.run.limits import WorkerFailure
 from urdfctl.smoke.checked_robot import CheckedRobot
-from urdfctl.smoke.diagnostics import diagnostics_of
+from urdfctl.smoke.diagnostics import diagnostics_of, unexplained
 from urdfctl.smoke.engines import EngineUrdf, engine_urdf, wheel_links
 from urdfctl.smoke.motion import MotionPlan, SimulationResult
 from urdfctl.smoke.results import ROBOT, ControllerResult, RobotResult, Trouble, Verdict, trouble_of
@@ -100,7 +99,7 @@ def with_engine_result(
         troubles = [trouble_of(engine_refuses_robot, ROBOT, engine=engine, why=trial.refused)]
         trial = _not_simulated(result, f"{engine} rejects the robot")
     else:
-        troubles = _unexplained(trial.troubles, robot.troubles)
+        troubles = _new(trial.troubles, robot.troubles)
     diagnostics = result.linted.outcome.diagnostics
     messages = {diagnostic.message for diagnostic in diagnostics}
     found = diagnostics_of(troubles, robot.placed, robot.suppressed, robot.not_started)
@@ -120,15 +119,10 @@ def _not_simulated(result: RobotResult, why: str) -> SimulationResult:
     return SimulationResult(unjudged={controller.name: f"not simulated: {why}" for controller in result.controllers})
 
 
-def _unexplained(troubles: Sequence[Trouble], known: Sequence[Trouble]) -> list[Trouble]:
-    """The findings of an engine without those that known findings about the same controller explain."""
-    explained = {(trouble.controller, fault.code) for trouble in known for fault in fault_of(trouble.code).explains}
+def _new(troubles: Sequence[Trouble], known: Sequence[Trouble]) -> list[Trouble]:
+    """The findings of an engine without those that known findings explain, or are."""
     same = {(trouble.subject, trouble.code) for trouble in known}
-    return [
-        trouble
-        for trouble in troubles
-        if (trouble.controller, trouble.code) not in explained and (trouble.subject, trouble.code) not in same
-    ]
+    return [trouble for trouble in unexplained(troubles, known) if (trouble.subject, trouble.code) not in same]
 
 
 def _with_trial(controller: ControllerResult, trial: SimulationResult, troubles: Sequence[Trouble]) -> ControllerResult:

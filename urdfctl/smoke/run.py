@@ -28,8 +28,10 @@ from urdfctl.load.target import Target
 from urdfctl.names import enumerated
 from urdfctl.report.common import shown
 from urdfctl.run.limits import processors
+from urdfctl.smoke.aside import as_aside
 from urdfctl.smoke.checked_robot import CheckedRobot
 from urdfctl.smoke.pairing import with_joined
+from urdfctl.smoke.ranking import causes_first
 from urdfctl.smoke.reports import SmokeReport, report_of
 from urdfctl.smoke.results import RobotResult
 from urdfctl.smoke.statics import check_statically
@@ -122,7 +124,8 @@ def _tested(robots: Sequence[PlannedRobot], request: SmokeRequest) -> Iterator[R
     limits = robots[0].settings if robots else Settings()  # the options of the run, which are the same for all
     results = move([checked[index] for index in reported], request, limits)
     for index, result in zip(reported, results, strict=True):
-        yield RobotTest(robots[index].target, robots[index].settings, result)
+        robot = robots[index]
+        yield RobotTest(robot.target, robot.settings, as_aside(robot.entry, result))
 
 
 # -- find and plan ---------------------------------------------------------------------------------------------------
@@ -323,4 +326,4 @@ def report(
         findings = unknown(findings, {file for robot in results for file in robot.linted.files})
     reported = {finding.message for finding in findings}
     hidden = [finding.message for finding in everything if finding.message not in reported]
-    return report_of([robot.without(hidden) for robot in results], findings, fail_on)
+    return report_of([robot.without(hidden) for robot in results], causes_first(findings), fail_on)

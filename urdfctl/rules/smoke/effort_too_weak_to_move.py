@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from urdfctl.fault import Severity, fault
 from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER
+from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 
 
 @fault(
@@ -12,6 +13,7 @@ from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER
     runtime="misbehaves",
     authority="a mass m reaches the distance s in t seconds with at least the force 2 m s / t²; "
     "gz_ros2_control clamps efforts to the joint's limit",
+    explains=(joint_does_not_follow,),
     options=["--distro=jazzy"],
     bad=[
         {

@@ -5,6 +5,25 @@ from __future__ import annotations
 from urdfctl.fault import Severity, fault
 from urdfctl.rules.smoke.common import GAINS, LIFT
 
+_CHAIN = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 500
+        mover: {type: forward_command_controller/ForwardCommandController}
+        loop: {type: pid_controller/PidController}
+    mover:
+      ros__parameters:
+        joints: [loop/lift]
+        interface_name: position
+    loop:
+      ros__parameters:
+        dof_names: [lift]
+        command_interface: effort
+        reference_and_state_interfaces: [position]
+        gains:
+          lift: {p: 4000.0, i: 0.0, d: 1.0}
+"""
+
 
 @fault(
     "UC933",
@@ -16,11 +35,8 @@ from urdfctl.rules.smoke.common import GAINS, LIFT
         {
             "robot.urdf": LIFT.replace(
                 '<joint name="lift" type="prismatic">', '«<joint name="lift" type="prismatic">»'
-            ).replace('<command_interface name="effort"/>', '<command_interface name="velocity"/>'),
-            "controllers.yaml": (GAINS % "mover")
-            .replace("[effort]", "[velocity]")
-            .replace("update_rate: 500", "update_rate: 10")
-            .replace("p: 4000.0, i: 100.0, d: 400.0", "p: 30.0"),
+            ),
+            "controllers.yaml": _CHAIN,
         },
     ],
     good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from urdfctl.fault import Severity, fault
 from urdfctl.rules.smoke.common import GAINS, LIFT
+from urdfctl.rules.smoke.does_not_drive_forward import does_not_drive_forward
+from urdfctl.rules.smoke.does_not_turn_left import does_not_turn_left
+from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 
 
 @fault(
@@ -11,6 +14,11 @@ from urdfctl.rules.smoke.common import GAINS, LIFT
     severity=Severity.ERROR,
     runtime="misbehaves",
     authority="URDF: the friction of a joint is an effort, and its damping an effort for each unit of speed",
+    explains=(
+        joint_does_not_follow,
+        does_not_drive_forward,
+        does_not_turn_left,
+    ),
     options=["--distro=jazzy"],
     bad=[
         {

@@ -34,10 +34,10 @@ from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
     ],
     good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],
 )
-def loop_too_stiff_without_rotor(controller: str, rate: float) -> str:
+def loop_too_stiff_without_rotor(controller: str, which: str, rate: float) -> str:
     """Gains too high for the lightest joint as described.
 
     The rotor of a real motor adds inertia through its gears, which steadies the joint. Robot descriptions and
     simulators do not model rotors, so the joint shakes in simulation.
     """
-    return f"the gains of controller '{controller}' are too high for its lightest joint at {rate:g} Hz"
+    return f"the gains of controller '{controller}' are too high for {which} at {rate:g} Hz"

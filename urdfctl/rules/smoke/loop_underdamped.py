@@ -16,17 +16,17 @@ from urdfctl.rules.smoke.common import GAINS, LIFT
     bad=[
         {
             "robot.urdf": LIFT,
-            "controllers.yaml": (GAINS % "«mover»").replace("d: 400.0", "d: 5.0"),
+            "controllers.yaml": (GAINS % "mover").replace("d: 400.0", "«d»: 5.0"),
         },
     ],
     good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],
 )
-def loop_underdamped(controller: str, ratio: float, least: float) -> str:
+def loop_underdamped(controller: str, which: str, ratio: float, least: float) -> str:
     """Underdamped controller gains.
 
     The joints settle only after many swings. A d gain, or damping in the joints, stops them sooner.
     """
     return (
-        f"the gains of controller '{controller}' leave its joints swinging: the damping ratio is {ratio:.2g}, "
+        f"the gains of controller '{controller}' leave {which} swinging: the damping ratio is {ratio:.2g}, "
         f"but should be at least {least:g}"
     )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from urdfctl.fault import Severity, fault
 from urdfctl.rules.smoke.common import ROVER, WHEELS
+from urdfctl.rules.smoke.does_not_drive_forward import does_not_drive_forward
+from urdfctl.rules.smoke.does_not_turn_left import does_not_turn_left
 
 
 @fault(
@@ -11,6 +13,10 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS
     severity=Severity.ERROR,
     runtime="misbehaves",
     authority="URDF: a revolute joint stops at its limits",
+    explains=(
+        does_not_drive_forward,
+        does_not_turn_left,
+    ),
     options=["--distro=jazzy"],
     bad=[
         {

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 
 from urdfctl.fault import Severity, fault
 from urdfctl.rules.smoke.common import ROVER, WHEELS
+from urdfctl.rules.smoke.does_not_drive_forward import does_not_drive_forward
+from urdfctl.rules.smoke.does_not_turn_left import does_not_turn_left
 
 
 def standing_on(links: Sequence[str]) -> str:
@@ -20,6 +22,10 @@ def standing_on(links: Sequence[str]) -> str:
     severity=Severity.ERROR,
     runtime="misbehaves",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
+    explains=(
+        does_not_drive_forward,
+        does_not_turn_left,
+    ),
     options=["--distro=jazzy"],
     bad=[
         {

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.catalog.distros import generation, since
 from urdfctl.control.chains import chained_claims
+from urdfctl.control.hardware.gazebo_ros1 import in_gazebo
 from urdfctl.control.hardware.interfaces import Absence
 from urdfctl.control.lifecycle import Life, Reason, Stop, lives
 from urdfctl.control.session import Configured, Session, session_of
@@ -73,6 +74,8 @@ _FILE_IS_NOT_FOUND = frozenset(
 
 NOT_MOVED = "not simulated: no physics engine was used"
 """Why a controller that becomes active is not tested further."""
+DRIVER_UNKNOWN = {"driver": "it is not in the files; taken to offer what the controllers claim"}
+"""What is not tested of controllers whose hardware is a program that no file describes."""
 NO_ROBOT, NO_HARDWARE = "the robot description is rejected", "the hardware is rejected"
 """Why no controller becomes active if a fault is not their own."""
 
@@ -101,12 +104,14 @@ class ControllerLifecycle(NamedTuple):
     name: its name in reports.
     refusal: what stops it; None if it becomes active.
     by_distro: what happens to it in each possible distro, if they differ.
+    untested: what of it cannot be tested, by name, with the reason.
     """
 
     configured: Configured
     name: str
     refusal: Refusal | None
     by_distro: Mapping[str, str] = {}
+    untested: Mapping[str, str] = {}
 
     @property
     def result(self) -> ControllerResult:
@@ -116,7 +121,8 @@ class ControllerLifecycle(NamedTuple):
         if self.refusal:
             stage, why, blocked_by = self.refusal.stage, self.refusal.why, self.refusal.blocked_by
             return ControllerResult(self.name, type_name, Verdict.FAILED, stage, why, blocked_by=blocked_by)
-        return ControllerResult(self.name, type_name, Verdict.SKIPPED, Stage.ACTIVATE, NOT_MOVED)
+        untested = self.untested
+        return ControllerResult(self.name, type_name, Verdict.SKIPPED, Stage.ACTIVATE, NOT_MOVED, untested=untested)
 
 
 class RobotLifecycle(NamedTuple):
@@ -205,6 +211,7 @@ class _ControllerManager:
         errors = [finding for finding in findings if finding.severity is Severity.ERROR]
         self._ros, self._everyone = generation(session.distro), session.controllers
         self._labels = _labels_of(session)
+        self._has_driver = generation(session.distro) == 1 and in_gazebo(project) is not Severity.ERROR
         self._unread = next((error for error in errors if error.code in _FILE_IS_NOT_FOUND), None)
         self._about = [(finding, concerned_controllers(finding, project, self._everyone)) for finding in findings]
         self._of_files = [
@@ -228,7 +235,13 @@ class _ControllerManager:
                 refusal = blocked._replace(stage=first.stage if first else blocked.stage) if blocked else None
             else:
                 refusal = _with_line(first, by_manager)
-            yield ControllerLifecycle(life.controller, self._labels[id(life.controller)], refusal)
+            name, untested = self._labels[id(life.controller)], self._untested(life)
+            yield ControllerLifecycle(life.controller, name, refusal, untested=untested)
+
+    def _untested(self, life: Life) -> Mapping[str, str]:
+        """What the driver of real hardware of ROS 1 may offer, which registers what it implements."""
+        assumed = self._has_driver and any(stop.reason is Reason.NOT_OFFERED for stop in life.stops)
+        return DRIVER_UNKNOWN if assumed else {}
 
     def _refused_by_manager(self, life: Life) -> list[Refusal]:
         """The refusals that the manager works out by itself, with the error of lint that reports each."""
@@ -236,6 +249,8 @@ class _ControllerManager:
         errors = {finding.code for finding in about if finding.severity is Severity.ERROR}
         type_is_wrong = not errors.isdisjoint(_TYPE_DOES_NOT_EXIST)
         stops = [stop for stop in life.stops if _is_certain(stop, type_is_wrong=type_is_wrong)]
+        if self._has_driver and not errors:
+            stops = [stop for stop in stops if stop.reason is not Reason.NOT_OFFERED]
         if not errors and self._may_be_declared(life.controller):
             unread = self._unread
             return [Refusal(Stage.LOAD, unread.message, "", unread)] if unread else []

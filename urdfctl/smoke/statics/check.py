@@ -11,13 +11,21 @@ from urdfctl.lint.target import LintedTarget
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.model.stage import Stage
+from urdfctl.names import enumerated
+from urdfctl.report.common import shown
 from urdfctl.rules import fault_of, stage_of
 from urdfctl.rules.reading.rule_crashed import rule_crashed
 from urdfctl.rules.smoke.loose_robot_tips_over import loose_robot_tips_over
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro
 from urdfctl.rules.smoke.wheel_measures_differ import wheel_measures_differ
-from urdfctl.smoke.diagnostics import diagnostics_of, placed_diagnostics, subject_places, suppressed_codes
+from urdfctl.smoke.diagnostics import (
+    diagnostics_of,
+    placed_diagnostics,
+    subject_places,
+    suppressed_codes,
+    unexplained,
+)
 from urdfctl.smoke.lifecycle import (
     NOT_MOVED,
     ControllerLifecycle,
@@ -34,20 +42,24 @@ from urdfctl.smoke.statics.physics import static_troubles
 from urdfctl.smoke.statics.plausibility import plausibility_troubles
 from urdfctl.smoke.statics.shared_joints import shared_joint_troubles
 from urdfctl.smoke.statics.simulators import in_simulation
-from urdfctl.smoke.statics.stability import loop_troubles
+from urdfctl.smoke.statics.stability import loop_troubles, needs_grip
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
+from urdfctl.smoke.statics.velocity_loops import velocity_loop_troubles
 from urdfctl.smoke.statics.written_limits import written_limit_troubles
-from urdfctl.smoke.tasks import ControllerTask, TaskFile, tasks_of, with_inferred_drives
+from urdfctl.smoke.tasks import ControllerTask, MotionFamily, TaskFile, tasks_of, with_inferred_drives
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 _GAINS = ("p", "i", "d")
 UNKNOWN_ROBOT = "not simulated: the robot is not known, or some of its parts are not"
-"""Why a controller does not move if no engine can move it."""
+"""Why a controller does not move if no engine can move it, and nothing says what is missing."""
+NO_ROBOT = "not simulated: the launch file starts no known robot: urdfctl smoke ROBOT --controllers {}"
+NO_PACKAGES = "not simulated: the robot needs {}, not here: clone {} beside it, or --package-path FOLDER"
 RATES = {1: 1000.0, 2: 100.0}
 """The default update rate by generation of ROS, in Hz: gazebo_ros_control updates at each step of 1 ms, the controller
 manager of ROS 2 at its own default."""
+NEEDS_GRIP = "its gains suit wheels that grip the ground, and plain velocity controllers are tested in the air"
 NOT_STARTED = "the launch file does not start this controller"
 ANOTHER_FITS = "'{}' commands the same joints and fits the robot, and no launch file says which of them is started"
 
@@ -86,7 +98,7 @@ class StaticCheck(NamedTuple):
     def results(self) -> tuple[ControllerResult, ...]:
         """The results of the controllers, as far as they are known."""
         results = (result_without_motion(each) for each in self.lifecycle.controllers if self.wants(each.name))
-        unknown = UNKNOWN_ROBOT if self.mechanism is None else NOT_MOVED
+        unknown = _why_unknown(self.seen) if self.mechanism is None else NOT_MOVED
         known = (each._replace(reason=unknown) if each.reason == NOT_MOVED else each for each in results)
         results = (with_troubles(result, self.troubles) for result in known)
         return tuple(as_not_started(result) if result.name in self.not_started else result for result in results)
@@ -127,6 +139,18 @@ class StaticCheck(NamedTuple):
         crashes = [finding for finding in of_lint if finding.code == rule_crashed.code]
         outcome = Outcome([*crashes, *diagnostics], [], linted.outcome.crashed)
         return RobotResult(linted._replace(outcome=outcome), self.results, self.lifecycle.distro, part_of=self.part_of)
+
+
+def _why_unknown(seen: LintedTarget) -> str:
+    """Why no engine can move a robot: what of it is missing."""
+    packages, robot = seen.result.missing_packages, seen.project.robot
+    if packages and (robot is None or not seen.project.complete):
+        names = enumerated([f"'{name}'" for name in packages], "and")
+        which = f"package{'s' if len(packages) > 1 else ''} {names}"
+        return NO_PACKAGES.format(which, "them" if len(packages) > 1 else "it")
+    if robot is None and seen.project.launch is not None and seen.result.controllers:
+        return NO_ROBOT.format(" ".join(map(shown, seen.result.controllers)))
+    return UNKNOWN_ROBOT
 
 
 def _subjects_of(troubles: Iterable[Trouble]) -> set[str]:
@@ -197,13 +221,19 @@ def _with_physics(
     troubles += loose_troubles(mechanism, tasks, robot, falls=in_simulation(project, distro))
     mechanism = mechanism.within_command_ranges()
     troubles += loop_troubles(mechanism, tasks, check.rate)
+    troubles += velocity_loop_troubles(mechanism, tasks, check.rate)
+    tasks = tuple(
+        task._replace(family=MotionFamily.STRUCTURAL, why=NEEDS_GRIP)
+        if needs_grip(mechanism, task, check.rate)
+        else task
+        for task in tasks
+    )
     troubles += overlap_troubles(mechanism, shapes, _allowed(project))
     support = _support(mechanism, shapes, tasks)
     if support.tips and in_simulation(project, distro):
         troubles.append(trouble_of(loose_robot_tips_over, ROBOT, when=support.tips))
-    explained = {(each.controller, fault.code) for each in troubles for fault in fault_of(each.code).explains}
-    shown = tuple(each for each in troubles if (each.controller, each.code) not in explained)
-    return check._replace(mechanism=mechanism, tasks=tasks, troubles=shown, support=support)
+    told = tuple(unexplained(troubles, troubles))
+    return check._replace(mechanism=mechanism, tasks=tasks, troubles=told, support=support)
 
 
 def _link_elsewhere(project: Project) -> str | None:

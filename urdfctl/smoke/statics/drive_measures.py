@@ -54,7 +54,8 @@ def _apart(mechanism: Mechanism, task: ControllerTask, drive: Drive) -> Iterator
     if len(left) == 1 == len(right):
         apart = abs(left[0].place[1] - right[0].place[1])
         if differ(drive.separation, apart) or (drive.is_folded and apart > LEVEL):
-            yield measure_differs(task, "wheel separation", drive.separation, apart)
+            folded = "separation times wheel_separation_multiplier" if drive.is_folded else "separation"
+            yield measure_differs(task, f"wheel {folded}", drive.separation, apart)
     if len(drive.roles) == len(driven) == 4:  # noqa: PLR2004
         spans = (max(w.place[n] for w in driven) - min(w.place[n] for w in driven) for n in range(2))
         reach = sum(spans) / 2
@@ -111,6 +112,12 @@ def _fixed_axle(
 def _is_same_axle(some: Sequence[Wheel], others: Sequence[Wheel]) -> bool:
     """Whether some wheels have one in common with others."""
     return bool({wheel.hinge.name for wheel in some} & {wheel.hinge.name for wheel in others})
+
+
+def fixed_axle(mechanism: Mechanism, drive: Drive) -> Sequence[Wheel]:
+    """Return the wheels that no joint steers, on one axle; none if there are none, or several axles."""
+    driven = wheels_of(mechanism, drive.driven, drive.base)
+    return _fixed_axle(mechanism, drive, driven, _turned_wheels(mechanism, drive))
 
 
 def pivots_of(mechanism: Mechanism, drive: Drive) -> list[Wheel]:

@@ -17,7 +17,14 @@ from urdfctl.rules.smoke.wheels_mirrored import wheels_mirrored
 from urdfctl.rules.smoke.wheels_too_weak import wheels_too_weak
 from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.robot import LATERAL, LEVEL, Hinge, Mechanism, Wheel, is_wheel, wheels_of
-from urdfctl.smoke.statics.drive_measures import differ, mean_of, measure_differs, measure_troubles, pivots_of
+from urdfctl.smoke.statics.drive_measures import (
+    differ,
+    fixed_axle,
+    mean_of,
+    measure_differs,
+    measure_troubles,
+    pivots_of,
+)
 from urdfctl.smoke.statics.efforts import SLOWER, TIME, resisted
 from urdfctl.smoke.tasks import FREE, ControllerTask, Drive, MotionFamily, fastest, speed_of
 
@@ -162,10 +169,10 @@ def _mirrored(mechanism: Mechanism, tasks: Sequence[ControllerTask]) -> Iterator
 
 
 def _steering(mechanism: Mechanism, task: ControllerTask, drive: Drive) -> Iterator[Trouble]:
-    driven = wheels_of(mechanism, drive.driven, drive.base)
+    axle = fixed_axle(mechanism, drive)
     for wheel in pivots_of(mechanism, drive):
         hinge, subject = wheel.hinge, f"joint:{wheel.hinge.name}"
-        ahead = not driven or wheel.place[0] > mean_of(driven, 0)
+        ahead = not axle or wheel.place[0] > mean_of(axle, 0)
         if wheel.axis[2] < LATERAL and (ahead or abs(wheel.axis[2]) < LATERAL):
             how = "to the right" if wheel.axis[2] <= -LATERAL else "about an axis that cannot steer"
             yield trouble_of(steering_turns_backwards, subject, task.controller, (), joint=hinge.name, how=how)

@@ -22,11 +22,11 @@ class GainFault(NamedTuple):
 
 
 def gain_fault(
-    hinge: Hinge, gains: PidGains, inertia: float, rate: float, is_stable: Callable[[PidGains], bool]
+    hinge: Hinge, gains: PidGains, inertia: float | None, rate: float, is_stable: Callable[[PidGains], bool]
 ) -> GainFault | None:
     """Return the gain of a joint that makes its own loop unstable; None if the loop is stable by itself.
 
-    inertia: what the joint moves, in kg m² or kg.
+    inertia: what the joint moves, in kg m² or kg; None if the hardware follows velocities whatever it is.
     rate: the update rate, in Hz.
     is_stable: whether the joint alone is stable with some gains.
     """
@@ -38,13 +38,17 @@ def gain_fault(
         return None
     if not gains.p:
         return GainFault("p", f"p of joint '{hinge.name}' is 0, so that nothing holds it")
-    load = f"{inertia:.2g} {'kg' if hinge.type == 'prismatic' else 'kg m²'}"
     ranges = {name: _greatest(gains, name, is_stable) for name in NAMES if getattr(gains, name) > 0}
     found = {name: most for name, most in ranges.items() if most is not None}
     if found:
         name = max(found, key=lambda each: found[each] / getattr(gains, each))
         value, most = getattr(gains, name), found[name]
-        where = f"with the {load} that it moves, at {rate:g} Hz"
+        load = (
+            f"with the {inertia:.2g} {'kg' if hinge.type == 'prismatic' else 'kg m²'} that it moves, "
+            if inertia
+            else ""
+        )
+        where = f"{load}at {rate:g} Hz"
         return GainFault(
             name, f"{name} of joint '{hinge.name}' is {value:g}, but is stable only up to {most:.2g} {where}"
         )
