@@ -2,8 +2,16 @@
 
 from __future__ import annotations
 
+import json
+from typing import Any
+
+import pytest
 from folder import Folder
 from generating import command
+
+from urdfctl import __version__
+from urdfctl.commands.editor import origin
+from urdfctl.errors import UserError
 
 ROBOT = """<robot name="r"><link name="a"/><link name="b"/>
   <joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>{}</robot>"""
@@ -36,8 +44,10 @@ def test_the_hook_and_the_workflow_are_written_once(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT.format("")})
     words = ("init", "--distro", "jazzy", "--pre-commit", "--workflow")
     assert command(*words).returncode == 0
-    assert "- id: urdfctl-lint" in (folder.path / ".pre-commit-config.yaml").read_text()
-    assert "uses: OWNER/urdfctl@" in (folder.path / ".github/workflows/urdfctl.yaml").read_text()
+    assert "- id: urdfctl-check" in (folder.path / ".pre-commit-config.yaml").read_text()
+    assert (
+        "urdfctl check . --distro jazzy --format github" in (folder.path / ".github/workflows/urdfctl.yaml").read_text()
+    )
     assert command(*words).stderr == "urdfctl: 'urdfctl.toml' exists; --force overwrites it\n"
     again = command(*words, "--force")
     assert "'.pre-commit-config.yaml' exists; add this to it if it is missing:" in again.stderr
@@ -46,3 +56,71 @@ def test_the_hook_and_the_workflow_are_written_once(folder: Folder) -> None:
 def test_a_folder_without_robots_is_refused(folder: Folder) -> None:
     assert command("init").stderr == "urdfctl: no robot found in '.'\n"
     assert command("init", "none").stderr == "urdfctl: folder 'none' does not exist\n"
+
+
+def files_written(folder: Folder) -> tuple[str, str]:
+    """The hook and the workflow that init writes."""
+    folder.write({"r.urdf": ROBOT.format("")})
+    assert command("init", "--distro", "jazzy", "--pre-commit", "--workflow").returncode == 0
+    names = (".pre-commit-config.yaml", ".github/workflows/urdfctl.yaml")
+    hook, workflow = ((folder.path / name).read_text() for name in names)
+    return hook, workflow
+
+
+def installed_from(monkeypatch: pytest.MonkeyPatch, said: dict[str, Any] | None, remote: str = "") -> None:
+    """Let urdfctl be installed from there: what pip wrote of it, and the remote of the repository around it."""
+    monkeypatch.setattr(origin, "_direct_url", lambda: said)
+    monkeypatch.setattr(origin, "repository_of", lambda _: "/clone")
+    monkeypatch.setattr(origin, "remote_of", lambda _: remote)
+    monkeypatch.setattr(origin, "commit_of", lambda *_: "c0ffee")
+
+
+def test_a_release_is_installed_from_the_index(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    installed_from(monkeypatch, None)
+    hook, workflow = files_written(folder)
+    assert f'additional_dependencies: ["urdfctl=={__version__}"]' in hook
+    assert f'pip install "urdfctl[smoke]=={__version__}"' in workflow
+
+
+def test_the_commit_of_a_repository_is_installed_with_its_account(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    installed_from(monkeypatch, {"url": "https://github.com/someone/urdfctl", "vcs_info": {"commit_id": "abc123"}})
+    hook, workflow = files_written(folder)
+    assert "language: python" in hook
+    assert 'pip install "urdfctl[smoke] @ git+https://github.com/someone/urdfctl@abc123"' in workflow
+    assert f"# - uses: someone/urdfctl@v{__version__}" in workflow
+
+
+def test_a_clone_is_named_by_its_remote_and_commit(monkeypatch: pytest.MonkeyPatch) -> None:
+    installed_from(monkeypatch, {"url": "file:///clone", "dir_info": {}}, "git@github.com:someone/urdfctl.git")
+    found = origin.origin()
+    assert (found.requirement, found.account) == ("urdfctl @ git+https://github.com/someone/urdfctl@c0ffee", "someone")
+    assert "push it" in found.lacks
+
+
+def test_what_does_not_exist_before_a_release_is_said(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    installed_from(monkeypatch, {"url": "file:///clone", "dir_info": {}})
+    folder.write({"r.urdf": ROBOT.format("")})
+    ran = command("init", "--distro", "jazzy", "--pre-commit", "--workflow")
+    assert f"the workflow cannot install urdfctl before there is a release {__version__} of urdfctl" in ran.stderr
+    assert "language: system" in (folder.path / ".pre-commit-config.yaml").read_text()
+
+
+def test_a_folder_in_no_repository_has_no_remote(monkeypatch: pytest.MonkeyPatch) -> None:
+    def none(_: str) -> str:
+        raise UserError("in no repository")
+
+    installed_from(monkeypatch, {"url": "file:///clone"})
+    monkeypatch.setattr(origin, "repository_of", none)
+    assert origin.origin().account is None
+
+
+def test_a_baseline_hides_what_is_found_today_and_nothing_else(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT.format('<joint name="k" type="sideways"/>')})
+    assert command("init", "--distro", "jazzy", "--baseline").returncode == 0
+    assert (folder.path / "urdfctl.toml").read_text().startswith('baseline = "urdfctl-baseline.json"\n')
+    assert json.loads((folder.path / "urdfctl-baseline.json").read_text())["findings"]
+    assert command("check", ".", "--engine", "none").returncode == 0
+    folder.write({"r.urdf": ROBOT.format('<joint name="k" type="sideways"/><joint name="k2" type="upwards"/>')})
+    assert command("check", ".", "--engine", "none").returncode == 1

@@ -83,10 +83,11 @@ def _fix(files: _Files) -> Line:
 
 
 def _smoke(files: _Files) -> Line:
-    words = ["smoke", *files.some, *files.distro, "--engine", "none", *files.workers()]
+    name = files.choose(["smoke", "smoke", "check"])
+    words = [name, *files.some, *files.distro, "--engine", "none", *files.workers()]
     more = files.choose([[], [], ["--format", files.choose(["json", "junit"])], ["--report", files.file("html")]])
     more += files.choose([[], ["--tasks", files.choose(files.yamls)], ["--controllers", files.choose(files.yamls)]])
-    return Line("smoke", [*words, *more], _INSIDE, frozenset({0, 1, 2, 5}))
+    return Line(name, [*words, *more], _INSIDE, frozenset({0, 1, 2, 5}))
 
 
 def _why(files: _Files) -> Line:

@@ -85,6 +85,7 @@ EXCEPTIONS = {
     "urdfctl/migrate/writing.py _copy shutil.copymode": SCRATCH,
     "urdfctl/commands/document.py (module) .write_text": "a developer writes the pages of this repository with it",
     "urdfctl/commands/document.py _with_part .read_text": "a developer writes the pages of this repository with it",
+    "urdfctl/commands/editor/origin.py _direct_url .read_text": OWN,
     "urdfctl/compare/revisions.py _write open": SCRATCH,
     "urdfctl/compare/revisions.py _write os.makedirs": SCRATCH,
     "urdfctl/compare/revisions.py _write os.unlink": SCRATCH,

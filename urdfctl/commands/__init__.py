@@ -35,6 +35,7 @@ class Listed(NamedTuple):
 COMMANDS = {
     "lint": Listed(FIND, "find.lint", "Find what keeps a robot from starting and moving.", is_short=True),
     "smoke": Listed(FIND, "find.smoke", "Load, start and move each controller, without ROS.", is_short=True),
+    "check": Listed(FIND, "find.check", "Lint and smoke in one run, with one report: for pipelines.", is_short=True),
     "show": Listed(FIND, "find.show", "Show what is started together."),
     "doctor": Listed(FIND, "find.doctor", "Say what is wrong in a running system, from a recording of it."),
     "why": Listed(UNDERSTAND, "understand.why", "Show where a value of a robot comes from, and what uses it."),

@@ -18,6 +18,11 @@ _OWN: dict[str, dict[int, str]] = {
         5: "No controller was tested; `--allow-empty` makes it 0.",
         130: "Interrupted by Ctrl-C. What was tested until then is reported.",
     },
+    "check": {
+        0: "No finding of that severity. A robot without controllers is only linted.",
+        1: _FOUND,
+        130: "Interrupted by Ctrl-C. What was tested until then is reported.",
+    },
     "doctor": {0: "Nothing is wrong.", 1: "Something is wrong in the running system."},
     "diff": {1: "With `--fail-on`: one of these areas has a change."},
     "explain": {0: "Explained.", 1: "Nothing of the pasted text is known."},

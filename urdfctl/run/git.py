@@ -101,6 +101,12 @@ def commit_of(repository: str, revision: str) -> str | None:
     return found.strip() if status == 0 else None
 
 
+def remote_of(repository: str) -> str:
+    """Return the URL of the remote `origin`; empty if there is none."""
+    status, found, _ = _ask(repository, ["config", "--get", "remote.origin.url"])
+    return found.strip() if status == 0 else ""
+
+
 def names_of_revisions(repository: str) -> list[str]:
     """Return the names of branches and tags, for hints."""
     return _ask(repository, ["for-each-ref", "--format=%(refname:short)"])[1].split()

@@ -65,7 +65,7 @@ def text_pieces(report: SmokeReport) -> Iterator[Piece]:
         return
     for robot in report.robots:
         yield from robot_pieces(robot)
-    if report.found.findings:
+    if report.robots and report.found.findings:
         yield Piece("\n")
     yield from pieces(report.found)
     yield Piece(visible(summary(report)) + "\n", "bold")
@@ -278,6 +278,7 @@ SMOKE_FORMATS: dict[str, Callable[[SmokeReport], str]] = {
     "junit": _junit,
     "sarif": _as_lint("sarif"),
     "github": _as_lint("github"),
+    "gitlab": _as_lint("gitlab"),
 }
 
 

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 
 from urdfctl import __version__
 from urdfctl.catalog.distros import ALL, SIMULATORS
-from urdfctl.commands.declaring import OTHER, OUTPUT, Command, argument, option
+from urdfctl.commands.declaring import EXIT, OTHER, OUTPUT, Command, argument, option
+from urdfctl.commands.editor.origin import Origin, origin
 from urdfctl.commands.generate.measuring import measure_work
 from urdfctl.commands.options import TargetOptions
 from urdfctl.commands.words import configured, settings_from
@@ -17,24 +18,37 @@ from urdfctl.config.file import NAMES
 from urdfctl.errors import UserError
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.generate.robot.job import measure_robot
+from urdfctl.lint.merging import merge, outcomes_of
 from urdfctl.lint.planning import discovered
+from urdfctl.lint.run import LintRequest, lint
+from urdfctl.lint.selection import Selection
 from urdfctl.output.change import Change
 from urdfctl.output.journal import restore_unfinished
 from urdfctl.output.links import check_output
 from urdfctl.output.printing import print_message, print_messages
 from urdfctl.output.writing import encoded, would_overwrite, write_file
 from urdfctl.output.writing_all import write_all
+from urdfctl.report.baseline import open_baseline
 from urdfctl.report.common import relative_message
 from urdfctl.report.template_folder import own_folder
 
 _MOST = 50
 """With more descriptions than this, only the first ones are read."""
 _MORE = (".pre-commit-config.yaml", ".github/workflows/urdfctl.yaml")
-_HOOK = f"""repos:
-  - repo: https://github.com/OWNER/urdfctl
-    rev: v{__version__}
+_BASELINE = "urdfctl-baseline.json"
+_HOOK = """repos:
+  - repo: local
     hooks:
-      - id: urdfctl-lint
+      - id: urdfctl-check
+        name: urdfctl check
+        entry: urdfctl check . --engine none
+        language: LANGUAGE
+        files: '\\.(urdf|xacro|launch|ya?ml)$|launch\\.(xml|py)$|(^|/)launch/[^/]*\\.py$|(^|/)package\\.xml$'
+        pass_filenames: false
+        require_serial: true
+"""
+_ACTION = """      # The action does the same, uploads SARIF and compares with the base of a pull request:
+      # - uses: ACCOUNT/urdfctl@vVERSION
 """
 
 
@@ -42,12 +56,13 @@ class InitOptions(TargetOptions):
     """Write an urdfctl.toml with the robots of a folder, its distro and its simulator.
 
     \b
-    Example: urdfctl init --distro jazzy --simulator gz --pre-commit --workflow
+    Example: urdfctl init --distro jazzy --simulator gz --pre-commit --workflow --baseline
     """
 
     folder: str = argument("Folder of the project. Default: this folder.", default=".")
     pre_commit: bool | None = option(OTHER, "Add the pre-commit hook.")
     workflow: bool | None = option(OTHER, "Add a workflow for GitHub.")
+    baseline: bool = option(EXIT, f"Write what lint finds today to {_BASELINE}, and hide it in every run.")
     force: bool = option(OUTPUT, "Overwrite existing files.")
 
 
@@ -72,14 +87,45 @@ def run_init(options: InitOptions) -> int:
     distro = options.distro or _asked("ROS distro", ALL, _common([facts.distro for facts in robots.values()]))
     simulator = _common([facts.simulator for facts in robots.values()])
     simulator = options.simulator or _asked("Simulator", SIMULATORS, simulator)
-    write_file(target, _toml(folder, robots, distro, simulator), force=options.force)
+    text = _toml(folder, robots, distro, simulator)
+    write_file(target, text, force=options.force)
     print_message(f"'{target}' written: {len(robots)} robot{'s' * (len(robots) > 1)}, {distro or 'distro not set'}")
     if not distro:
         print_message(f"ROS distro is unknown; set it in '{target}', or use --distro")
-    _offer(hook, _HOOK, "--pre-commit", wanted=options.pre_commit)
-    _offer(workflow, _workflow(), "--workflow", wanted=options.workflow)
-    print_message(f"next: urdfctl lint {folder}")
+    if options.baseline:
+        _write_baseline(options, target, text)
+    source = origin()
+    if source.lacks and (options.workflow or options.pre_commit):
+        print_message(f"the workflow cannot install urdfctl before there is {source.lacks}")
+    _offer(hook, _hook(source), "--pre-commit", wanted=options.pre_commit)
+    _offer(workflow, _workflow(source, distro), "--workflow", wanted=options.workflow)
+    print_message(f"next: urdfctl check {folder}")
     return 0
+
+
+def _write_baseline(options: InitOptions, target: str, text: str) -> None:
+    """Write what lint finds, and name the file in the configuration, which lint, smoke, check and editors read.
+
+    text: the configuration without it.
+    """
+    config = configured([options.folder], options)
+    settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
+    run = lint(LintRequest((options.folder,), config, settings))
+    path = os.path.normpath(os.path.join(options.folder, _BASELINE))
+    open_baseline([], Selection(), to_write=path).unknown(
+        merge(outcomes_of(run.results), Selection()), {file for result in run.results for file in result.files}
+    )
+    write_file(target, f'baseline = "{_BASELINE}"\n{text}', force=True)
+    print_message(
+        f"what '{path}' lists is hidden; urdfctl check --write-baseline {path} adds the smoke test's findings"
+    )
+
+
+def _hook(source: Origin) -> str:
+    """The configuration of pre-commit: it runs this urdfctl, if it cannot be installed from anywhere."""
+    if source.lacks:
+        return _HOOK.replace("LANGUAGE", "system  # the urdfctl on PATH")
+    return _HOOK.replace("LANGUAGE", f'python\n        additional_dependencies: ["{source.requirement}"]')
 
 
 def _common(names: Sequence[str | None]) -> str | None:
@@ -110,9 +156,13 @@ def _toml(folder: str, robots: dict[str, RobotFacts], distro: str | None, simula
     return "\n".join([*lines, ""])
 
 
-def _workflow() -> str:
+def _workflow(source: Origin, distro: str | None) -> str:
     with open(os.path.join(own_folder(), "project", "workflow.yml"), encoding="utf-8") as file:
-        return file.read().replace("VERSION", __version__)
+        text = file.read()
+    extras = source.requirement.replace("urdfctl", "urdfctl[smoke]", 1)
+    text = text.replace("      # ACTION\n", _ACTION.replace("ACCOUNT", source.account) if source.account else "")
+    text = text.replace("OPTIONS", f" --distro {distro}" if distro else "")
+    return text.replace("REQUIREMENT", extras).replace("VERSION", __version__)
 
 
 def _text(value: str) -> str:

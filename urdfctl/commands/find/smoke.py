@@ -45,7 +45,7 @@ MAX_DURATION = 60.0
 """Seconds of simulation for one controller."""
 
 
-class SmokeOptions(CheckOptions, ReportOptions):
+class SmokeOptions(CheckOptions, ReportOptions, command="smoke"):
     """Spawn robots without ROS, then load, activate and move each of their controllers.
 
     \b
@@ -81,12 +81,12 @@ class SmokeOptions(CheckOptions, ReportOptions):
         metavar="FILE",
         reads=Reads.TARGET,
     )
-    gui: bool = option(CHECKED_FOR, "Show pybullet's window.")
+    gui: bool = option(CHECKED_FOR, "Show pybullet's window.", of=("smoke",))
     timeout: float = option(LIMITS, "Processor time for one robot, in seconds.", default=30.0, metavar="SECONDS")
     formats: tuple[str, ...] = option(OUTPUT, FORMAT, "--format", choices=tuple(SMOKE_FORMATS))
     select: tuple[str, ...] = option(RULES, "Select findings by code or prefix, e.g. UC91,UC931.", metavar="CODE,...")
     ignore: tuple[str, ...] = option(RULES, "Ignore findings by code or prefix.", metavar="CODE,...")
-    allow_empty: bool = option(EXIT, "Exit with status 0, not 5, if there is no controller to test.")
+    allow_empty: bool = option(EXIT, "Exit with status 0, not 5, if there is no controller to test.", of=("smoke",))
 
 
 def run_smoke(options: SmokeOptions) -> int:
@@ -96,7 +96,7 @@ def run_smoke(options: SmokeOptions) -> int:
     outputs = outputs_of(options.formats, options.output_file, SMOKE_FORMATS)
     tests, made = tested(options, lambda tests, total: with_progress(tests, total, "testing"))
     for name, file in outputs:
-        _write(made, name, file)
+        write_smoke(made, name, file)
     if options.csv:
         write_file(options.csv, curves_as_csv(made.robots), force=True)
     if options.report:
@@ -106,7 +106,7 @@ def run_smoke(options: SmokeOptions) -> int:
         write_smoke_page(
             options.report, made, list(zip(robots, made.robots, strict=True)), began=began, watch=with_progress
         )
-    return _status(made, exit_zero=options.exit_zero)
+    return smoke_status(made, exit_zero=options.exit_zero)
 
 
 def tested(
@@ -148,8 +148,8 @@ def _is_terminal() -> bool:
     return sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
 
 
-def _status(made: SmokeReport, *, exit_zero: bool) -> int:
-    """The exit status of a run: 3 after a crash, then whether it was interrupted, failed or tested nothing."""
+def smoke_status(made: SmokeReport, *, exit_zero: bool) -> int:
+    """Return the exit status of a run: 3 after a crash, then whether it was interrupted, failed or tested nothing."""
     if any(robot.linted.outcome.crashed for robot in made.robots):
         return 3
     if made.is_interrupted:
@@ -194,7 +194,8 @@ def _fail_on(options: SmokeOptions, configs: Sequence[Config]) -> Severity:
     return min(map(severity_named, names), key=lambda severity: severity.weight)
 
 
-def _write(report: SmokeReport, name: str, file: str | None) -> None:
+def write_smoke(report: SmokeReport, name: str, file: str | None) -> None:
+    """Write or print a report in one of its formats."""
     if file is not None:
         write_file(file, render_smoke(report, name), force=True)
     elif name == "text" and is_coloured():
