@@ -62,7 +62,10 @@ def _clock_of(thread: int) -> Callable[[], float]:
     """Return a function that returns the processor time of a thread in s; that of the process if there is none."""
     if sys.platform == "win32" or not hasattr(time, "pthread_getcpuclockid"):
         return time.process_time
-    clock = time.pthread_getcpuclockid(thread)
+    try:
+        clock = time.pthread_getcpuclockid(thread)
+    except OSError:  # a browser has the function, and no such clock
+        return time.process_time
     return lambda: time.clock_gettime(clock)
 
 

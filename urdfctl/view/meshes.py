@@ -61,6 +61,8 @@ def read_mesh(data: bytes, kind: str) -> list[Surface]:
         raise NotAMesh("is a pointer of Git LFS; run: git lfs pull")
     if kind not in MESHES:
         raise NotAMesh(f"'.{kind}' is not a kind of mesh that ROS shows ({', '.join(MESHES)})")
+    if not installed():
+        raise NotAMesh("is left out: pip install 'urdfctl[view]' brings the libraries that read meshes")
     import trimesh
 
     if is_endless(data, kind):  # the library would unfold them all

@@ -36,8 +36,8 @@ class ViewOptions(StartOptions):
 
 def run_view(options: ViewOptions) -> int:
     """Write the page of a robot, and return the exit status 0."""
-    if not installed():
-        raise UserError("the libraries that read meshes are not installed: pip install 'urdfctl[view]'")
+    if options.image is not None and not installed():
+        raise UserError("the libraries that draw pictures are not installed: pip install 'urdfctl[view]'")
     if options.image is not None and not options.image.lower().endswith(".png"):
         raise UserError(f"'{options.image}' is not a PNG: only .png can be written")
     page = None if options.image is not None and options.output is None else options.output or "robot.html"

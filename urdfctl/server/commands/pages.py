@@ -16,10 +16,8 @@ from urdfctl.load.target import Target
 from urdfctl.run.fresh import run_all_fresh
 from urdfctl.run.limits import Json, Limits
 from urdfctl.server.analysis.workspace import Workspace
-from urdfctl.server.commands.processes import pip_install
 from urdfctl.view.html import html as view_html
 from urdfctl.view.job import portrait_details, portrait_work
-from urdfctl.view.meshes import installed
 
 
 async def graph_page(workspace: Workspace, path: str) -> str:
@@ -36,10 +34,8 @@ async def graph_page(workspace: Workspace, path: str) -> str:
 async def view_page(workspace: Workspace, path: str) -> str:
     """Return the robot that says most about a file in 3-D, as HTML.
 
-    Raises UserError if the libraries for it are missing, or the robot cannot be shown.
+    Raises UserError if the robot cannot be shown. Without the libraries that read meshes it is shown without these.
     """
-    if not installed():
-        raise UserError(f"the libraries that read meshes are not installed: {pip_install('view')}")
     details = portrait_details(workspace.settings)
     result = await _made(view_page_work, workspace, workspace.target_with(path), details)
     if not result["page"]:
