@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum
 from typing import TYPE_CHECKING
 
+from urdfctl.addresses import page_of_fault
 from urdfctl.catalog.distros import ALL
 from urdfctl.diagnostic import Severity
 from urdfctl.model.stage import Stage, StageDependsOn
@@ -115,6 +116,11 @@ class Fault:
     def module(self) -> str:
         """The module that declares it."""
         return self.function.__module__
+
+    @property
+    def url(self) -> str | None:
+        """The address of its page. A fault of an installed package has none."""
+        return page_of_fault(self.code) if self.module.startswith("urdfctl.rules.") else None
 
     @property
     def runtime(self) -> Runtime:

@@ -46,7 +46,19 @@ WITHIN = {
     ("Artifact", "location"): sarif_om.ArtifactLocation,
 }
 MAPS = {"originalUriBaseIds": sarif_om.ArtifactLocation, "partialFingerprints": str}
-TEXTS = {"$schema", "version", "name", "semanticVersion", "id", "ruleId", "level", "text", "markdown", "uri"} | {
+TEXTS = {
+    "$schema",
+    "version",
+    "name",
+    "semanticVersion",
+    "id",
+    "ruleId",
+    "level",
+    "text",
+    "markdown",
+    "uri",
+    "helpUri",
+} | {
     "uriBaseId",
     "columnKind",
 }

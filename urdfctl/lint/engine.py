@@ -110,7 +110,7 @@ def _diagnostic(rule: Rule, project: Project, finding: Finding, selection: Selec
     if influence:
         finding = finding._replace(notes=(*finding.notes, Note(influence)))
     severity = selection.severity(rule.code, finding.severity or rule.severity)
-    return diagnosed(rule.code, rule.name, severity, finding)
+    return diagnosed(rule.code, rule.name, severity, finding, rule.url)
 
 
 def _crash(rule: Rule, project: Project, error: Exception) -> Diagnostic:
@@ -123,4 +123,4 @@ def _crash(rule: Rule, project: Project, error: Exception) -> Diagnostic:
     why = f"{type(error).__name__}: {error} ({where.name}, line {where.lineno})"
     message = rule_crashed.message(f"rule {rule.code} {rule.name}", why)
     finding = Finding(place, message, notes=(Note("this is a bug in urdfctl: please report it with this robot"),))
-    return diagnosed(rule_crashed.code, rule_crashed.name, rule_crashed.severity, finding)
+    return diagnosed(rule_crashed.code, rule_crashed.name, rule_crashed.severity, finding, rule_crashed.url)

@@ -230,7 +230,7 @@ def failed(target: Target, settings: Settings, failure: WorkerFailure) -> Target
     message = f"the description is not linted: {failure.reason}"
     if failure.our_fault:
         fault, message = rule_crashed, rule_crashed.message("urdfctl", failure.reason)
-    finding = diagnosed(fault.code, fault.name, fault.severity, Finding(place, message))
+    finding = diagnosed(fault.code, fault.name, fault.severity, Finding(place, message), fault.url)
     return TargetResult(
         path=path,
         ros=None,

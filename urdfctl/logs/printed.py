@@ -11,10 +11,12 @@ _MOST = 4
 
 
 class PrintedMessage(NamedTuple):
-    """A message of the runtime. text: with the names in capitals. by: the program that prints it."""
+    """A message of the runtime. text: with the names in capitals. by: the program that prints it. id: its name in the
+    catalogue."""
 
     text: str
     by: str
+    id: str
 
 
 def printed_because_of(code: str) -> tuple[PrintedMessage, ...]:
@@ -22,7 +24,9 @@ def printed_because_of(code: str) -> tuple[PrintedMessage, ...]:
     first, and failures before consequences and warnings."""
     caused = [message for message in log_messages() if code in message.rules]
     caused.sort(key=lambda message: _distance(message, code))
-    return tuple(PrintedMessage(with_capitals(message.patterns[0]), message.by) for message in caused[:_MOST])
+    return tuple(
+        PrintedMessage(with_capitals(message.patterns[0]), message.by, message.id) for message in caused[:_MOST]
+    )
 
 
 def with_capitals(text: str) -> str:

@@ -32,7 +32,11 @@ def fault_explanation(fault: Fault) -> str:
     ]
     if fault.bad:
         parts += ["Wrong:", *_files(fault.bad[0].files)]
-        parts += ["Output of urdfctl lint:", _output(fault)] if command_of(fault.code) == "lint" else []
+        parts += (
+            ["Output of urdfctl lint:", textwrap.indent(output_of_lint(fault), "  ")]
+            if command_of(fault.code) == "lint"
+            else []
+        )
         parts += ["Right:", *_files(fault.good[0].files)]
     parts.append(f"To ignore it in one place: <!-- urdfctl: ignore[{fault.code}] the reason -->")
     return "\n\n".join(part for part in parts if part) + "\n"
@@ -67,7 +71,7 @@ def _files(files: dict[str, str]) -> list[str]:
     return shown
 
 
-def _output(fault: Fault) -> str:
+def output_of_lint(fault: Fault) -> str:
     """Return the real output of lint for the first bad example."""
     with scratch_folder() as made:
         folder = os.path.realpath(made)
@@ -76,4 +80,4 @@ def _output(fault: Fault) -> str:
         linted = lint_target(Loader(settings), target, selection).result
         findings = (finding for finding in merge([linted.outcome], selection) if finding.code == fault.code)
         report = Report((), tuple(relative(finding, folder) for finding in findings))
-        return textwrap.indent("\n".join(render(report).splitlines()[:-1]), "  ")
+        return "\n".join(render(report).splitlines()[:-1])

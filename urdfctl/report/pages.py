@@ -53,6 +53,16 @@ def page(name: str, *, styles: Mapping[str, str] | None = None, **values: object
     return as_text(text) + "\n"
 
 
+def allowed_scripts() -> str:
+    """Return the hashes of the scripts of all pages, as a Content-Security-Policy names them."""
+    return _hashes(_texts(os.path.join(own_folder(), "pages"), ".js").values())
+
+
+def allowed_styles() -> str:
+    """Return the hashes of the style sheets of all pages, as a Content-Security-Policy names them."""
+    return _hashes(_texts(os.path.join(own_folder(), "pages"), ".css").values())
+
+
 def _texts(folder: str, ending: str) -> dict[str, str]:
     """The scripts or styles beside the templates, by name."""
     found = {}

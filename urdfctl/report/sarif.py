@@ -80,6 +80,7 @@ def _rule(fault: Fault) -> Json:
     return {
         "id": fault.code,
         "name": fault.name,
+        **({"helpUri": fault.url} if fault.url else {}),
         "shortDescription": _message(fault.summary),
         **described,
         "defaultConfiguration": {"level": _LEVELS[fault.severity]},

@@ -107,7 +107,7 @@ def _finding(diagnostic: Diagnostic, width: int) -> Iterator[Piece]:
         yield Piece(f"{head.rstrip()}\n", "bold")
         head = "    "
     yield Piece(head, "bold")
-    yield Piece(kind, _COLOURS[diagnostic.severity])
+    yield Piece(kind, f"{_COLOURS[diagnostic.severity]}{f' link {diagnostic.url}' if diagnostic.url else ''}")
     yield Piece(wrapped(f" {visible(diagnostic.message)}", width, before=len(head) + len(kind)))
     if diagnostic.excerpt.strip():
         yield from _excerpt(diagnostic, width)

@@ -97,6 +97,7 @@ def diagnostics_of(
             message=trouble.message,
             notes=tuple(map(Remark, notes)),
             fix=None,
+            url=fault.url,
         )
 
 
