@@ -33,20 +33,20 @@ class Page:
     """A page of a browser. refused: what its policy did not let happen; said: what its scripts reported or threw."""
 
     def __init__(self, browser: Browser, session: str) -> None:
-        self._browser, self._session = browser, session
+        self._browser, self.session = browser, session
         self.refused: list[str] = []
         self.said: list[str] = []
 
     def run(self, expression: str) -> Any:
         """Return the value of an expression in the page; a promise is waited for."""
         params = {"expression": expression, "returnByValue": True, "awaitPromise": True, "userGesture": True}
-        found = self._browser.ask("Runtime.evaluate", params, self._session)
+        found = self._browser.ask("Runtime.evaluate", params, self.session)
         assert "exceptionDetails" not in found, found["exceptionDetails"]
         return found["result"].get("value")
 
     def open(self, path: Path) -> None:
         """Open a file, and wait until it is loaded."""
-        self._browser.ask("Page.navigate", {"url": path.as_uri()}, self._session)
+        self._browser.ask("Page.navigate", {"url": path.as_uri()}, self.session)
         end = time.monotonic() + SECONDS
         while self.run("document.readyState") != "complete" or self.run("location.href") == "about:blank":
             assert time.monotonic() < end
