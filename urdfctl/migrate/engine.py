@@ -29,6 +29,8 @@ from urdfctl.source.todo import todos_in
 from urdfctl.startup.records import NamedTuple
 
 MOST_PASSES = 3
+_MOST_STATES = 4
+"""So many states of a robot are remembered: an attempt reads again most of what the last one read."""
 _UNREADABLE = ("UC001", "UC024", "UC026", "UC027")
 """The findings about files that are no valid XML, YAML or Python, in which no step can change anything."""
 
@@ -56,7 +58,7 @@ def migrate(
     settings: without a distro.
     """
     source = lint(settings._replace(distro=options.source))
-    first, known = source, Memory[LoadedTarget](scratch, by_package=True)
+    first, known = source, Memory[LoadedTarget](scratch, _MOST_STATES, by_package=True)
     noted: Sequence[Noted] = ()
     left_out: dict[Key, str] = {}
     robots: Sequence[LoadedTarget] = ()

@@ -75,11 +75,13 @@ def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
         {folder for path in packages.files(*OF_XML) if (folder := package_around(os.path.dirname(path)))}
     ):
         path = os.path.join(folder, BRIDGE_FILE)
+        if exists(path) or _has_bridge(packages):
+            continue
         found = (
             topic._replace(name=_valid(topic.name), in_ros=_valid(topic.in_ros)) for topic in _topics(packages, folder)
         )
         topics = list(dict.fromkeys(found))
-        if topics and not exists(path) and not _has_bridge(packages):
+        if topics:
             message = f"{len(topics)} topics of gz are bridged to ROS"
             entry = ReportEntry(EntryKind.DONE, message, file=path, authority=_AUTHORITY)
             yield Proposal(created=((path, _text(packages, topics)),), entries=(entry,))
@@ -93,6 +95,10 @@ def _valid(name: str) -> str:
 
 def _has_bridge(packages: MigratedPackages) -> bool:
     """Whether the packages already start a bridge, with topics of their own."""
+    return packages.found(_starts_bridge)
+
+
+def _starts_bridge(packages: MigratedPackages) -> bool:
     return any(b"parameter_bridge" in packages.read(path).data for path in packages.files(".py", ".launch.xml"))
 
 
