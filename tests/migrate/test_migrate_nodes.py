@@ -144,6 +144,11 @@ def test_variables_and_remappings_apply_to_the_nodes_after_them(folder: Folder, 
             "$(eval &quot;'$(var prefix)' != ''&quot;)",
         ),
         (
+            "'arm_' + arg('prefix').split('_')[1]",
+            """PythonExpression(["'arm_' + '", LaunchConfiguration("prefix"), "'.split('_')[1]"])""",
+            "$(eval &quot;'arm_' + '$(var prefix)'.split('_')[1]&quot;)",
+        ),
+        (
             "not gui and arg('n') > 3",
             """PythonExpression(["not ('", LaunchConfiguration("gui"), "'.lower() == 'true') and ", \
 LaunchConfiguration("n"), " > 3"])""",
@@ -188,3 +193,25 @@ def test_launch_files_that_are_started_with_a_simulator_have_its_time(folder: Fo
     files = {"launch/a.launch": launch, "launch/b.launch": ONE_NODE.format(more="")}
     text = migrated(folder, files, "--simulator", "gz")["launch/a.launch.py"]
     assert 'SetParameter(name="use_sim_time", value=True)' in text
+
+
+def test_a_program_that_an_argument_chooses_stays_one(folder: Folder) -> None:
+    node = '<node name="s" pkg="arm" type="$(arg kind)"/>'
+    launch = {"launch/a.launch": f'<launch>\n  <arg name="kind" default="sdk"/>\n  {node}\n</launch>\n'}
+    assert 'executable=LaunchConfiguration("kind")' in migrated(folder, launch)["launch/a.launch.py"]
+    assert 'exec="$(var kind)"' in migrated(folder, launch, "--launch", "xml")["launch/a.launch.xml"]
+
+
+def test_a_file_of_another_form_is_not_taken_for_that_of_the_bridge(folder: Folder) -> None:
+    plugin = '<plugin name="imu" filename="libgazebo_ros_imu_sensor.so"><topicName>imu</topicName></plugin>'
+    imu = f'<gazebo reference="upper"><sensor name="imu" type="imu">{plugin}</sensor></gazebo>\n'
+    manifest = "<package format='2'><name>wires</name><buildtool_depend>catkin</buildtool_depend></package>"
+    world = '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'
+    files = {
+        "urdf/arm.xacro": arm(transmission("EffortJointInterface"), imu),
+        "launch/sim.launch": f"<launch>\n  {world}\n</launch>\n",
+        "wires/package.xml": manifest,
+        "wires/config/bridge.yaml": "topics: [a]\n",
+    }
+    text = migrated(folder, files, "--simulator", "gz")["launch/sim.launch.py"]
+    assert '"config_file": [FindPackageShare("arm"), "/config/bridge.yaml"]' in text

@@ -54,7 +54,7 @@ def _uses(node: ast.AST, around: ast.AST | None) -> Iterator[tuple[int, int, str
         yield node.col_offset, node.end_col_offset, name, _form(node, around)
         return
     for child in ast.iter_child_nodes(node):
-        is_called = isinstance(node, ast.Call) and child is node.func
+        is_called = isinstance(node, ast.Call) and child is node.func and isinstance(child, ast.Name)
         if not is_called:
             yield from _uses(child, node)
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.generate.text.scalars import python_text
-from urdfctl.migrate.launch.actions import Action, ActionCondition, Text, all_actions, is_literal, plain
+from urdfctl.migrate.launch.actions import Action, ActionCondition, Text, all_actions, is_literal, parsed, plain
 from urdfctl.migrate.launch.expressions import Used, parts_of
 
 _STEP = "    "
@@ -107,8 +107,8 @@ def _call(action: Action, depth: int) -> tuple[str, list[str]]:
 
 
 def _node(node: Action, depth: int) -> Iterator[str]:
-    yield f"package={python_text(node.package)}"
-    yield f"executable={python_text(node.name)}"
+    yield f"package={_text(parsed(node.package))}"
+    yield f"executable={_text(parsed(node.name))}"
     if node.node_name:
         yield f"name={_text(node.node_name)}"
     if node.value:

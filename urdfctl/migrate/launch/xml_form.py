@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from urdfctl.generate.text.scalars import xml_comment, xml_text
-from urdfctl.migrate.launch.actions import Action, Text
+from urdfctl.migrate.launch.actions import Action, Text, parsed
 from urdfctl.migrate.launch.expressions import Used, parts_of
 
 _STEP = "  "
@@ -61,8 +61,8 @@ def _element(action: Action, depth: int) -> tuple[str, list[tuple[str, str]], li
 
 
 def _attributes(node: Action) -> Iterator[tuple[str, str]]:
-    yield "pkg", node.package
-    yield "exec", node.name
+    yield "pkg", _text(parsed(node.package))
+    yield "exec", _text(parsed(node.name))
     if node.node_name:
         yield "name", _text(node.node_name)
     if node.value:
