@@ -40,6 +40,7 @@ class RecordedController(NamedTuple):
 
     claimed: the command interfaces that it holds.
     commands, states: the interfaces that it requires.
+    references: the interfaces that it exports to controllers before it.
     """
 
     name: str
@@ -48,14 +49,17 @@ class RecordedController(NamedTuple):
     claimed: tuple[str, ...]
     commands: tuple[str, ...]
     states: tuple[str, ...]
+    references: tuple[str, ...] = ()
 
 
 class RecordedHardware(NamedTuple):
-    """A hardware component that a manager lists."""
+    """A hardware component that a manager lists. commands, states: the interfaces that it exports."""
 
     name: str
     state: str
     plugin: str
+    commands: tuple[str, ...] = ()
+    states: tuple[str, ...] = ()
 
 
 class RecordedManager(NamedTuple):
@@ -308,12 +312,18 @@ def _controller(one: Mapping[str, Any]) -> RecordedController:
         claimed=_texts(one.get("claimed_interfaces")),
         commands=_texts(one.get("required_command_interfaces")),
         states=_texts(one.get("required_state_interfaces")),
+        references=tuple(f"{one.get('name')}/{name}" for name in _texts(one.get("reference_interfaces"))),
     )
 
 
 def _hardware(one: Mapping[str, Any]) -> RecordedHardware:
     state = _map(one.get("state"))
-    return RecordedHardware(str(one.get("name", "")), str(state.get("label", "")), str(one.get("plugin_name", "")))
+    commands, states = (
+        tuple(str(each.get("name", "")) for each in _maps(one.get(f"{kind}_interfaces")))
+        for kind in ("command", "state")
+    )
+    plugin = str(one.get("plugin_name", ""))
+    return RecordedHardware(str(one.get("name", "")), str(state.get("label", "")), plugin, commands, states)
 
 
 def _joint_states(topic: str, sent: Mapping[str, Any]) -> JointStates:

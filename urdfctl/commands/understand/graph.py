@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from urdfctl.commands.declaring import OUTPUT, Command, option
+from urdfctl.commands.declaring import OUTPUT, Command, Reads, option
 from urdfctl.commands.options import FORMAT, StartOptions
 from urdfctl.commands.robot_targets import best_of, robots_of
 from urdfctl.commands.words import configured, output_of, settings_to_check
@@ -64,6 +64,13 @@ class GraphOptions(StartOptions):
     formats: tuple[str, ...] = option(
         OUTPUT, f"{FORMAT} Repeatable. Default: mermaid.", "--format", choices=tuple(FORMATS)
     )
+    live: str | None = option(
+        OUTPUT,
+        "Draw what is wired in a recording of urdfctl doctor --snapshot, with the differences to the files in red.",
+        "--live",
+        metavar="FILE.json",
+        reads=Reads.PLACE,
+    )
     focus: tuple[str, ...] = option(
         OUTPUT, "Show only what leads to this joint, controller or topic, or away from it.", metavar="NAME"
     )
@@ -86,6 +93,8 @@ def run_graph(options: GraphOptions) -> int:
     if others:
         print_message(f"drawing {shown(found[1].path)}, one of {len(others) + 1} robots; name another to see that")
     graph = graph_for(found[0], settings)
+    if options.live is not None:
+        graph = _live(graph, options.live)
     for name in options.focus or []:
         graph = focused(graph, name)
     if not graph.nodes:
@@ -97,6 +106,13 @@ def run_graph(options: GraphOptions) -> int:
         else:
             print_text(text)
     return 0
+
+
+def _live(graph: Graph, path: str) -> Graph:
+    from urdfctl.doctor.recording import read_recording
+    from urdfctl.doctor.wiring import live_graph
+
+    return live_graph(graph, read_recording(path))
 
 
 def _reduced(graph: Graph, output: str, *, wanted: bool | None) -> Graph:

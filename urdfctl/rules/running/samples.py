@@ -84,15 +84,25 @@ def sound() -> Recorded:
     """Return the recording of the system as the files say."""
     interfaces = [{"name": f"{joint}/position"} for joint in ("pan", "tilt")]
     commands = ["pan/position", "tilt/position"]
+    broadcaster = controller("joint_state_broadcaster", "active", "joint_state_broadcaster/JointStateBroadcaster", [])
+    broadcaster["required_state_interfaces"] = commands
     manager = {
         "list_controllers": {
             "controller": [
-                controller("joint_state_broadcaster", "active", "joint_state_broadcaster/JointStateBroadcaster", []),
+                broadcaster,
                 controller("head", "active", "forward_command_controller/ForwardCommandController", commands),
             ]
         },
         "list_hardware_components": {
-            "component": [{"name": "Arm", "plugin_name": "arm_driver/ArmSystem", "state": {"label": "active"}}]
+            "component": [
+                {
+                    "name": "Arm",
+                    "plugin_name": "arm_driver/ArmSystem",
+                    "state": {"label": "active"},
+                    "command_interfaces": interfaces,
+                    "state_interfaces": interfaces,
+                }
+            ]
         },
         "list_hardware_interfaces": {"command_interfaces": interfaces, "state_interfaces": interfaces},
         "list_controller_types": {
