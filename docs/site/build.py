@@ -25,6 +25,7 @@ from texts import Pages  # noqa: E402
 from urdfctl.addresses import REPOSITORY, SITE  # noqa: E402 (the folder of the source comes first)
 
 _HERE = Path(__file__).resolve().parent
+_COMMANDS = "    # a page for each command\n"
 _PICTURES = {".png", ".svg", ".gif", ".webp"}
 
 
@@ -65,9 +66,14 @@ def write_sources(folder: Path) -> None:
             there.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(picture, there)
     (pages / "robots.txt").write_text(f"User-agent: *\nAllow: /\nSitemap: {SITE}sitemap.xml\n")
-    settings = (_HERE / "zensical.toml").read_text("utf-8")
+    settings = (_HERE / "zensical.toml").read_text("utf-8").replace(_COMMANDS, _menu_of_commands())
     address = f'[project]\nsite_url = "{SITE}"\nrepo_url = "{REPOSITORY}"\n'
     (folder / "zensical.toml").write_text(settings.replace("[project]\n", address, 1), "utf-8")
+
+
+def _menu_of_commands() -> str:
+    names = sorted(page.stem for page in (ROOT / "docs" / "commands").glob("*.md"))
+    return "".join(f'    {{ "{name}" = "commands/{name}.md" }},\n' for name in names)
 
 
 if __name__ == "__main__":

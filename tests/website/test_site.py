@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import tomli
 from folder import CHECKOUT
 
 from urdfctl.addresses import REPOSITORY, SITE, page_of_fault, page_of_message
@@ -50,6 +51,13 @@ def test_addresses_follow_from_the_one_setting_of_the_release() -> None:
     assert page_of_fault("UC201") == f"{SITE}rules/UC201/"
     assert page_of_message("gazebo-pid-gains-absent").startswith(SITE)
     assert SITE.endswith("/")
+
+
+def test_the_manifests_name_the_addresses_of_the_release() -> None:
+    urls = tomli.loads((CHECKOUT / "pyproject.toml").read_text("utf-8"))["project"]["urls"]
+    assert urls["Documentation"] == SITE
+    assert urls["Source"] == REPOSITORY
+    assert f"homepage: {REPOSITORY}" in (CHECKOUT / "packaging" / "recipe.yaml").read_text("utf-8")
 
 
 def test_links_of_documents_lead_to_pages_of_the_site_or_to_the_source() -> None:

@@ -1,0 +1,3 @@
+find_package(ament_cmake_test QUIET REQUIRED)
+
+include("${ament_urdfctl_DIR}/ament_urdfctl.cmake")
