@@ -23,5 +23,5 @@ def absent_sources(packages: Packages, files: Files) -> tuple[tuple[str, Place],
     except FileProblem:
         return ()
     text = source.data.decode("latin-1")  # one character for each byte
-    missing = missing_sources(text, folder, os.path.basename(folder))
+    missing = packages.once(("absent", text), lambda: list(missing_sources(text, folder, os.path.basename(folder))))
     return tuple((name, Place(source, start, end=start + len(name))) for name, start in missing)

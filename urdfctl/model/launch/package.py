@@ -96,15 +96,18 @@ def _installs(packages: Packages, folder: str, name: str, path: str) -> bool | N
 
 def _reaches(packages: Packages, running: frozenset[str], name: str) -> bool:
     """Whether a package is among the run dependencies, directly or through other source packages."""
+    return name in running or name in packages.once(running, partial(_reached, packages, running))
+
+
+def _reached(packages: Packages, running: frozenset[str]) -> frozenset[str]:
+    """The run dependencies, and those of source packages among them."""
     seen = set(running)
     pending = sorted(running)
     while pending and len(seen) < _MOST_MANIFESTS:
-        if name in seen:
-            return True
         new = _needed_by(packages, pending.pop()) - seen
         seen |= new
         pending += sorted(new)
-    return name in seen
+    return frozenset(seen)
 
 
 def _shares_models(packages: Packages, name: str) -> bool | None:

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from urdfctl.source.disk import gate
 from urdfctl.source.disk.files import first_bytes, folders_upwards
@@ -19,6 +19,7 @@ from urdfctl.source.disk.gitignore import GitIgnore
 if TYPE_CHECKING:
     from urdfctl.source.workspaces.install_maps import InstallMap
 
+_T = TypeVar("_T")
 _NAME = rb"<name[^<>]*>\s*([^<\s]+)\s*</name>"
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _DEPENDENCY = rb"<(?:[a-z_]+_)?depend\b[^<>]*>\s*([^<\s]+)\s*</"
@@ -132,6 +133,14 @@ class PackageIndex:
         self._dependencies: dict[str, frozenset[str]] = {}
         self._files: dict[str, frozenset[str]] = {}
         self._git: GitIgnore | None = None
+        self._once: dict[Hashable, Any] = {}
+
+    def once(self, key: Hashable, compute: Callable[[], _T]) -> _T:
+        """Return what a function returned when it was first given with a key: one result for all robots of a run."""
+        if key not in self._once:
+            self._once[key] = compute()
+        result: _T = self._once[key]
+        return result
 
     def dependencies(self, folder: str) -> frozenset[str]:
         """Return the names of the packages that the package.xml in a folder declares."""
@@ -195,6 +204,10 @@ class Packages:
         folder = self.own()
         return (folder and self._index.name_of(folder)) or ""
 
+    def once(self, key: Hashable, compute: Callable[[], _T]) -> _T:
+        """Return what a function returned for the first file of the same package that gave this key."""
+        return self._index.once((self.own(), key), compute)
+
     def declares(self, name: str, file: str = "") -> bool | None:
         """Return whether package.xml declares a package: that of the robot file, or that of the file that uses it.
 
@@ -224,17 +237,23 @@ class Packages:
         if name in ("", os.curdir, os.pardir) or {os.sep, "/"} & {*name}:  # a path could lead out of the search folders
             raise PackageNotFound(name, self.known(), self._own_name())
         if name not in self._found:
-            folder = (
-                self._nearest(name, self._index.named)
-                or self._from_environment(name)
-                or self._from_nearby(name)
-                or self._nearest(name, self._index.around)
-                or self._without_manifest(name)
-            )
+            folder, is_assumed = self._index.once(("find", self._folder, name), lambda: self._looked_for(name))
             if folder is None:
                 raise PackageNotFound(name, self.known(), self._own_name())
             self._found[name] = folder
+            self.assumed.update([name] if is_assumed else [])
         return self._found[name]
+
+    def _looked_for(self, name: str) -> tuple[str | None, bool]:
+        """The folder of a package, and whether it has no package.xml."""
+        folder = (
+            self._nearest(name, self._index.named)
+            or self._from_environment(name)
+            or self._from_nearby(name)
+            or self._nearest(name, self._index.around)
+        )
+        assumed = None if folder else self._without_manifest(name)
+        return folder or assumed, assumed is not None
 
     def is_of_workspace(self, name: str) -> bool:
         """Return whether a package of this name is in the workspace."""
@@ -350,7 +369,6 @@ class Packages:
                 if own and candidate.startswith(own + os.sep):
                     continue
                 if os.path.basename(candidate) == name and gate.is_folder(candidate) and not os.path.islink(candidate):
-                    self.assumed.add(name)
                     return candidate
         return None
 
