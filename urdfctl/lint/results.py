@@ -97,9 +97,11 @@ class TargetResult(NamedTuple):
 
     @property
     def is_controlled(self) -> bool:
-        """Whether files declare controllers for it, or a launch file spawns some for its robot, or simulates it."""
+        """Whether files declare controllers for it, or a launch file spawns some for its robot, simulates it, or plans
+        for it with MoveIt."""
         bringup = self.bringup
-        return bool(self.controllers) or bool(self.links and bringup and (bringup.spawned or bringup.simulators))
+        is_used = bringup and (bringup.spawned or bringup.simulators or bringup.moveit)
+        return bool(self.controllers) or bool(self.links and is_used)
 
 
 class Unjoined(NamedTuple):
