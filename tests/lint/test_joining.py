@@ -284,3 +284,70 @@ def test_a_robot_state_publisher_in_a_container_describes_the_robot(kind: str, f
     component = component.replace('="robot_state_publisher">', '="robot_state_publisher::RobotStatePublisher">')
     folder.write(crane2(whole=launch(f'<{kind} name="c">{component}</{kind}>', MANAGED, SPAWNED2)))
     assert started(folder) == [("folder/launch/whole.launch.xml", [])]
+
+
+def test_a_launch_file_that_an_argument_chooses_is_only_included(folder: Folder) -> None:
+    include = '<arg name="kind" default="simple"/><include file="$(find crane)/launch/$(arg kind)_control.launch.xml"/>'
+    folder.write(package("crane", "winch"))
+    folder.write(control("crane", winch="winch"))
+    for kind in ("simple", "other"):
+        folder.write({f"crane/launch/{kind}_control.launch.xml": launch(LOADED.format("crane", "c.yaml"))})
+    folder.write({"crane/launch/world.launch": launch(WORLD, DESCRIBED.format("crane", "crane.urdf"), include)})
+    given = report(folder)
+    assert joins(given) == WINCH
+    assert given["unused"] == []
+    assert given["unjoined"] == []
+
+
+def test_a_launch_file_whose_description_is_missing_gets_no_other_robot(folder: Folder) -> None:
+    folder.write(package("crane", "winch"))
+    folder.write(control("crane", winch="winch"))
+    lost = launch(DESCRIBED.format("crane", "grane.urdf"), LOADED.format("crane", "c.yaml"), SPAWNED.format("winch"))
+    folder.write({"crane/launch/control.launch": lost})
+    given = report(folder)
+    assert errors(given) == [("UC616", "crane/launch/control.launch")]
+    assert [each["launch"] for each in given["targets"]] == ["crane/launch/world.launch"]
+    assert given["unjoined"] == []
+
+
+def test_a_launch_file_that_spawns_what_a_start_spawns_itself_is_not_started_beside_it(folder: Folder) -> None:
+    folder.write(package("crane", "winch"))
+    folder.write(control("crane", winch="winch"))
+    whole = launch(
+        WORLD, DESCRIBED.format("crane", "crane.urdf"), LOADED.format("crane", "c.yaml"), SPAWNED.format("winch")
+    )
+    folder.write({"crane/launch/world.launch": whole})
+    given = report(folder)
+    assert joins(given) == [("crane/crane.urdf", "crane/launch/world.launch", [], ["winch"])]
+    assert errors(given) == []
+    assert given["unjoined"] == []
+
+
+def test_nodes_of_two_launch_files_that_are_started_beside_each_other_may_have_one_name(folder: Folder) -> None:
+    folder.write(package("crane", "winch"))
+    folder.write(control("crane", winch="winch"))
+    node = '<node name="s" pkg="rviz" type="rviz"/>'
+    world = launch(WORLD, DESCRIBED.format("crane", "crane.urdf"), node)
+    folder.write({"crane/launch/world.launch": world})
+    assert (joins(report(folder)), errors(report(folder))) == (WINCH, [])
+    folder.write({"crane/launch/world.launch": world.replace(node, node * 2)})
+    assert errors(report(folder)) == [("UC633", "crane/launch/world.launch")]
+
+
+def test_analyzers_of_the_diagnostics_are_no_controllers(folder: Folder) -> None:
+    folder.write(package("crane", "winch"))
+    analyzers = "analyzers: {motors: {type: diagnostic_aggregator/AnalyzerGroup, path: Motors}}\n"
+    loaded = LOADED.format("crane", "a.yaml")
+    node = f'<node name="a" pkg="diagnostic_aggregator" type="aggregator_node">{loaded}</node>'
+    folder.write({"crane/a.yaml": analyzers, "crane/launch/dashboard.launch": launch(node)})
+    given = report(folder)
+    assert [(each["launch"], each["controllers"]) for each in given["targets"]] == [("crane/launch/world.launch", [])]
+    assert given["unjoined"] == []
+
+
+def test_a_launch_file_that_plans_for_a_robot_without_controllers_is_shown(folder: Folder) -> None:
+    folder.write(package("crane", "winch"))
+    node = '<node name="move_group" pkg="moveit_ros_move_group" type="move_group"/>'
+    folder.write({"crane/launch/plan.launch": launch(DESCRIBED.format("crane", "crane.urdf"), node)})
+    launches = {each["launch"] for each in report(folder)["targets"]}
+    assert launches == {"crane/launch/world.launch", "crane/launch/plan.launch"}

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import fnmatch
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 
 from urdfctl.startup.records import NamedTuple
@@ -12,6 +13,10 @@ from urdfctl.startup.records import NamedTuple
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _INCLUDE = rb"(?s)<include\s[^<>]*?file\s*=\s*[\"']([^\"']+)[\"']"
 _FOUND = r"\$\((?:find|find-pkg-share)\s+[\"']?([\w-]+)[\"']?\)"
+_BESIDE = r"\$\(dirname\)/[^/]*\Z"
+_SUBSTITUTION = r"\$\([^)]*\)"
+_SAYING = r"\w{3}.*\.launch"
+"""What a name with substitutions must contain to say which files may be meant."""
 _ENDINGS = rb"[._]launch\.(?:py|xml|ya?ml)"
 _NAMED = rb"[\"'/]([\w.-]+" + _ENDINGS + rb")[\"']|file:[^\n#]{0,300}?/([\w.-]{1,100}" + _ENDINGS + rb")\b"
 _ASKING = rb"(?:get_package_share_directory|get_package_share_path|get_package_prefix|FindPackageShare)"
@@ -38,10 +43,15 @@ class Included(NamedTuple):
 
 
 class _Naming(NamedTuple):
-    """The end of a path of a launch file, with the package that it is looked for in; None if that is not known."""
+    """The end of a path of a launch file, with the package that it is looked for in; None if that is not known.
+
+    tail: in its name, `*` stands for each substitution.
+    beside: whether it is in the folder of the launch file that names it.
+    """
 
     tail: str
     package: str | None
+    beside: bool = False
 
 
 def included_in(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Included:
@@ -53,12 +63,22 @@ def included_in(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) ->
     every: list[str] = []
     is_ros2 = path.endswith(_ROS2)
     for naming in _named(text) if is_ros2 else _tails(text):
-        tail = f"/{naming.tail}"
-        named = by_name.get(naming.tail.rpartition("/")[2], ())
-        candidates = [one for one in named if one != path and _with_slashes(one, os.getcwd()).endswith(tail)]
+        candidates = [one for one in _like(naming.tail, by_name) if one != path]
+        if naming.beside:
+            candidates = [one for one in candidates if os.path.dirname(one) == os.path.dirname(path)]
         every += candidates
         sure += _meant(path, text, naming.package, candidates) if is_ros2 else _in(naming.package, candidates)
     return Included(tuple(dict.fromkeys(sure)), tuple(dict.fromkeys(every)))
+
+
+def _like(tail: str, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    """Yield the files whose path ends with a text, in whose name `*` stands for anything."""
+    folder, _, name = tail.rpartition("/")
+    names = [name] if "*" not in name else fnmatch.filter(by_name, name) if re.search(_SAYING, name) else []
+    ending = f"/{folder}" if folder else ""
+    for candidate in (candidate for each in names for candidate in by_name.get(each, ())):
+        if _folder_of(candidate, os.getcwd()).endswith(ending):
+            yield candidate
 
 
 def _meant(path: str, text: bytes, package: str | None, candidates: Sequence[str]) -> Iterable[str]:
@@ -90,13 +110,16 @@ def _tails(text: bytes) -> tuple[_Naming, ...]:
 
 def _of_address(address: str) -> _Naming:
     found = re.match(_FOUND, address)
-    return _Naming(re.sub(r"^.*\$\([^)]*\)+/?", "", address).lstrip("./"), found[1] if found else None)
+    folders, slash, name = address.rpartition("/")
+    folder = re.sub(r"^.*\$\([^)]*\)+/?", "", folders + slash).lstrip("./")
+    tail = folder + re.sub(_SUBSTITUTION, "*", name)
+    return _Naming(tail, found[1] if found else None, re.match(_BESIDE, address) is not None)
 
 
 @lru_cache(maxsize=_MOST_TEXTS)
-def _with_slashes(path: str, current: str) -> str:
-    """A path relative to the current folder, from the root."""
-    return "/" + os.path.normpath(os.path.join(current, path)).replace(os.sep, "/")
+def _folder_of(path: str, current: str) -> str:
+    """The folder of a path relative to the current folder, from the root."""
+    return os.path.dirname(os.path.normpath(os.path.join(current, path))).replace(os.sep, "/")
 
 
 @lru_cache(maxsize=_MOST_TEXTS)

@@ -77,8 +77,8 @@ class Joined(NamedTuple):
 
 
 def is_lonely(result: TargetResult) -> bool:
-    """Return whether a result is of a launch file that loads or spawns controllers, and starts no robot."""
-    if not is_launch(result.path) or result.links is not None or result.bringup is None:
+    """Return whether a result is of a launch file that loads or spawns controllers, and names no robot to start."""
+    if not is_launch(result.path) or result.links is not None or result.bringup is None or result.joining.lost:
         return False
     return bool(result.joining.declared or result.bringup.spawned)
 

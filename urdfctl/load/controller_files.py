@@ -190,12 +190,12 @@ class _ControllerFileReader:
             self._loaded.append(Loaded(tree))
 
     def load(self, load: ParameterLoad, *, of_other: bool = False) -> None:
-        """Add a file that a launch file loads. One for a single node is kept only if it has controllers."""
+        """Add a file that a launch file loads. One for a single node is kept only if it may have controllers."""
         tree, exists = self._existing(load.file.path or "", load.file.at)
         if exists is False and load.file.exists is None:
             exists = None  # its path needs an argument
         self._references.append(load.file._replace(exists=exists))
-        if tree is not None and not (load.in_node and form_of(tree) is None):
+        if tree is not None and not (load.in_node and (of_other or form_of(tree) is None)):
             self._loaded.append(Loaded(self._rewritten(tree, load.rewriting), load.namespace or "", of_other))
 
     def _rewritten(self, tree: YamlFile, how: Rewriting) -> YamlFile:

@@ -25,6 +25,7 @@ class JoinFacts(NamedTuple):
     manages: whether it starts a simulator, or a controller manager.
     form: the generation of ROS that the launch file is written for; None if there is none.
     described_in: without a robot: the packages that its description is in, and that are not here.
+    lost: whether it names a description that does not exist.
     """
 
     joints: tuple[str, ...] = ()
@@ -33,6 +34,7 @@ class JoinFacts(NamedTuple):
     manages: bool = False
     form: int | None = None
     described_in: tuple[str, ...] = ()
+    lost: bool = False
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> JoinFacts:
@@ -54,6 +56,7 @@ def join_facts(project: Project) -> JoinFacts:
         and (bool(launch.simulations) or any(node.executable.text == "ros2_control_node" for node in launch.nodes)),
         form=launch.ros if launch else None,
         described_in=_described_in(launch) if project.robot is None and launch else (),
+        lost=launch is not None and any(each.file.exists is False for each in launch.descriptions if each.sure),
     )
 
 

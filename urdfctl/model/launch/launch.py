@@ -267,6 +267,7 @@ class Launch(NamedTuple):
     given: ROS 2: the parameters in dicts.
     others: the descriptions of its other robots, if only what belongs to one is kept.
     unread: the included files that cannot be read, if nothing else makes it incomplete.
+    beside: the nodes of each of several launch files that are started beside each other.
     """
 
     path: str
@@ -289,6 +290,7 @@ class Launch(NamedTuple):
     given: tuple[GivenParameters, ...] = ()
     others: tuple[Description, ...] = ()
     unread: tuple[Word, ...] = ()
+    beside: tuple[tuple[Node, ...], ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:
@@ -330,12 +332,14 @@ class Launch(NamedTuple):
     def unfollowed(self) -> tuple[str, ...]:
         """The launch files that it includes and that are worth checking on their own.
 
-        Those that it may or may not include; all of them if no robot is known.
+        Those that it may or may not include; all of them if no robot is known. In ROS 1, `.launch.xml` is the ending of
+        files that are only included.
         """
         robots = self.robots
         included = (one for one in self.references if one.use == "include" and one.file.exists)
         paths = (one.file.path for one in included if not (robots and one.sure))
-        return tuple(dict.fromkeys(path for path in paths if path))
+        only_included = ".launch.xml" if self.ros == 1 else ()
+        return tuple(dict.fromkeys(path for path in paths if path and not path.endswith(only_included)))
 
     @property
     def runs_without_simulator(self) -> bool:
@@ -346,7 +350,7 @@ class Launch(NamedTuple):
     def is_of_other_node(self, load: ParameterLoad) -> bool:
         """Return whether ROS 1 loads parameters under the name of a node that manages no controllers."""
         namespace = load.namespace
-        if self.ros > 1 or not namespace or load.in_node or any(spawn.namespace == namespace for spawn in self.spawns):
+        if self.ros > 1 or not namespace or any(spawn.namespace == namespace for spawn in self.spawns):
             return False
         named = (
             node for node in self.nodes if node.sure and joined(node.namespace or "", node.name or "") == namespace
@@ -395,7 +399,8 @@ class Launch(NamedTuple):
             lists[name] = tuple(chain.from_iterable(getattr(each, name) for each in every))
         followed = all(each.complete or each.unread for each in every)
         unread = tuple(word for each in every for word in each.unread) if followed else ()
-        return self._replace(**lists, complete=all(each.complete for each in every), unread=unread)
+        nodes = tuple(each.nodes for each in every)
+        return self._replace(**lists, complete=all(each.complete for each in every), unread=unread, beside=nodes)
 
     def _home(self, description: Description) -> str | None:
         """The namespace of the robot that a description is of."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.model.launch import Node, joined
@@ -51,8 +51,14 @@ def node_name_twice(project: Project) -> Iterator[Finding]:
     spawner.
     """
     launch = launch_of(project, 1)
+    for nodes in launch.beside or (launch.nodes,) if launch else ():
+        yield from _twice(nodes)
+
+
+def _twice(nodes: Sequence[Node]) -> Iterator[Finding]:
+    """Yield a finding for each node of a launch file that has the name of an earlier one."""
     first: dict[str, Node] = {}
-    for node in launch.nodes if launch else ():
+    for node in nodes:
         if not node.sure or not node.name or node.namespace is None:
             continue
         name = joined(node.namespace, node.name)
