@@ -20,6 +20,8 @@ _TITLES = {
 _QUOTED = re.compile(r"'([^'\n]*)'")
 _FEWEST_SIMILAR = 3
 _MOST_NAMES, _MOST_PLACES = 4, 6
+_PLURAL = {" is not ": " are not ", " is kept ": " are kept ", " has ": " have ", " exists ": " exist "}
+_SINGULAR = re.compile(rf"\A(?:{'|'.join(_PLURAL)})")
 _NOUNS = frozenset({"controller", "joint", "material", "model", "node", "parameter", "plugin", "sensor"})
 
 
@@ -109,6 +111,8 @@ def _joined(lines: Sequence[ReportLine], at: int) -> str:
     if before.rpartition(" ")[2] in _NOUNS:
         parts[at - 1] = f"{before}s "
     parts[at] = ", ".join(f"'{name}'" for name in shown) + more
+    if at + 1 < len(parts):
+        parts[at + 1] = _SINGULAR.sub(lambda verb: _PLURAL[verb[0]], parts[at + 1], count=1)
     return "".join(parts)
 
 
