@@ -77,6 +77,12 @@ class Loader:
             other._known = self._known.unless_read(changed, overlay)
         return other
 
+    def anew(self) -> Loader:
+        """Return a loader that reads all files anew, and knows where the packages are."""
+        other = Loader(self.settings, self._overlay)
+        other._indexes = {workspace: index.anew() for workspace, index in self._indexes.items()}
+        return other
+
     def index_packages(self, targets: Sequence[Target]) -> None:
         """Find the packages of all workspaces once, before workers are forked."""
         for workspace, path in self._a_path_in_each_workspace(targets).items():

@@ -56,6 +56,7 @@ class MigratedPackages:
         self.robots_before: Sequence[LoadedTarget] = ()
         self._sources: dict[str, tuple[WrittenFile | None, SourceText]] = {}
         self._loaded: dict[str | None, list[LoadedTarget]] = {}
+        self._loaders: dict[str | None, Loader] = {}
         self._files: list[str] = []
         self._found: dict[object, object] = {}
 
@@ -130,10 +131,17 @@ class MigratedPackages:
         distro: read them for this distro; None for the distro to migrate from, or the one that the files indicate.
         """
         if distro not in self._loaded:
-            loader = Loader(self.settings._replace(distro=distro or self.options.source))
+            loader = self._loader(distro or self.options.source)
             found = (self._load(loader, target) for target in self.targets())
             self._loaded[distro] = [one for one in found if one is not None]
         return self._loaded[distro]
+
+    def _loader(self, distro: str | None) -> Loader:
+        """A loader that reads the files as they are now. Where packages are stays the same."""
+        last = self._loaders.get(distro)
+        loader = Loader(self.settings._replace(distro=distro)) if last is None else last.anew()
+        self._loaders[distro] = loader
+        return loader
 
     def _load(self, loader: Loader, target: Target) -> LoadedTarget | None:
         """The target, None if it exceeds the limits of reading."""

@@ -142,6 +142,12 @@ class PackageIndex:
         result: _T = self._once[key]
         return result
 
+    def anew(self) -> PackageIndex:
+        """Return an index of the same packages, which reads their files anew."""
+        other = PackageIndex(self.workspace, self.extra, self.environ)
+        other.named, other.around, other.crawls = self.named, self.around, self.crawls
+        return other
+
     def dependencies(self, folder: str) -> frozenset[str]:
         """Return the names of the packages that the package.xml in a folder declares."""
         if folder not in self._dependencies:
