@@ -33,6 +33,7 @@ class Node:
     def get_name(self): return self.name
     def destroy_node(self): print("destroyed", file=open(os.environ["FAKE_SYSTEM"] + ".end", "a"))
     def destroy_client(self, client): pass
+    def create_publisher(self, kind, name, qos): return S(publish=lambda message: None)
     def destroy_subscription(self, subscription): pass
     def get_node_names_and_namespaces(self):
         return [(n["name"], n["namespace"]) for n in R["nodes"]] + [(self.name, "/")]
@@ -77,6 +78,15 @@ def service(question):
         @staticmethod
         def answer(name, request): return message(R["controller_managers"][name.rpartition("/")[0]].get(question, {}))
     return Service
+def lifecycle(stage):
+    class Service:
+        class Request: name, activate_controllers, strictness = "", [], 0
+        @staticmethod
+        def answer(name, request):
+            controller = request.name or request.activate_controllers[0]
+            return message({"ok": stage in R.get("passes", {}).get(controller, ["load", "configure", "activate"])})
+    return Service
+LoadController, ConfigureController, SwitchController = map(lifecycle, ("load", "configure", "activate"))
 ListControllers, ListHardwareInterfaces, ListHardwareComponents, ListControllerTypes = map(
     service, ("list_controllers", "list_hardware_interfaces", "list_hardware_components", "list_controller_types"))
 """
@@ -126,6 +136,8 @@ def write_fake_ros(folder: Path) -> None:
         "rclpy/__init__.py": _RCLPY,
         "rclpy/qos.py": _QOS,
         "fake_message.py": _MESSAGE,
+        "std_msgs/__init__.py": "",
+        "std_msgs/msg.py": "def String(data): return data\n",
         "controller_manager_msgs/__init__.py": "",
         "controller_manager_msgs/srv.py": _SERVICES,
         "rcl_interfaces/__init__.py": "",

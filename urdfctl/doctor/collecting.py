@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
+from typing import Any
 
 from urdfctl.errors import UserError
 
@@ -13,6 +15,8 @@ _COLLECTORS = {"2": "collector.py", "1": "collector_ros1.py"}
 """The collectors by the value of ROS_VERSION that a sourced ROS sets."""
 _LONGEST = 20.0
 """Seconds, besides those of listening, after which a collector is ended."""
+_LONGEST_START, _LONGEST_CONTROLLER = 60.0, 40.0
+"""Seconds after which a manager is ended, without its controllers and for each of them."""
 _NO_ROS = 2
 """The exit status of a collector where its ROS is not sourced."""
 _SILENT = 3
@@ -47,10 +51,23 @@ def collected(seconds: float, *, is_private: bool) -> str:
     raise UserError(f"neither ROS 2 nor ROS 1 is sourced for '{python}'; {_INSTEAD}")
 
 
-def _run(words: list[str], longest: float) -> subprocess.CompletedProcess[str]:
+def run_mock_manager(plan: dict[str, Any]) -> dict[str, Any]:
+    """Return how far a plan comes with the real controller manager. Raises UserError if ROS 2 is not sourced."""
+    longest = _LONGEST_START + _LONGEST_CONTROLLER * len(plan["controllers"])
+    ran = _run([_python(), os.path.join(_FOLDER, "mock_manager.py")], longest, json.dumps(plan))
+    last = (ran.stderr.strip().splitlines() or ["it said nothing"])[-1]
+    if ran.returncode == _NO_ROS:
+        raise UserError(f"--engine ros2 starts the real controller manager: {last}; source ROS 2, or use --engine none")
+    if ran.returncode != 0:
+        raise UserError(f"the controller manager cannot be started: {last}")
+    found: dict[str, Any] = json.loads(ran.stdout)
+    return found
+
+
+def _run(words: list[str], longest: float, text: str = "") -> subprocess.CompletedProcess[str]:
     try:
         return subprocess.run(  # noqa: S603 (our own script, with the Python of the environment)
-            words, capture_output=True, text=True, check=False, timeout=longest
+            words, input=text, capture_output=True, text=True, check=False, timeout=longest
         )
     except subprocess.TimeoutExpired:
         raise UserError(f"the running system did not answer in {longest:g} s") from None

@@ -79,7 +79,7 @@ def stamp_of(header: Any) -> str:
     return f"{header.stamp.sec}.{header.stamp.nanosec:09d}"
 
 
-class Question:
+class ServiceQuestion:
     """A call of a service. done: gets the response, or an error."""
 
     def __init__(self, client: Any, request: Any, done: Callable[[Any], None]) -> None:
@@ -105,7 +105,7 @@ class Collector:
 
     def __init__(self, rclpy: Any, node: Any, seconds: float, *, is_private: bool) -> None:
         self.rclpy, self.node, self.seconds, self.is_private = rclpy, node, seconds, is_private
-        self.open: list[Question] = []
+        self.open: list[ServiceQuestion] = []
 
     def snapshot(self) -> dict[str, object]:
         """Return the recording of the system."""
@@ -157,7 +157,7 @@ class Collector:
         request = kind.Request()
         for field, value in fields.items():
             setattr(request, field, value)
-        self.open.append(Question(self.node.create_client(kind, name), request, done))
+        self.open.append(ServiceQuestion(self.node.create_client(kind, name), request, done))
 
     def managers(self, services: Sequence[tuple[str, Sequence[str]]], nodes: Sequence[str]) -> dict[str, object]:
         """Return what the controller managers list, by full name; the answers come in later."""

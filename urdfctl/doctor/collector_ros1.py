@@ -71,7 +71,7 @@ def seconds_of(stamp: Any) -> str:
     return f"{stamp.secs}.{stamp.nsecs:09d}"
 
 
-class Collector:
+class Ros1Collector:
     """Asks one running system. seconds: for how long topics are listened to."""
 
     def __init__(self, rospy: Any, master: Any, seconds: float, *, is_private: bool) -> None:
@@ -259,7 +259,7 @@ def main() -> int:
         master = rosgraph.Master("/urdfctl_doctor")
         master.getPid()
         rospy.init_node("urdfctl_doctor", anonymous=True, disable_signals=True, disable_rosout=True)
-        found = Collector(rospy, master, options.seconds, is_private=options.all).snapshot()
+        found = Ros1Collector(rospy, master, options.seconds, is_private=options.all).snapshot()
     except (OSError, rosgraph.MasterException) as error:
         sys.stderr.write(f"no ROS master answers at ROS_MASTER_URI: {error}\n")
         return 3

@@ -44,6 +44,9 @@ INTERRUPTED = 130
 MAX_DURATION = 60.0
 """Seconds of simulation for one controller."""
 
+_REAL = "ros2"
+"""The engine that is no physics engine: the controller manager of a sourced ROS 2."""
+
 
 class SmokeOptions(CheckOptions, ReportOptions, command="smoke"):
     """Spawn robots without ROS, then load, activate and move each of their controllers.
@@ -60,9 +63,9 @@ class SmokeOptions(CheckOptions, ReportOptions, command="smoke"):
     )
     engine: str = option(
         CHECKED_FOR,
-        "Physics engine: auto, pybullet, mujoco, both, or none to move nothing.",
+        "Physics engine: auto, pybullet, mujoco, both, or none to move nothing; ros2: the real controller manager.",
         default="auto",
-        choices=CHOICES,
+        choices=(*CHOICES, _REAL),
     )
     tasks: str | None = option(
         CHECKED_FOR,
@@ -94,6 +97,10 @@ def run_smoke(options: SmokeOptions) -> int:
     began = time.monotonic()
     _validate(options)
     outputs = outputs_of(options.formats, options.output_file, SMOKE_FORMATS)
+    if options.engine == _REAL:
+        from urdfctl.commands.find.real_smoke import tested_by_ros2
+
+        return tested_by_ros2(tested(options, lambda tests, total: with_progress(tests, total, "testing"))[0], outputs)
     tests, made = tested(options, lambda tests, total: with_progress(tests, total, "testing"))
     for name, file in outputs:
         write_smoke(made, name, file)
@@ -131,7 +138,7 @@ def tested(
 def _request(options: SmokeOptions) -> SmokeRequest:
     return SmokeRequest(
         only=tuple(name.strip() for text in options.only for name in text.split(",") if name.strip()),
-        engines=engines_named(options.engine),
+        engines=() if options.engine == _REAL else engines_named(options.engine),
         instead=installed()[1:] if options.engine == "auto" else (),
         duration=options.duration,
         gui=options.gui,
@@ -172,10 +179,10 @@ def _validate(options: SmokeOptions) -> None:
     if options.csv == "":
         raise UserError("--csv requires the name of a file")
     check_output(options.csv)
-    if options.csv is not None and options.engine == "none":
-        raise UserError("--csv requires a physics engine, not --engine none")
-    if options.tasks is not None and options.engine == "none":
-        raise UserError("--tasks requires a physics engine, not --engine none")
+    if options.csv is not None and options.engine in ("none", _REAL):
+        raise UserError(f"--csv requires a physics engine, not --engine {options.engine}")
+    if options.tasks is not None and options.engine in ("none", _REAL):
+        raise UserError(f"--tasks requires a physics engine, not --engine {options.engine}")
     if "" in options.controllers:
         raise UserError("--controllers requires the name of a file")
     for path in options.controllers:
