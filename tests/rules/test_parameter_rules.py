@@ -6,6 +6,7 @@ import pytest
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.entries import ParameterEntry
+from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameters.rules import breaches
 from urdfctl.source.opaque import UNKNOWN
@@ -210,3 +211,53 @@ def test_a_covariance_of_ros_1_takes_no_integer() -> None:
     assert type_problem([0.0, 0], parameter, "noetic") == (
         "must be a list of numbers with a decimal point, not a list of numbers and integers"
     )
+
+
+DRIVE = "diff_drive_controller/DiffDriveController"
+
+
+@pytest.mark.parametrize(
+    ("distro", "values", "expected"),
+    [
+        ("jazzy", {"linear.x.max_velocity": 0.0}, ["warning: linear.x.max_velocity must not be 0"]),
+        ("jazzy", {"linear.x.max_velocity": 0.0, "linear.x.has_velocity_limits": False}, []),
+        ("humble", {"linear.x.max_jerk": 0.0}, []),
+        ("kilted", {"angular.z.max_jerk": 0.0}, ["warning: angular.z.max_jerk must not be 0"]),
+        ("rolling", {"angular.z.max_acceleration": float("nan")}, []),
+        ("noetic", {"linear.x.max_velocity": 0.0}, []),
+        (
+            "noetic",
+            {"linear.x.max_velocity": -1.0, "linear.x.has_velocity_limits": True},
+            ["warning: linear.x.max_velocity must be > 0.0, not -1.0"],
+        ),
+    ],
+)
+def test_a_base_whose_limit_is_0_stands_still_if_the_limit_is_read(
+    distro: str, values: dict[str, object], expected: list[str]
+) -> None:
+    wheels = {"left_wheel_names": ["l"], "right_wheel_names": ["r"], "left_wheel": "l", "right_wheel": "r"}
+    assert said(DRIVE, distro, {**wheels, **values}) == expected
+
+
+@pytest.mark.parametrize(
+    ("kind", "distro", "name", "harmful", "sound"),
+    [
+        (DRIVE, "humble", "cmd_vel_timeout", 0.0, 0.1),
+        (DRIVE, "noetic", "cmd_vel_timeout", 0.0, 0.1),
+        (DRIVE, "jazzy", "wheel_separation_multiplier", 0.0, 1.1),
+        (DRIVE, "noetic", "wheel_radius_multiplier", -1.0, 1.0),
+        ("omni_wheel_drive_controller/OmniWheelDriveController", "jazzy", "cmd_vel_timeout", -1.0, 1.0),
+        ("mecanum_drive_controller/MecanumDriveController", "jazzy", "reference_timeout", -1.0, 0.0),
+        (JTC, "jazzy", "gains.<joints>.p", -1.0, 0.0),
+        (JTC, "humble", "constraints.<joints>.goal", -0.1, 0.0),
+        ("pid_controller/PidController", "jazzy", "gains.<dof_names>.i", -1.0, 1.0),
+    ],
+)
+def test_a_value_that_is_accepted_and_stops_or_endangers_the_robot_is_known(
+    kind: str, distro: str, name: str, harmful: float, sound: float
+) -> None:
+    controller = CATALOG.controller(kind, distro)
+    assert controller is not None
+    useful = controller.parameters[name].useful
+    assert problem(harmful, useful) is not None
+    assert problem(sound, useful) is None
