@@ -56,6 +56,21 @@ from urdfctl.rules.controllers.parameters import (
             """,
         },
         {
+            "options": "--distro=noetic",
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                base:
+                  type: diff_drive_controller/DiffDriveController
+                  left_wheel: shoulder
+                  right_wheel: elbow
+                  wheel_separation: 0.4
+                  wheel_radius: 0.1
+                  pose_covariance_diagonal: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]
+                  twist_covariance_diagonal: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]
+                  angular: {«x»: {has_velocity_limits: true, max_velocity: 1.0}}
+            """,
+        },
+        {
             "controllers.yaml": """
                 controller_manager:
                   ros__parameters:
@@ -153,8 +168,8 @@ def parameter_unknown(project: Project) -> Iterator[Finding]:
     """Unknown parameter.
 
     The node ignores it silently and uses the default; most unknown parameters are misspelt. In ROS 1, other nodes may
-    read them, so only names similar to a known parameter are reported. It is an error if the parameter that was meant
-    is required.
+    read them, so only names similar to a known parameter are reported, and all in a map that the controller reads. It is
+    an error if the parameter that was meant is required.
     """
     return in_each_distro(project, lambda reader: _unknown(project, reader), newest=True)
 
@@ -184,7 +199,8 @@ def _why(project: Project, reader: Reader, parameter: Parameter, right: str | No
     if alike and not (reader.type and reader.type.open):
         return f"; did you mean {' or '.join(repr(name) for name in alike[:2])}?"
     is_open = reader.type is not None and reader.type.open
-    return None if is_open or is_ros1(reader) or is_another(reader) else "; it is ignored"
+    may_be_of_others = is_ros1(reader) and "." not in parameter.name
+    return None if is_open or may_be_of_others or is_another(reader) else "; it is ignored"
 
 
 def _fix(parameter: Parameter, right: str | None) -> Fix | None:
