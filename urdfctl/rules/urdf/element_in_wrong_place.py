@@ -42,6 +42,14 @@ _TOOL = """
                 '«<origin xyz="0 0 1"/>»«<visual/>»«<collision/>»«<limit effort="2"/>»«<axis xyz="0 0 1"/>»',
             )
         },
+        {
+            "robot.urdf": _TOOL
+            % (
+                "",
+                '<axis xyz="0 0 1">«<origin xyz="0 0 1"/>»</axis><dynamics damping="1">«<limit effort="1"/>»</dynamics>',
+                "",
+            )
+        },
         {"robot.urdf": _TOOL % ("", '«<damping value="1"/>»«<effort>»5</effort>«<velocity>»5</velocity>', "")},
     ],
     good=[

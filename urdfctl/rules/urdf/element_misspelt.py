@@ -133,7 +133,7 @@ def element_misspelt(project: Project) -> Iterator[Finding]:
 
 def _meant(tag: Tag, parent: str) -> tuple[str, ...]:
     """The element that an unknown one most likely misspells; empty if it may be intended."""
-    known = ELEMENTS[parent]
+    known = ELEMENTS.get(parent, ())
     if tag.name in known or tag.name in OF_OTHERS or ":" in tag.name:
         return ()
     meant = nearest(tag.name, known)

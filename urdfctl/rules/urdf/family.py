@@ -50,6 +50,7 @@ from urdfctl.rules.urdf.mesh_not_found import mesh_not_found
 from urdfctl.rules.urdf.mesh_package_not_found import mesh_package_not_found
 from urdfctl.rules.urdf.mesh_path_of_one_machine import mesh_path_of_one_machine
 from urdfctl.rules.urdf.mesh_path_relative import mesh_path_relative
+from urdfctl.rules.urdf.mimic_joint_stands_still import mimic_joint_stands_still
 from urdfctl.rules.urdf.mimic_range_beyond_limits import mimic_range_beyond_limits
 from urdfctl.rules.urdf.mimic_without_joint import mimic_without_joint
 from urdfctl.rules.urdf.mimics_in_a_circle import mimics_in_a_circle
@@ -135,4 +136,5 @@ FAULTS: tuple[Fault, ...] = (
     urdf_attribute_not_read,
     limit_negative,
     safety_stops_joint,
+    mimic_joint_stands_still,
 )

@@ -89,6 +89,5 @@ def _walk(robot: Robot) -> Iterator[ReadTag]:
         while pending:
             tag = pending.pop()
             known = ELEMENTS.get(tag.name, ())
-            children = tag.children if known else ()
-            yield ReadTag(tag, children, owner)
-            pending += [child for child in reversed(children) if child.name in known]
+            yield ReadTag(tag, tag.children, owner)
+            pending += [child for child in reversed(tag.children) if child.name in known]
