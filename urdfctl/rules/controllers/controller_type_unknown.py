@@ -57,8 +57,9 @@ def controller_type_unknown(project: Project) -> Iterator[Finding]:
         if controller.known_in or not controller.type.strip():
             continue
         at = controller.at.at
-        if _is_hardware(project, controller):
-            yield Finding(at, f"'{controller.type}' is a hardware plugin for <ros2_control>, not a controller type")
+        other = _other_kind(project, controller)
+        if other is not None:
+            yield Finding(at, f"'{controller.type}' is a {other} for <ros2_control>, not a controller type")
             continue
         meant = meant_by(project, controller)
         if meant is not None:
@@ -66,5 +67,9 @@ def controller_type_unknown(project: Project) -> Iterator[Finding]:
             yield Finding(at, message, fix=replaced(at, controller.type, meant, safe=is_slip(controller.type, meant)))
 
 
-def _is_hardware(project: Project, controller: TypedController) -> bool:
-    return any(controller.type in project.catalog.known_hardware(distro) for distro in controller.distros)
+def _other_kind(project: Project, controller: TypedController) -> str | None:
+    catalog = project.catalog
+    if any(controller.type in catalog.known_hardware(distro) for distro in controller.distros):
+        return "hardware plugin"
+    is_gear = any(controller.type in catalog.known_transmissions(distro) for distro in controller.distros)
+    return "transmission" if is_gear else None

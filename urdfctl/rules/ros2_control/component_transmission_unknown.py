@@ -9,6 +9,7 @@ from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, label
 from urdfctl.rules.ros2_control.common import component, components, corrected
+from urdfctl.rules.ros2_control.kinds import other_kind
 
 
 @rule(
@@ -27,6 +28,32 @@ from urdfctl.rules.ros2_control.common import component, components, corrected
                   <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
                   <transmission name="elbow_gear">
                     «<plugin>»transmission_interface/SimpelTransmission</plugin>
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    «<plugin>»mock_components/GenericSystem</plugin>
+                    <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                    <actuator name="elbow_motor" role="actuator1"/>
+                  </transmission>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <transmission name="elbow_gear">
+                    «<plugin>»joint_trajectory_controller/JointTrajectoryController</plugin>
                     <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
                     <actuator name="elbow_motor" role="actuator1"/>
                   </transmission>
@@ -63,12 +90,23 @@ def component_transmission_unknown(project: Project) -> Iterator[Finding]:
             if not name or not is_known(name) or name in known:
                 continue
             meant = nearest(name, known) or _slashed(name, known)
+            other = None if meant else _other(project, name)
+            if other is not None:
+                of = f"{label('transmission', transmission.name)} in {component(control)}"
+                yield Finding(transmission.plugins[0].at, f"{of} names '{name}', which is {other}; {_EXPECTED}")
+                continue
             if meant is None and not name.startswith("transmission_interface"):
                 continue
             of = f"{label('transmission', transmission.name)} in {component(control)}"
             hint = f"did you mean '{meant}'?" if meant else _EXPECTED
             fix = corrected(transmission.plugins[0], meant) if meant else None
             yield Finding(transmission.plugins[0].at, f"{of} has unknown type '{name}'; {hint}", fix=fix)
+
+
+def _other(project: Project, name: str) -> str | None:
+    """What a name is, if it is certainly no transmission."""
+    is_hardware = any(name in project.catalog.known_hardware(distro) for distro in project.distros)
+    return "hardware" if is_hardware else other_kind(project, name)
 
 
 _EXPECTED = "expected SimpleTransmission, DifferentialTransmission or FourBarLinkageTransmission"

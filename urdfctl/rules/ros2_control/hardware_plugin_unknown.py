@@ -11,6 +11,7 @@ from urdfctl.names import is_slip
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.ros2_control.common import component, components, corrected, folded
+from urdfctl.rules.ros2_control.kinds import other_kind
 
 _CORE = ("mock_components", "fake_components")
 """Packages that are part of ros2_control."""
@@ -114,6 +115,46 @@ _WHOLE = (*_CORE, "gz_ros2_control", "ign_ros2_control", "gazebo_ros2_control")
                 </ros2_control>
             """,
         },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»joint_trajectory_controller/JointTrajectoryController</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»transmission_interface/SimpleTransmission</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»gazebo_ros_control/DefaultRobotHWSim</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»gz_ros2_control-system</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware>«<plugin>»libarm_driver.so</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
     ],
     good=[
         {
@@ -177,6 +218,9 @@ def _slip(project: Project, name: str, owner: str) -> Fault | None:
     """The same for a name that is in no distro."""
     if "${" in name or "$(" in name:
         return None, f"plugin of {owner} is the xacro expression '{name}', which is not expanded", Severity.ERROR
+    other = other_kind(project, name)
+    if other is not None:
+        return None, f"{owner} names '{name}', which is {other}, not hardware", Severity.ERROR
     known = {each for distro in project.distros for each in project.catalog.known_hardware(distro)}
     own = next((each for each in project.own.hardware if is_slip(name, each)), None)
     if own is not None:
