@@ -9,10 +9,25 @@ from urdfctl.model.launch import Launch, Spawn
 from urdfctl.names import fuller, is_only_slip, nearest
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words, replaced
-from urdfctl.rules.launch.common import ROS_2, manager_nodes, simulators_managers
-from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
+from urdfctl.rules.launch.common import ROS_2, is_spawner, manager_nodes, simulators_managers
+from urdfctl.rules.launch_samples import (
+    ARM,
+    BROADCASTER,
+    CONTROLLERS,
+    FILE,
+    MANAGER,
+    PUBLISHER,
+    SOUND,
+    launched,
+    spawner,
+)
 from urdfctl.source.span import Place
 from urdfctl.startup.per_object import once_for_the_last
+
+_TYPE = "type: joint_trajectory_controller/JointTrajectoryController"
+_TYPED_ITSELF = CONTROLLERS.replace(f"        arm_controller:\n          {_TYPE}\n", "").replace(
+    "joints: [", f"{_TYPE}\n        joints: ["
+)
 
 
 @rule(
@@ -21,14 +36,18 @@ from urdfctl.startup.per_object import once_for_the_last
     runtime="refuses",
     authority="ros2_control controller_manager.cpp: 'The 'type' param was not defined for 'arm'.'; ros_control "
     "controller_manager.cpp: 'Could not load controller 'arm' because the type was not specified.'",
-    bad=[launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"«arm_controler» {FILE}"))],
-    good=[SOUND],
+    bad=[
+        launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"«arm_controler» {FILE}")),
+        launched(PUBLISHER, MANAGER, BROADCASTER, spawner("«arm_controller»"), controllers=_TYPED_ITSELF),
+    ],
+    good=[SOUND, launched(PUBLISHER, MANAGER, BROADCASTER, ARM, controllers=_TYPED_ITSELF)],
 )
 def spawned_controller_unknown(project: Project) -> Iterator[Finding]:
     """Unknown controller is spawned.
 
     No parameter file declares the controller. The controller manager finds no type for it and does not load it, and the
-    spawner exits with an error. Usually the name is misspelt, or declared in another namespace.
+    spawner exits with an error. Usually the name is misspelt, or declared in another namespace; or its type is in its own
+    section, which the manager reads only from a file that the spawner gets.
     """
     launch, controllers = project.launch, project.controllers
     if launch is None or controllers is None or not controllers.complete or not launch.complete:
@@ -42,8 +61,19 @@ def spawned_controller_unknown(project: Project) -> Iterator[Finding]:
     for spawn in launch.spawns:
         if spawn.option("-t", "--controller-type") is None:
             for name, at in spawn.names:
-                if not any(_is_meant(name, spawn, controller) for controller in declared):
+                meant = [controller for controller in declared if _is_meant(name, spawn, controller)]
+                if not meant:
                     yield _finding(name, at, spawn, controllers, launch)
+                elif launch.ros == ROS_2 and all(_is_typed_in_vain(spawn, controller) for controller in meant):
+                    message = f"type of controller '{name}' is only in its own section, which the manager does not read"
+                    yield Finding(at, f"{message}; give the spawner the file with --param-file")
+
+
+def _is_typed_in_vain(spawn: Spawn, controller: Controller) -> bool:
+    """Whether the type is only in the controller's own section, and the spawner passes no file on."""
+    passes = bool(spawn.files) or spawn.option("-p", "--param-file") is not None
+    known = spawn.sure and spawn.complete and is_spawner(spawn)
+    return known and not passes and controller.manager is None and controller.own.value("type") is not None
 
 
 def _of_empty_files(launch: Launch, controllers: Controllers) -> Iterator[Finding]:
