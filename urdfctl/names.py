@@ -28,6 +28,7 @@ _OPPOSED = (
     ("x", "y", "z"),
     ("roll", "pitch", "yaw"),
     ("position", "velocity", "effort", "acceleration"),
+    ("tf", "rate"),
     ("linear", "angular"),
     ("inner", "outer"),
     ("open", "close"),

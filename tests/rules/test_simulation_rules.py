@@ -143,6 +143,10 @@ def test_a_misspelt_file_is_reported(robot: Robot, written: str, meant: str) -> 
     assert f"did you mean '{meant}'?" in robot.only("UC503", plugin(filename=written)).message
 
 
+def test_a_plugin_of_ros_1_stops_no_robot_whose_hardware_is_mocked(robot: Robot) -> None:
+    assert robot.only("UC504", component(MOCK) + plugin(), distro="humble").severity.value == "warning"
+
+
 def test_a_misspelt_library_of_the_other_ros_is_reported_once_with_what_to_load(robot: Robot) -> None:
     found = robot.only("UC504", component(IN_CLASSIC) + plugin(filename="gazebo_ros_control.so"), distro="humble")
     assert "libgazebo_ros2_control.so" in robot.fixed(found)

@@ -181,6 +181,13 @@ def simulator_of(project: Project, control: Ros2Control) -> str | None:
     return next((entry.simulator for entry in entries if entry), None)
 
 
+def has_other_hardware(project: Project) -> bool:
+    """Return whether the robot has hardware, and none of it runs in a simulator: mocked, real or its own."""
+    parts = components(project)
+    known = all(is_known(control.plugin or "") for control in parts)
+    return bool(parts) and known and not any(simulator_of(project, control) in IN_GAZEBO for control in parts)
+
+
 _LATER = since("iron")
 """Distros that together have all hardware plugins for Gazebo."""
 

@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, loaded_plugins, of_sensors, written_plugins
+from urdfctl.control.hardware.simulator_plugins import (
+    LoadedPlugin,
+    has_other_hardware,
+    loaded_plugins,
+    of_sensors,
+    written_plugins,
+)
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.migration.facts import IN_GZ
 
@@ -99,5 +105,6 @@ def gazebo_classic_gone(project: Project) -> Iterator[Finding]:
         notes = (Note(f"{more} more in this robot"),) if more else ()
         instead = IN_GZ.get(library)
         fix = Fix(f"in gz use {instead}") if instead else None
-        severity = Severity.INFO if both else Severity.ERROR if plugin.hosts_control else None
+        vital = plugin.hosts_control and not has_other_hardware(project)
+        severity = Severity.INFO if both else Severity.ERROR if vital else None
         yield Finding(plugin.plugin.at["filename"], message, notes, fix, severity)

@@ -6,7 +6,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1, in_words, since
 from urdfctl.control.hardware.gazebo_plugins import IN_PLACE, LIBRARIES
-from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, control_plugins, loaded_plugins, of_sensors
+from urdfctl.control.hardware.simulator_plugins import (
+    LoadedPlugin,
+    control_plugins,
+    has_other_hardware,
+    loaded_plugins,
+    of_sensors,
+)
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.simulation.common import ROS_2
@@ -49,7 +55,7 @@ def plugin_of_other_ros(project: Project) -> Iterator[Finding]:
 
     The plugin belongs to the other ROS version, or to an earlier or later distro. Its library is not found, and the
     plugin is not loaded. Without the plugin of ros_control, no controller manager runs in the simulator. Spawners wait
-    for it until they give up.
+    for it until they give up. It is only a warning for a robot whose hardware does not run in a simulator.
     """
     for sim_plugin in (*loaded_plugins(project), *of_sensors(project)):
         where = _where(project, sim_plugin)
@@ -62,6 +68,7 @@ def plugin_of_other_ros(project: Project) -> Iterator[Finding]:
             vital
             and not (sim_plugin.any and sim_plugin.any.external)
             and not any(host.known for host in control_plugins(project))
+            and not has_other_hardware(project)
             and _is_controlled(project)
         )
         severity = Severity.ERROR if sure else Severity.WARNING

@@ -33,6 +33,17 @@ _OF_ONE_MACHINE = re.compile(r"(file:)?/|[A-Za-z]:[\\/]|~")
     ],
     good=[
         {
+            "robot.urdf": """
+                <link name="tool">
+                  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+                  <visual>
+                    <geometry><mesh filename="file://$(find arm_description)/meshes/tool.stl"/></geometry>
+                  </visual>
+                </link>
+                <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            """,
+        },
+        {
             "robot.xacro": """
                 <link name="tool">
                   <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
@@ -62,7 +73,10 @@ def mesh_path_of_one_machine(project: Project) -> Iterator[Finding]:
     meshes = [
         mesh
         for mesh in (robot.meshes if robot else ())
-        if _OF_ONE_MACHINE.match(mesh.filename) and is_known(mesh.filename) and mesh.at.span.text == mesh.filename
+        if _OF_ONE_MACHINE.match(mesh.filename)
+        and is_known(mesh.filename)
+        and mesh.at.span.text == mesh.filename
+        and "$(" not in mesh.filename  # it is for xacro, which finds the package on each machine
     ]
     if meshes:
         first = meshes[0]
