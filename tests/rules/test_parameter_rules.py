@@ -151,6 +151,7 @@ def said(kind: str, distro: str, values: dict[str, object]) -> list[str]:
             {"left_wheel": "l", "right_wheel": ["r", "s"], "linear.x.has_jerk_limits": True},
             [
                 "warning: linear.x.max_jerk is required if 'linear.x.has_jerk_limits' is true",
+                "warning: linear.x.max_jerk must be > 0.0, not 0.0",
                 "error: right_wheel must have as many elements as 'left_wheel' (1), not 2",
             ],
         ),

@@ -116,18 +116,24 @@ def test_a_joint_may_have_the_name_of_a_link_in_ros_1(tmp_path: Path) -> None:
 # -- numbers ---------------------------------------------------------------------------------------------------------
 
 
+LEADER = """
+    <link name="pad">
+      <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+    </link>
+    <joint name="lead" type="continuous"><parent link="base"/><child link="pad"/></joint>
+"""
+
+
 @pytest.mark.parametrize("number", ["1", "+1", "1.", ".5", "-0.5e-3", "1E3", "1e-05", "0"])
 def test_decimals_are_numbers(tmp_path: Path, number: str) -> None:
-    assert (
-        codes(tmp_path, joint(f'<dynamics damping="0" friction="0"/>{LIMIT}<mimic joint="mount" offset="{number}"/>'))
-        == []
-    )
+    text = joint(f'<dynamics damping="0" friction="0"/>{LIMIT}<mimic joint="lead" offset="{number}"/>')
+    assert codes(tmp_path, with_more(text, LEADER)) == []
 
 
 @pytest.mark.parametrize("number", ["", " ", "1 ", "1,5", "0x10", "1deg", "pi", "nan", "1e400", ".", "--1", "${pi}"])
 def test_other_texts_are_not_numbers(tmp_path: Path, number: str) -> None:
-    text = joint(f'{LIMIT}<mimic joint="mount" offset="{number}"/>')
-    assert codes(tmp_path, text, distro="jazzy") == ["UC127 error"]
+    text = joint(f'{LIMIT}<mimic joint="lead" offset="{number}"/>')
+    assert codes(tmp_path, with_more(text, LEADER), distro="jazzy") == ["UC127 error"]
 
 
 @pytest.mark.parametrize("vector", ["0 0 1", " 0  0 1 ", "0 0 1e-05"])

@@ -66,8 +66,8 @@ def mesh_not_found(project: Project) -> Iterator[Finding]:
     existing, used = set(), set()
     for mesh in robot.meshes if robot else ():
         folder = mesh.filename.rpartition("/")[0]
-        if mesh.file is None or not mesh.file.package_found or not is_known(mesh.filename):
-            continue
+        if mesh.file is None or not mesh.file.package_found or not is_known(mesh.filename) or "$(" in mesh.filename:
+            continue  # what is left for xacro names no file yet
         if mesh.file.exists:
             existing.add(folder)
             used.add(mesh.filename.rpartition("/")[2])
