@@ -238,17 +238,23 @@ SPAWNED2 = '<node pkg="controller_manager" exec="spawner" args="winch"/>'
 
 
 def crane2(**launches: str) -> dict[str, str]:
-    """A package of ROS 2, in a folder of another name, with a robot and launch files."""
+    """A package of ROS 2, in a folder of another name, with a robot and launch files, in XML or Python."""
     manifest = '<package format="3"><name>crane</name><export><build_type>ament_cmake</build_type></export></package>'
     described = f'<robot name="crane">{BASE}{JOINT.format("hoist")}{HARDWARE}</robot>'
     files = {"package.xml": manifest, "crane.urdf": described, "c.yaml": PARAMETERS}
-    files |= {f"launch/{name}.launch.xml": text for name, text in launches.items()}
+    files |= {f"launch/{n}.launch.{'xml' if '<launch' in text else 'py'}": text for n, text in launches.items()}
     return {f"folder/{name}": text for name, text in files.items()}
 
 
+def report2(folder: Folder) -> dict[str, Any]:
+    given: dict[str, Any] = json.loads(
+        folder.run("lint", ".", "--format", "json", "--distro", "jazzy", "--exit-zero").stdout
+    )
+    return given
+
+
 def started(folder: Folder) -> list[tuple[str, list[str]]]:
-    given = json.loads(folder.run("lint", ".", "--format", "json", "--distro", "jazzy", "--exit-zero").stdout)
-    return [(each["launch"], each["beside"]) for each in given["targets"] if each["launch"]]
+    return [(each["launch"], each["beside"]) for each in report2(folder)["targets"] if each["launch"]]
 
 
 def test_what_is_included_is_no_start_though_the_folder_of_its_package_has_another_name(folder: Folder) -> None:
@@ -261,8 +267,7 @@ def test_a_launch_file_that_spawns_what_a_start_spawns_is_no_second_start(folder
     whole = launch(DESCRIBED2, MANAGED, SPAWNED2)
     folder.write(crane2(model=launch(DESCRIBED2), whole=whole, spawn=launch(SPAWNED2)))
     assert started(folder) == [("folder/launch/model.launch.xml", []), ("folder/launch/whole.launch.xml", [])]
-    given = json.loads(folder.run("lint", ".", "--format", "json", "--distro", "jazzy", "--exit-zero").stdout)
-    assert not errors(given)
+    assert not errors(report2(folder))
 
 
 def test_a_launch_file_with_a_robot_of_a_package_that_is_not_here_is_joined_with_no_start(folder: Folder) -> None:
@@ -351,3 +356,53 @@ def test_a_launch_file_that_plans_for_a_robot_without_controllers_is_shown(folde
     folder.write({"crane/launch/plan.launch": launch(DESCRIBED.format("crane", "crane.urdf"), node)})
     launches = {each["launch"] for each in report(folder)["targets"]}
     assert launches == {"crane/launch/world.launch", "crane/launch/plan.launch"}
+
+
+def test_a_program_with_a_manager_in_it_loads_what_has_a_section_for_the_manager(folder: Folder) -> None:
+    program = MANAGED.replace('pkg="controller_manager" exec="ros2_control_node"', 'pkg="drivers" exec="{}"')
+    described = DESCRIBED2.replace(
+        'pkg="robot_state_publisher" exec="robot_state_publisher"', 'pkg="drivers" exec="{}"'
+    )
+    other = described.replace("</node>", '<param from="$(find-pkg-share crane)/c.yaml"/></node>')
+    for text in (program.format("control_node"), other.format("crane_main")):
+        folder.write(crane2(whole=launch(DESCRIBED2, text, SPAWNED2)))
+        (target,) = report2(folder)["targets"]
+        assert (target["controllers"], target["spawned"]) == (["folder/c.yaml"], ["winch"])
+
+
+IN_PYTHON = """\
+import os, re, xacro
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from pathlib import Path
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('crane'), 'crane.urdf')
+    text = xacro.process_file(path).toxml()
+    {}
+    return LaunchDescription([
+        Node(package='robot_state_publisher', executable='robot_state_publisher', {}),
+        Node(package='controller_manager', executable='spawner', arguments=['winch']),
+    ])
+"""
+AS_FILE = "arguments=['/tmp/crane.urdf']"
+AS_TEXT = "parameters=[{'robot_description': text}]"
+
+
+@pytest.mark.parametrize(
+    ("made", "given"),
+    [
+        ("with open('/tmp/crane.urdf', 'w') as file: file.write(text)", AS_FILE),
+        ("file = open('/tmp/crane.urdf', mode='w'); file.write(text.replace('package://', 'file://'))", AS_FILE),
+        ("Path('/tmp/crane.urdf').write_text(text)", AS_FILE),
+        ("for block in re.findall('<a.*?</a>', other()): text = text.replace('</robot>', block + '</robot>')", AS_TEXT),
+    ],
+)
+def test_a_description_that_the_launch_file_changes_or_writes_is_that_of_its_file(
+    made: str, given: str, folder: Folder
+) -> None:
+    folder.write(crane2(whole=IN_PYTHON.format(made, given)))
+    (target,) = report2(folder)["targets"]
+    assert (target["robot"], target["launch"]) == ("folder/crane.urdf", "folder/launch/whole.launch.py")

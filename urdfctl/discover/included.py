@@ -84,13 +84,13 @@ def _like(tail: str, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:
 def _meant(path: str, text: bytes, package: str | None, candidates: Sequence[str]) -> Iterable[str]:
     """Those that have the name of a launch file, as far as it is certain that one of them is meant.
 
-    Without the package: the only one, or the only one in a folder that is named too, or the one beside it.
+    Without the package: the only one, or the one beside it, or the only one in a folder that is named too.
     """
     if package is not None or len(candidates) == 1:
         return _in(package, candidates)
     in_named = [one for one in candidates if any(part.encode() in text for part in one.split(os.sep)[-3:-2])]
     beside = [one for one in candidates if os.path.dirname(one) == os.path.dirname(path)]
-    found = in_named or beside
+    found = [one for one in beside if one in in_named] or in_named or beside
     return found if len(found) == 1 else ()
 
 

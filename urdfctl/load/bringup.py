@@ -68,7 +68,7 @@ def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...], beside: S
         spawned=tuple(dict.fromkeys(spawned)),
         includes=tuple(dict.fromkeys(file.path for file in included if file.path and file.exists)),
         simulators=tuple(dict.fromkeys(simulation.simulator for simulation in launch.simulations if simulation.sure)),
-        moveit=any(node.runs(*_MOVE_GROUP) for node in launch.nodes),
+        moveit=any(node.runs(*_MOVE_GROUP) for node in launch.nodes) or any(each.runs for each in launch.moveit),
         complete=launch.complete,
         others=tuple((robot.file.path, robot.namespace) for robot in launch.others if robot.file.path),
         unfollowed=launch.unfollowed,

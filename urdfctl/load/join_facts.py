@@ -52,12 +52,18 @@ def join_facts(project: Project) -> JoinFacts:
         joints=tuple(name for name in project.robot.joint_names if name) if project.robot else (),
         claimed=_claimed(project) if project.robot is None and launch is not None and controllers else (),
         declared=tuple(each.full_name for each in controllers if each.declared_at is not None),
-        manages=launch is not None
-        and (bool(launch.simulations) or any(node.executable.text == "ros2_control_node" for node in launch.nodes)),
+        manages=launch is not None and _manages(launch),
         form=launch.ros if launch else None,
         described_in=_described_in(launch) if project.robot is None and launch else (),
         lost=launch is not None and any(each.file.exists is False for each in launch.descriptions if each.sure),
     )
+
+
+def _manages(launch: Launch) -> bool:
+    """Whether a launch file starts a simulator, or a program that is a controller manager."""
+    programs = {node.executable.text for node in launch.nodes if not node.executable.text.startswith("spawner")}
+    loading = {load.node for load in launch.loads} if launch.ros == 2 else set()  # noqa: PLR2004 (a generation of ROS)
+    return bool(launch.simulations) or "ros2_control_node" in programs or bool(programs & loading)
 
 
 def _described_in(launch: Launch) -> tuple[str, ...]:

@@ -132,6 +132,7 @@ class _LaunchFileReader:
         self.problems: list[Problem] = []
         self.named: list[Word] = []
         self._terms: dict[str, Term | None] = {}
+        self._written: dict[str, Term] = {}
         self._blank = ""
         self._loads = 0
         self.has_blank = False
@@ -183,6 +184,7 @@ class _LaunchFileReader:
             values=self.yaml,
             blank=self._of_blank,
             too_long=self._too_long,
+            written=self._written.get,
         )
         return launch_of_ros2(self.path, arguments, sources)
 
@@ -233,7 +235,8 @@ class _LaunchFileReader:
         source = self._source(path)
         if source is None:
             return None
-        script = read_python(source, Surroundings(self.find, self.environ, self.module, self.yaml, self._too_long))
+        around = Surroundings(self.find, self.environ, self.module, self.yaml, self._too_long, self._written.setdefault)
+        script = read_python(source, around)
         if script.problem is not None:
             self.problems.append(script.problem)
         return script.term

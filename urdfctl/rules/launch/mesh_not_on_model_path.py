@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
@@ -11,12 +12,38 @@ from urdfctl.rules.common import is_known, robot_in
 from urdfctl.rules.launch.common import ROS_2, launch_of
 from urdfctl.rules.launch_samples import PUBLISHER
 
-_VARIABLES = (b"MODEL_PATH", b"RESOURCE_PATH")
+_MOVED = rb"MODEL_PATH|RESOURCE_PATH|(?:replace|sub)\(\s*[rf]{0,2}[\"'](?:package|model)://"
+"""In a launch file that sets the path, or that writes other addresses of meshes into the description."""
 _NAMES = {"gazebo-classic": ("Gazebo Classic", "GAZEBO_MODEL_PATH"), "gz": ("gz", "GZ_SIM_RESOURCE_PATH")}
 _PACKAGE = "package://"
 _EXPORT = '<export><gazebo_ros gazebo_model_path="${prefix}/.."/></export>'
 _CLASSIC = '<include file="$(find-pkg-share gazebo_ros)/launch/gazebo.launch.py"/>'
 _GZ = '<include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"/>'
+
+
+_REPLACED = """
+    import os
+    import xacro
+    from ament_index_python.packages import get_package_share_directory
+    from launch import LaunchDescription
+    from launch.actions import IncludeLaunchDescription
+    from launch_ros.actions import Node
+
+
+    def generate_launch_description():
+        share = get_package_share_directory("arm")
+        text = xacro.process_file(os.path.join(share, "arm.urdf")).toxml()
+        text = text.replace("package://arm", "file://" + share)
+        world = os.path.join(get_package_share_directory("gazebo_ros"), "launch", "gazebo.launch.py")
+        return LaunchDescription([
+            IncludeLaunchDescription(world),
+            Node(
+                package="robot_state_publisher",
+                executable="robot_state_publisher",
+                parameters=[{"robot_description": text}],
+            ),
+        ])
+"""
 
 
 def _files(included: str, export: str = "") -> dict[str, str]:
@@ -61,6 +88,7 @@ def _files(included: str, export: str = "") -> dict[str, str]:
         _files(_CLASSIC, _EXPORT),
         _files(f'<set_env name="GAZEBO_MODEL_PATH" value="$(find-pkg-share arm)/.."/>{_CLASSIC}'),
         _files(f'<set_env name="GZ_SIM_RESOURCE_PATH" value="$(find-pkg-share arm)/.."/>{_GZ}'),
+        {**{name: text for name, text in _files("").items() if "launch" not in name}, "arm.launch.py": _REPLACED},
     ],
 )
 def mesh_not_on_model_path(project: Project) -> Iterator[Finding]:
@@ -89,8 +117,8 @@ def mesh_not_on_model_path(project: Project) -> Iterator[Finding]:
 
 
 def _sets_path(launch: Launch) -> bool:
-    """Whether a launch file names a model path in any way."""
+    """Whether a launch file names a model path in any way, or replaces the addresses of meshes."""
     places = (*(node.at for node in launch.nodes), *(each.at for each in launch.simulations))
     described = (each.at for each in launch.descriptions)
     sources = {place.source.path: place.source for place in (*places, *described)}
-    return any(name in source.data for source in sources.values() for name in _VARIABLES)
+    return any(re.search(_MOVED, source.data) for source in sources.values())

@@ -44,6 +44,7 @@ class Calls:
     find, environ: see `python.Surroundings`.
     load: returns the content of a YAML file; None if it cannot be read.
     perform: returns the text that a substitution becomes.
+    write: is told the path of a file and the text that is written into it.
     """
 
     def __init__(
@@ -52,8 +53,10 @@ class Calls:
         environ: Mapping[str, str],
         load: Callable[[str], Term | None],
         perform: Callable[[Term, Place], Term],
+        write: Callable[[str, Term], object],
     ) -> None:
         self._find, self._environ, self._load, self._performed = find, environ, load, perform
+        self._write = write
 
     def function(  # noqa: PLR0911 (one return per function)
         self, name: str, arguments: list[Term], keywords: Mapping[str, Term], at: Place
@@ -132,6 +135,8 @@ class Calls:
             return self._share(arguments[0], at)
         if name == "perform_substitution" and arguments:
             return self._performed(arguments[0], at)
+        if name in {"write", "write_text"} and arguments:
+            self._written(of, arguments[0])
         if isinstance(of, Items):
             return self._of_list(of, name, arguments, at, frame)
         if isinstance(of, Member) and of.name == "launch_configurations" and name == "get" and arguments:
@@ -147,6 +152,13 @@ class Calls:
         called = Called(name, at, arguments, keywords)
         called.of = of
         return called
+
+    def _written(self, file: Term, text: Term) -> None:
+        """Tell what is written into a file that is opened by its path, or into a path."""
+        path = known_text(file.given("file", 0)) if isinstance(file, Called) and file.short == "open" else None
+        path = path or known_text(file)
+        if path is not None:
+            self._write(path, text)
 
     def _of_list(self, of: Items, name: str, arguments: Sequence[Term], at: Place, frame: Frame) -> Term:
         if name in {"append", "extend", "insert"} and arguments:

@@ -51,7 +51,7 @@ class Evaluation:
     source: the file.
     frame: the frame of the current function call; None outside of calls.
     context: the launch context of the current call of an OpaqueFunction; None outside of one.
-    find, environ, yaml, too_long: see `python.Surroundings`.
+    find, environ, yaml, too_long, write: see `python.Surroundings`.
     outer: the evaluation of the file that imports this one; None for a launch file.
     member: returns what a full name means in the modules of the workspace; None if it is not there.
     """
@@ -63,6 +63,7 @@ class Evaluation:
         environ: Mapping[str, str],
         yaml: Callable[[str], Term | None] = lambda _: None,
         too_long: Callable[[Place], None] = lambda _: None,
+        write: Callable[[str, Term], object] = lambda *_: None,
     ) -> None:
         self.source = source
         self.frame: Frame | None = None
@@ -70,7 +71,7 @@ class Evaluation:
         self.outer: Evaluation | None = None
         self.member: Callable[[str], Term | None] = lambda _: None
         self._too_long = too_long
-        self._calls = Calls(find, environ, yaml, self._performed)
+        self._calls = Calls(find, environ, yaml, self._performed, write)
         self.steps = 0
         self.depth = 0
         self._kinds: dict[type[ast.expr], Callable[[Any, Frame], Term]] = {

@@ -34,6 +34,7 @@ class Surroundings(NamedTuple):
     module: returns the text of a Python module by its name and the file that imports it; None if it is not found.
     yaml: returns the content of a YAML file; None if it cannot be read.
     too_long: is told a place at which a text becomes too long.
+    write: is told the path of a file and the text that the launch file writes into it.
     """
 
     find: Callable[[str, Place], str | None]
@@ -41,6 +42,7 @@ class Surroundings(NamedTuple):
     module: Callable[[str, str], SourceText | None] = lambda *_: None
     yaml: Callable[[str], Term | None] = lambda _: None
     too_long: Callable[[Place], None] = lambda _: None
+    write: Callable[[str, Term], object] = lambda *_: None
 
 
 class Script(NamedTuple):
@@ -111,9 +113,8 @@ class Run:
     def __init__(self, source: SourceText, surroundings: Surroundings, importer: Run | None = None) -> None:
         self.surroundings = surroundings
         self.modules: Modules = importer.modules if importer else Modules(surroundings.module, self._followed)
-        self.evaluation = Evaluation(
-            source, surroundings.find, surroundings.environ, surroundings.yaml, surroundings.too_long
-        )
+        find, environ, _, yaml, too_long, write = surroundings
+        self.evaluation = Evaluation(source, find, environ, yaml, too_long, write)
         self.evaluation.outer = importer.evaluation if importer else None
         self.evaluation.member = lambda path: self.modules.member(path, source.path)
         self.at = self.evaluation.at

@@ -72,6 +72,7 @@ class Ros2Sources(NamedTuple):
     values: returns the content of a YAML file; None if it cannot be read.
     blank: returns the value of arguments with an empty default, in this file and the included ones.
     too_long: is told a place at which a text becomes too long.
+    written: returns the text that launch files write into a file; None if they write none.
     """
 
     read: Callable[[str], Term | None]
@@ -81,6 +82,7 @@ class Ros2Sources(NamedTuple):
     values: Callable[[str], Term | None] = lambda _: None
     blank: Callable[[], str] = str
     too_long: Callable[[Place], None] = lambda _: None
+    written: Callable[[str], Term | None] = lambda _: None
 
 
 class _State(NamedTuple):
@@ -152,7 +154,7 @@ class _Walk:
 
     def texts(self, scope: ActionScope) -> Texts:
         sources = self.sources
-        return Texts(scope, sources.find, sources.environ, sources.values, sources.too_long)
+        return Texts(scope, sources.find, sources.environ, sources.values, sources.too_long, sources.written)
 
     def nodes(self, scope: ActionScope) -> Nodes:
         return Nodes(self.facts, self.texts(scope))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.model.launch.ros2.moveit import builder_of
 from urdfctl.model.launch.ros2.texts import Content, Texts, table_of
@@ -22,9 +22,11 @@ _MOST_CHOICES = 4
 
 def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -> Content | None:  # noqa: PLR0911
     """Return the robot description of a term; None if it is not a known form of a robot description."""
-    if isinstance(term, Items) and len(term.values) == 1:
-        return content_of(term.values[0], texts, exists)
     term = _unchanged(term)
+    if isinstance(term, (Items, OneOf)):
+        several = term.values if isinstance(term, Items) else term.options
+        is_one = len(several) == 1 or isinstance(term, OneOf)
+        return _of_either([content_of(each, texts, exists) for each in several]) if is_one else None
     if isinstance(term, Member):
         return _of_program(term.of, texts) if term.name == "stdout" else _of_moveit(term, texts, exists)
     if not isinstance(term, Called):
@@ -48,6 +50,19 @@ def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -
             return _of_file(texts.of(term.of.given("file", 0)), (), term.at)
         return _of_program(term.of, texts)
     return None
+
+
+def _of_either(contents: Sequence[Content | None]) -> Content | None:
+    """One of several descriptions: that of the same file with the same arguments, changed in other ways."""
+    first = contents[0]
+    known = {(content.path, content.arguments) if content else None for content in contents}
+    return first and first._replace(more=first.more or len(contents) > 1) if len(known) == 1 else None
+
+
+def as_written(content: Content, texts: Texts, exists: Callable[[str], bool]) -> Content:
+    """Return the description that the launch file itself writes into the file of another one, if it does."""
+    term = texts.written(content.path) if content.path else None
+    return content_of(term, texts, exists) or content
 
 
 def is_of_other_node(term: Term | None, texts: Texts) -> bool:

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator, Sequence
 
 from urdfctl.model.launch import UNCHANGED, Node, Rewriting, Spawn, Word, joined
+from urdfctl.model.launch.ros2.descriptions import as_written
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import builder_of
 from urdfctl.model.launch.ros2.parameters import DESCRIBED, MANAGERS, NodeParameters
@@ -263,7 +264,8 @@ class Nodes:
                 continue
             named = index > 0 and words[index - 1].text in _FILE_OPTIONS
             if word.text.endswith(".urdf") and (executable in DESCRIBED or named):
-                self.facts.described(Content(word.text, (), word.at), executable, namespace, sure=sure)
+                content = as_written(Content(word.text, (), word.at), self.texts, self.facts.exists)
+                self.facts.described(content, executable, namespace, sure=sure)
             elif word.text.endswith(_SUFFIXES) and os.path.isabs(word.text):
                 self.facts.reference(word.text, word.at, "argument", sure=sure)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from urdfctl.model.launch import GivenParameters, Word, joined
-from urdfctl.model.launch.ros2.descriptions import content_of, is_of_other_node
+from urdfctl.model.launch.ros2.descriptions import as_written, content_of, is_of_other_node
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.given import section_of
 from urdfctl.model.launch.ros2.moveit import builder_of, files_of_table
@@ -17,6 +17,8 @@ MANAGERS = ("ros2_control_node",)
 DESCRIBED = ("robot_state_publisher", *MANAGERS, "move_group")
 """The programs that take a robot description."""
 _OF_MANAGERS = r"ros2_control|controller_manager"
+_MAY_MANAGE = r"control|manager|driver|hardware|simulat|mujoco|isaac|webots"
+"""In the name of a program that may contain a controller manager; another one gets the description."""
 _DESCRIPTION, _SEMANTIC = "robot_description", "robot_description_semantic"
 _DESCRIPTION_PATH = r"[^<>\s]+\.(?:urdf|xacro|sdf)"
 """A text in place of a description that is the path of its file."""
@@ -51,12 +53,25 @@ class NodeParameters:
         self.names: list[Word] = []
         self.values: dict[str, str] = {}
         self.files: list[Word] = []
+        self._plain: list[tuple[Term, Word]] = []
         self.complete = True
         if isinstance(given, Items):
             for value in given.values:
                 self._add(value)
         elif given is not None:
             self.complete = False
+        if not re.search(_OF_MANAGERS, executable):
+            self._as_manager()
+
+    def _as_manager(self) -> None:
+        """Load the files of a program that has a controller manager by another name: they have its section."""
+        is_described = any(name.text == _DESCRIPTION for name in self.names) and self.executable not in DESCRIBED
+        if not (is_described or re.search(_MAY_MANAGE, self.executable)):
+            return
+        for term, word in self._plain:
+            content = self.texts.values(word.text) if word.known else None
+            if isinstance(content, Table) and any(_is_manager(key) for key in content.entries):
+                self._load(term, word)
 
     def _add(self, term: Term) -> None:
         if isinstance(term, Perhaps):
@@ -118,6 +133,7 @@ class NodeParameters:
         if not takes or is_of_other_node(value, self.texts):
             return
         content = content_of(value, self.texts, self.facts.exists) or Content(None, None, value.at)
+        content = as_written(content, self.texts, self.facts.exists)
         self.facts.described(content, self.executable, self.namespace, sure=self.sure)
 
     def _file(self, term: Constant | Called | Items) -> None:
@@ -125,14 +141,21 @@ class NodeParameters:
         if isinstance(term, Called) and UNKNOWN in text and term.of is not None:
             self.complete = False  # a method's result: some dict
             return
-        self.files.append(Word(text, term.at))
+        word = Word(text, term.at)
+        self.files.append(word)
         if re.search(_OF_MANAGERS, self.executable):
-            rewriting = rewriting_of(term, self.texts)
-            self.facts.load(
-                Word(text, term.at), self.executable, sure=self.sure, of=self.namespace, rewriting=rewriting
-            )
+            self._load(term, word)
         elif text:
+            self._plain.append((term, word))
             self.facts.reference(text, term.at, "parameters", sure=self.sure)
+
+    def _load(self, term: Term, word: Word) -> None:
+        rewriting = rewriting_of(term, self.texts)
+        self.facts.load(word, self.executable, sure=self.sure, of=self.namespace, rewriting=rewriting)
+
+
+def _is_manager(section: str) -> bool:
+    return section.rpartition("/")[2] == "controller_manager"
 
 
 def _is_path(items: Items) -> bool:

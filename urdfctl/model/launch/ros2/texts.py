@@ -82,6 +82,7 @@ class Texts:
     environ: the environment variables.
     values: returns the content of a YAML file; None if it cannot be read.
     too_long: is told a place at which a text becomes too long.
+    written: returns the text that the launch file writes into a file; None if it writes none.
     """
 
     def __init__(
@@ -91,12 +92,14 @@ class Texts:
         environ: Mapping[str, str],
         values: Callable[[str], Term | None],
         too_long: Callable[[Place], None],
+        written: Callable[[str], Term | None] = lambda _: None,
     ) -> None:
         self.scope = scope
         self.find = find
         self.environ = environ
         self.values = values
         self.too_long = too_long
+        self.written = written
         self._depth = self._parts = 0
 
     @property
