@@ -94,11 +94,12 @@ def test_texts_are_escaped(tmp_path: Path) -> None:
     assert wicked in Elements(text).texts
 
 
-def test_the_wiring_is_on_top_with_the_errors_of_lint(tmp_path: Path) -> None:
+def test_findings_and_verdicts_come_before_the_wiring(tmp_path: Path) -> None:
     portrait = portrait_of(tmp_path, in_3d=False)
     assert portrait.graph is not None
     text = page_of(rover(tmp_path), portrait=portrait)
-    assert text.index("What is started together") < text.index("<h3>Controllers")
+    verdicts, wiring = text.index("<h3>Controllers"), text.index("What is started together")
+    assert text.index('<h2 id="findings">') < verdicts < wiring
     nodes = [a for a in Elements(text).named("g") if a.get("data-node")]
     assert len(nodes) == len(portrait.graph.nodes)
 
@@ -212,7 +213,8 @@ def test_lint_and_smoke_write_the_same_page(folder: Folder, command: list[str]) 
     run = folder.run(*command, ".", "--distro", "jazzy", "--report", "page.html", environ={"SOURCE_DATE_EPOCH": "0"})
     assert run.returncode == 1, run.stderr
     elements = Elements((folder.path / "page.html").read_text(encoding="utf-8"))
-    assert {"What is started together", "Findings", "1970-01-01T00:00:00+00:00"} <= set(elements.texts)
+    assert {"What is started together", "1970-01-01T00:00:00+00:00"} <= set(elements.texts)
+    assert any(text.startswith("Findings (") for text in elements.texts)
     assert [text for text in elements.texts if text.startswith(f"urdfctl {command[0]} ")]
     assert elements.named("mark"), "in the source line of a finding"
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.control.chains import chained_claims
 from urdfctl.control.claims import Claim
@@ -13,6 +13,7 @@ from urdfctl.diagnostic import Diagnostic, Severity, located
 from urdfctl.graph.parts import Edge, Graph, GraphNode
 from urdfctl.graph.topics import topics_of
 from urdfctl.model.project import Project
+from urdfctl.report.common import shown
 from urdfctl.rules.claims.common import home, place_of
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -53,23 +54,36 @@ class _Errors:
 
     def __init__(self, findings: Sequence[Diagnostic]) -> None:
         self._at: dict[tuple[str, int], list[Diagnostic]] = {}
+        self._shown: set[int] = set()
         for finding in findings:
             if finding.severity is Severity.ERROR:
                 self._at.setdefault((finding.at.file, finding.at.start), []).append(finding)
 
+    def left(self) -> list[Diagnostic]:
+        """Return the errors whose codes were not asked for so far."""
+        return [error for errors in self._at.values() for error in errors if id(error) not in self._shown]
+
+    def _codes(self, errors: Iterable[Diagnostic]) -> Iterator[str]:
+        for error in errors:
+            self._shown.add(id(error))
+            yield error.code
+
     def within(self, place: Place) -> Iterator[str]:
         """Yield the codes of the errors in an element."""
-        start, end = place.span.start, place.closing or place.span.end
-        for (file, offset), errors in self._at.items():
-            if file == place.span.file and start <= offset <= end:
-                yield from (error.code for error in errors)
+        for errors in self._at.values():
+            yield from self._codes(error for error in errors if is_within(error, place))
 
     def at(self, place: Place | None, words: Sequence[str] = ()) -> Iterator[str]:
         """Yield the codes of the errors at a place; if words are given, of those that name one of them."""
         at = located(place.span) if place is not None else None
         for error in self._at.get((at.file, at.start), ()) if at is not None else ():
             if not words or any(f"'{word}'" in error.message for word in words):
-                yield error.code
+                yield from self._codes([error])
+
+
+def is_within(error: Diagnostic, place: Place) -> bool:
+    """Return whether an error is in an element."""
+    return error.at.file == place.span.file and place.span.start <= error.at.start <= (place.closing or place.span.end)
 
 
 class _Hardware(NamedTuple):
@@ -99,6 +113,29 @@ class _GraphBuilder:
                 for offer in offers:
                     self._behind(kind, Claim(offer.component, offer.interface), active=False)
         self._groups()
+        for error in self.errors.left():
+            kind_of, name, detail = self._about(error)
+            self._node(kind_of, name, detail, rules=[error.code])
+
+    def _about(self, error: Diagnostic) -> tuple[str, str, str]:
+        """The part that an error is about, which nothing may be wired to: its kind, name and detail."""
+        robot = self.project.robot
+        for control in robot.ros2_controls if robot else ():
+            if is_within(error, control.at):
+                return "hardware", control.name or "?", control.plugin or ""
+        for transmission in robot.transmissions if robot else ():
+            if is_within(error, transmission.at):
+                return "hardware", transmission.name or "?", transmission.type.value if transmission.type else ""
+        for node in self.nodes.values():
+            if node.kind in ("controller", "broadcaster", "hardware") and _names(error, node.name):
+                return node.kind, node.name, node.detail
+        for joint in robot.joints if robot else ():
+            if joint.name and (is_within(error, joint.at) or _names(error, joint.name)):
+                return "joint", joint.name, joint.type or ""
+        for link in robot.links if robot else ():
+            if link.name and (is_within(error, link.at) or _names(error, link.name)):
+                return "link", link.name, ""
+        return "file", shown(error.at.file), ""
 
     def _node(self, kind: str, name: str, detail: str = "", *, active: bool = True, rules: Sequence[str] = ()) -> str:
         """Make a node, or add to it, and return its id."""
@@ -264,6 +301,11 @@ def _full(name: str, each: Configured) -> str:
         return f"/{own.full_name.strip('/')}/{name[2:]}"
     space = (own.namespace or "").strip("/")
     return f"/{space}{name}" if space and name != "/tf" else name
+
+
+def _names(error: Diagnostic, name: str) -> bool:
+    """Whether an error's message names a part, with or without its namespace."""
+    return f"'{name}'" in error.message or f"'{name.strip('/').rpartition('/')[2]}'" in error.message
 
 
 def _shown(text: str) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 from urdfctl.startup.records import NamedTuple
 
 KINDS = (
-    "group", "input", "controller", "command", "hardware", "joint", "state", "broadcaster", "output",
+    "group", "input", "controller", "command", "hardware", "joint", "state", "broadcaster", "output", "link", "file",
 )  # fmt: skip
 """The kinds of nodes, from left to right."""
 
@@ -17,7 +17,8 @@ class GraphNode(NamedTuple):
     """A part of what is wired.
 
     id: identifies it in the graph: its kind and its name.
-    kind: one of KINDS. `command` and `state` are interfaces, `joint` is also a sensor or gpio.
+    kind: one of KINDS. `command` and `state` are interfaces, `joint` is also a sensor or gpio; a `link` or a `file` is
+      there only if lint reports an error about it that is about no other node.
     name: its full name.
     detail: its type, plugin or interface; empty if there is nothing to add.
     active: False if it is known not to be started, or if nothing uses it.

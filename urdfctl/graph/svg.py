@@ -82,9 +82,10 @@ def _node(box: Box, number: int) -> str:
     label = shown if len(shown) <= letters + 1 else f"{shown[:letters]}…"
     said = [f"{node.kind} {node.name}", node.detail, ", ".join(node.members), *node.rules]
     title = "\n".join(_text(text) for text in said if text)
+    rules = _text(" ".join(node.rules))
     radius = HEIGHT / 2 if node.kind in {"joint", "input", "output"} else 4
     return (
-        f'<g class="{classes}" data-node="{number}" data-name="{_text(node.name)}" tabindex="0">'
+        f'<g class="{classes}" data-node="{number}" data-name="{_text(node.name)}" data-rules="{rules}" tabindex="0">'
         f"<title>{title}</title>"
         f'<rect x="{box.x:.0f}" y="{box.y:.1f}" width="{box.width:.0f}" height="{HEIGHT:.0f}" rx="{radius:.0f}"/>'
         f'<text x="{box.x + 8:.0f}" y="{box.y + HEIGHT / 2 + 4:.1f}">{_text(label)}</text></g>'

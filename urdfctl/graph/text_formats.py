@@ -8,10 +8,17 @@ from urdfctl.output.printing import visible
 _SHAPES = {
     "group": ("[[", "]]"), "input": ("([", "])"), "controller": ("[", "]"), "command": ("(", ")"),
     "hardware": ("{{", "}}"), "joint": ("((", "))"), "state": ("(", ")"), "broadcaster": ("[", "]"),
-    "output": ("([", "])"),
+    "output": ("([", "])"), "link": ("[", "]"), "file": ("[", "]"),
 }  # fmt: skip
 _ENTITIES = {letter: f"#{ord(letter)};" for letter in '"#&<>;[]{}()|\\`'}
-_DOT_SHAPES = {"hardware": "hexagon", "joint": "ellipse", "group": "component", "input": "cds", "output": "cds"}
+_DOT_SHAPES = {
+    "hardware": "hexagon",
+    "joint": "ellipse",
+    "group": "component",
+    "input": "cds",
+    "output": "cds",
+    "file": "note",
+}
 
 
 def mermaid(graph: Graph) -> str:

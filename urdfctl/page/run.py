@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from typing import Any
+from urllib.parse import quote
 
-from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.graph.svg import STYLE, svg
 from urdfctl.graph.view import readable
 from urdfctl.lint.results import Report, TargetResult
@@ -26,30 +28,34 @@ _ORDER = (Verdict.FAILED, Verdict.WARNED, Verdict.SKIPPED, Verdict.PASSED)
 class RunFacts(NamedTuple):
     """What the page says of the run itself.
 
-    command: the command line. date: in ISO 8601. seconds: how long it took.
+    command: the command line. date: in ISO 8601. seconds: how long it took. folder: that of the page.
     """
 
     command: str
     date: str
     seconds: float
+    folder: str = ""
 
 
 def lint_page(report: Report, portraits: Sequence[tuple[TargetResult, Portrait]], facts: RunFacts) -> str:
     """Return the page of a lint run."""
-    counts = [(severity, report.count(severity)) for severity in Severity]
-    words = [f"{count} {_plural(severity, count)}" for severity, count in counts if count]
-    robots = [_robot(_title(result), _how(result), portrait) for result, portrait in portraits]
-    return _page("Lint", ", ".join(words) or "no findings", robots, report.findings, facts)
+    robots = [_robot(_title(result), _how(result), portrait, report.findings) for result, portrait in portraits]
+    return _page("Lint", _counted(report.findings) or "no findings", robots, report.findings, facts)
 
 
-def smoke_page(report: SmokeReport, portraits: Sequence[tuple[RobotResult, Portrait]], facts: RunFacts) -> str:
-    """Return the page of a smoke run: robots with failures first, and of each robot the failed controllers first."""
+def smoke_page(
+    report: SmokeReport, portraits: Sequence[tuple[RobotResult, Portrait]], facts: RunFacts, kind: str = "Smoke test"
+) -> str:
+    """Return the page of a smoke run, or of one that also lints: what failed comes first."""
     ordered = sorted(portraits, key=lambda pair: min(map(_rank, pair[0].controllers), default=9))
     robots = [
-        {**_robot(heading(smoked), conditions(smoked), portrait), **_tested(smoked, portrait)}
+        {**_robot(heading(smoked), conditions(smoked), portrait, report.found.findings), **_tested(smoked, portrait)}
         for smoked, portrait in ordered
     ]
-    return _page("Smoke test", summary(report), robots, report.found.findings, facts)
+    found = _counted(report.found.findings)
+    return _page(
+        kind, f"{found}; {summary(report)}" if found else summary(report), robots, report.found.findings, facts
+    )
 
 
 def _page(
@@ -61,13 +67,45 @@ def _page(
         title=f"{kind}: {visible(outcome)}",
         kind=kind,
         outcome=visible(outcome),
+        worst=max(findings, key=lambda finding: finding.severity.weight).severity.value if findings else "passed",
         facts=facts,
         robots=robots,
-        findings=[_finding(relative(finding)) for finding in ordered],
+        findings=[_finding(relative(finding), _link(finding.at.file, facts.folder)) for finding in ordered],
+        severities=[(severity.value, count) for severity in Severity if (count := _count(findings, severity))],
+        codes=sorted({finding.code for finding in findings}),
+        files=sorted({relative(finding).at.file for finding in findings}),
         styles={"drawing.css": STYLE},
         in_3d=any(robot["scene"] for robot in robots),
         **part_values(),
     )
+
+
+def _counted(findings: Sequence[Diagnostic]) -> str:
+    counts = [(severity, _count(findings, severity)) for severity in Severity]
+    return ", ".join(f"{count} {_plural(severity, count)}" for severity, count in counts if count)
+
+
+def _count(findings: Sequence[Diagnostic], severity: Severity) -> int:
+    return sum(finding.severity is severity for finding in findings)
+
+
+def _link(path: str, folder: str) -> str:
+    """The address of a file for a page in a folder; empty if it cannot be reached from there."""
+    try:
+        return quote(os.path.relpath(path, folder or os.getcwd()).replace(os.sep, "/"))
+    except ValueError:  # another drive
+        return ""
+
+
+def _with_findings(scene: Any, findings: Sequence[Diagnostic]) -> Any:
+    """A scene whose joints have only what the page lists, so that their numbers agree."""
+    if not scene:
+        return scene
+    listed = {finding.code for finding in findings}
+    for joint in scene["joints"]:
+        joint["findings"] = [one for one in joint.get("findings", ()) if one["code"] in listed]
+        joint["error"] = any(one["severity"] == Severity.ERROR.value for one in joint["findings"])
+    return scene
 
 
 def _plural(severity: Severity, count: int) -> str:
@@ -83,7 +121,7 @@ def _how(result: TargetResult) -> str:
     return ", ".join(part for part in parts if part)
 
 
-def _robot(title: str, facts: str, portrait: Portrait) -> dict[str, Any]:
+def _robot(title: str, facts: str, portrait: Portrait, findings: Sequence[Diagnostic]) -> dict[str, Any]:
     graph = portrait.graph
     if graph is not None:
         graph = readable(graph)
@@ -91,7 +129,7 @@ def _robot(title: str, facts: str, portrait: Portrait) -> dict[str, Any]:
         "title": visible(title),
         "how": visible(facts),
         "graph": svg(graph, style=False) if graph is not None and graph.nodes else "",
-        "scene": visible_in(portrait.scene),
+        "scene": visible_in(_with_findings(portrait.scene, findings)),
         "drawing": "" if portrait.scene else drawing(portrait.outline, title),
         "failure": portrait.failure,
         "controllers": [],
@@ -100,7 +138,7 @@ def _robot(title: str, facts: str, portrait: Portrait) -> dict[str, Any]:
     }
 
 
-def _finding(finding: Diagnostic) -> dict[str, Any]:
+def _finding(finding: Diagnostic, link: str) -> dict[str, Any]:
     at, line = finding.at, finding.excerpt
     start = at.column - finding.excerpt_column
     end = at.end_column - finding.excerpt_column if at.end_line == at.line else len(line)
@@ -110,13 +148,19 @@ def _finding(finding: Diagnostic) -> dict[str, Any]:
         "severity": finding.severity.value,
         "message": visible(finding.message),
         "at": f"{at.file}:{at.line}:{at.column}",
+        "file": at.file,
+        "link": link,
         "before": visible(line[:start].lstrip()),
         "marked": visible(line[start:end]),
         "after": visible(line[end:].rstrip()),
-        "notes": [visible(note.message) for note in finding.notes],
+        "notes": [(visible(note.message), _place(note.at)) for note in finding.notes],
         "fix": visible(finding.fix.title) if finding.fix else "",
         "also": len(finding.also),
     }
+
+
+def _place(at: Location | None) -> str:
+    return visible(f"{at.file}:{at.line}:{at.column}") if at is not None else ""
 
 
 def _rank(result: ControllerResult) -> int:

@@ -45,7 +45,7 @@ def write_lint_page(
     if len(robots) > MOST_ROBOTS:
         print_message(f"{path} shows {MOST_ROBOTS} of {len(robots)} robots, and the findings of all")
     shown = _with_portraits(robots[:MOST_ROBOTS], settings, watch)
-    write_file(path, lint_page(report, shown, _facts(began)), force=True)
+    write_file(path, lint_page(report, shown, _facts(began, path)), force=True)
 
 
 def write_smoke_page(
@@ -55,12 +55,13 @@ def write_smoke_page(
     *,
     began: float,
     watch: Watch,
+    kind: str = "Smoke test",
 ) -> None:
-    """Write the page of a smoke run; began: when it started, as time.monotonic() tells it."""
+    """Write the page of a smoke run; began: when it started, as time.monotonic() tells it. kind: its heading."""
     shown = []
     for settings, group in groupby(pairs, key=lambda pair: pair[0][0]):
         shown += _with_portraits([(target, smoked) for (_, target), smoked in group], settings, watch)
-    write_file(path, smoke_page(report, shown, _facts(began)), force=True)
+    write_file(path, smoke_page(report, shown, _facts(began, path), kind), force=True)
 
 
 def _errors(result: TargetResult) -> int:
@@ -74,7 +75,7 @@ def _with_portraits(
     return [(result, portrait) for (_, result), portrait in zip(pairs, made, strict=True)]
 
 
-def _facts(began: float) -> RunFacts:
+def _facts(began: float, path: str) -> RunFacts:
     """What the page says of the run. SOURCE_DATE_EPOCH replaces the date, so that pages can be reproduced."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
     now = datetime.fromtimestamp(int(epoch) if epoch.isdigit() else time.time(), timezone.utc)
@@ -82,4 +83,5 @@ def _facts(began: float) -> RunFacts:
         command=shlex.join(["urdfctl", *sys.argv[1:]]),
         date=now.isoformat(timespec="seconds"),
         seconds=time.monotonic() - began,
+        folder=os.path.dirname(os.path.abspath(path)),
     )

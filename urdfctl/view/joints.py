@@ -7,7 +7,7 @@ from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.graph.parts import Graph, GraphNode
-from urdfctl.model.robot import Joint, Robot
+from urdfctl.model.robot import Joint, Link, Robot
 from urdfctl.report.common import relative
 from urdfctl.smoke.robot import Hinge
 
@@ -69,7 +69,9 @@ class Wiring:
 
 def described(hinge: Hinge, robot: Robot, wiring: Wiring, findings: Sequence[Diagnostic]) -> dict[str, Any]:
     """Return what the page says of a joint, as plain data."""
-    own = list(findings_about(robot.joint(hinge.name), findings, wiring.codes(hinge.name)))
+    of_joint = findings_about(robot.joint(hinge.name), findings, wiring.codes(hinge.name))
+    of_link = findings_in_link(robot.link(hinge.child), findings)
+    own = list({id(finding): finding for finding in (*of_joint, *of_link)}.values())
     return {
         "control": wiring.control(hinge),
         "error": any(finding.severity is Severity.ERROR for finding in own),
@@ -101,6 +103,18 @@ def findings_about(joint: Joint | None, findings: Sequence[Diagnostic], codes: s
         if (is_named and (is_within or finding.code in codes or "joint" in finding.message)) or (
             is_within and (names_none or not finding.in_macro)
         ):
+            yield finding
+
+
+def findings_in_link(link: Link | None, findings: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
+    """Yield the findings in the element of a link, and those that call it a link by its name."""
+    if link is None:
+        return
+    file, start, end = link.at.span.file, link.at.span.start, link.at.closing or link.at.span.end
+    for finding in findings:
+        is_named = f"link '{link.name}'" in finding.message
+        is_within = finding.at.file == file and start <= finding.at.start <= end
+        if is_named or (is_within and not finding.in_macro):
             yield finding
 
 

@@ -60,7 +60,7 @@ def run_check(options: LintAndSmokeOptions) -> int:
         from urdfctl.page.writing import write_smoke_page
 
         pairs = [((test.settings, test.target), robot) for test, robot in zip(tests, made.robots, strict=True)]
-        write_smoke_page(options.report, made, pairs, began=began, watch=with_progress)
+        write_smoke_page(options.report, made, pairs, began=began, watch=with_progress, kind="Check")
     return 3 if run.crashed else smoke_status(made, exit_zero=options.exit_zero)
 
 
