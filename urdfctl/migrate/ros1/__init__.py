@@ -15,6 +15,7 @@ from urdfctl.migrate.ros1.moveit_launch import MOVEIT_LAUNCH
 from urdfctl.migrate.ros1.node_files import NODE_FILES
 from urdfctl.migrate.ros1.prefixes import PREFIXES
 from urdfctl.migrate.ros1.simulator_plugin import MIMIC_PLUGINS, SIMULATOR_PLUGIN
+from urdfctl.migrate.ros1.spawned_namespace import SPAWNED_NAMESPACE
 from urdfctl.migrate.ros1.switches import SWITCHES
 from urdfctl.migrate.ros1.transmissions import TRANSMISSIONS
 from urdfctl.migrate.step import Step
@@ -25,6 +26,7 @@ ROBOT_STEPS: tuple[Step, ...] = (
     MIMIC_PLUGINS,
     TRANSMISSIONS,
     SIMULATOR_PLUGIN,
+    SPAWNED_NAMESPACE,
     PLUGINS,
     CONTROLLER_NAMES,
     MOVEIT_FILES,
