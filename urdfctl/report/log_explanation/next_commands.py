@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from urdfctl.logs.digest import KnownMessage
@@ -10,6 +11,8 @@ from urdfctl.startup.records import NamedTuple
 
 _MOST_CODES = 6
 _URGENT = ("failure", "consequence")
+_ASKS = re.compile(r"\bros2 (control|topic|param|node|service)\b")
+"""Advice to ask the running system, which the doctor does."""
 
 
 class NextCommand(NamedTuple):
@@ -25,6 +28,19 @@ def next_commands(known: Iterable[KnownMessage], files: CheckedFolder | None = N
     files: the folder in which the causes were already searched.
     """
     known = tuple(known)
+    return (*_in_files(known, files), *_in_the_running_system(known))
+
+
+def _in_the_running_system(known: Iterable[KnownMessage]) -> tuple[NextCommand, ...]:
+    """The command to run if only the running system can tell the cause."""
+    unknown = [entry for entry in known if entry.kind in _URGENT and not entry.settled and not entry.reading.is_found]
+    if not any(_ASKS.search(entry.reading.best_fix) for entry in unknown):
+        return ()
+    return (NextCommand("urdfctl doctor", "asks the running system, and compares it with your files"),)
+
+
+def _in_files(known: tuple[KnownMessage, ...], files: CheckedFolder | None) -> tuple[NextCommand, ...]:
+    """The commands that find the causes in files."""
     if files is not None:
         return _after_checking(known, files)
     urgent = [entry for entry in known if entry.kind in _URGENT]
