@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from folder import Folder
 from generating import command
@@ -66,6 +68,25 @@ def test_a_package_that_gz_would_not_spawn_is_not_written(folder: Folder) -> Non
     assert "arm.urdf:6: UC901 the robot cannot be spawned" in done.stderr
     assert "add --fix-inertia" in done.stderr
     assert not (folder.path / "made").exists()
+
+
+def test_a_robot_without_masses_is_not_written_for_gz(folder: Folder) -> None:
+    folder.write({"arm.urdf": re.sub(r"<inertial>.*?</inertial>", "", GOOD)})
+    done = command(*"gen-all arm.urdf --type trajectory --distro jazzy --simulator gz -o made".split())
+    assert done.returncode == 1
+    assert "UC901 the robot cannot be spawned: no link of the robot has an <inertial>" in done.stderr
+    assert not (folder.path / "made").exists()
+
+
+def test_a_robot_whose_own_driver_gz_cannot_load_is_not_written_for_gz(folder: Folder) -> None:
+    driver = """<ros2_control name="arm" type="system">
+    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+    <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+    </ros2_control></robot>"""
+    folder.write({"arm.urdf": GOOD.replace("</robot>", driver)})
+    done = command(*"gen-all arm.urdf --type trajectory --distro jazzy --simulator gz -o made".split())
+    assert done.returncode == 1
+    assert "UC902 the hardware cannot be started: 'mock_components/GenericSystem' is not simulated" in done.stderr
 
 
 def test_the_repaired_copy_is_written_and_is_sound(folder: Folder) -> None:

@@ -51,7 +51,7 @@ def chart(curve: Curve) -> dict[str, Any]:
         "limits": [up.at(value) for value in curve.limits or () if up.low <= value <= up.high],
         "effort": _effort(curve, along),
         "facts": _facts(curve),
-        "replay": _replay(curve),
+        "replay": replay_of(curve),
     }
 
 
@@ -116,8 +116,8 @@ def _lines(curve: Curve) -> tuple[tuple[str, Sequence[float]], ...]:
     return ("commanded", curve.commanded), ("measured", curve.measured)
 
 
-def _replay(curve: Curve) -> dict[str, Any] | None:
-    """The joint's positions over time; those of a velocity are its sum. None for the motion of a base."""
+def replay_of(curve: Curve) -> dict[str, Any] | None:
+    """Return the positions of a joint over time; of a velocity its sum. None for the motion of a base."""
     if curve.quantity == "position":
         return {"joint": curve.joint, "seconds": curve.seconds, "positions": curve.measured}
     if curve.quantity != "velocity" or not curve.seconds:

@@ -64,6 +64,18 @@ def write_smoke_page(
     write_file(path, smoke_page(report, shown, _facts(began, path), kind), force=True)
 
 
+def write_film(path: str, pairs: Sequence[tuple[tuple[Settings, Target], RobotResult]], *, watch: Watch) -> None:
+    """Write the motions of a smoke run as a film."""
+    from urdfctl.page.film import film_of
+
+    moved = [pair for pair in pairs if pair[1].curves]
+    shown = []
+    for settings, group in groupby(moved, key=lambda pair: pair[0][0]):
+        shown += _with_portraits([(target, smoked) for (_, target), smoked in group], settings, watch)
+    film = film_of(path, [robot for robot, _ in shown], [portrait.scene for _, portrait in shown])
+    write_file(path, film, force=True)
+
+
 def _errors(result: TargetResult) -> int:
     return sum(finding.severity is Severity.ERROR for finding in result.outcome.diagnostics)
 

@@ -8,9 +8,10 @@ import struct
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from importlib import import_module
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from urdfctl.model.geometry import Pose, about, scaled
+from urdfctl.model.geometry import Pose, Vector, about, minus, scaled
 
 if TYPE_CHECKING:
     import numpy as np
@@ -48,16 +49,54 @@ def png(scene: Mapping[str, Any]) -> bytes:
     return _encoded((np.clip(small, 0, 1) * 255).round().astype(np.uint8))
 
 
-def poses_of(joints: Sequence[Mapping[str, Any]]) -> dict[str, Pose]:
-    """Return the poses of the links of a scene at its start, in the frame of its root."""
-    found: dict[str, Pose] = {}
-    starts = {joint["name"]: joint["start"] for joint in joints}
+class Film:
+    """The camera of a film of a scene: it stands still, so far away that the robot stays in the picture.
+
+    width, height: of the pictures, in pixels.
+    places: those of the root in the film.
+    """
+
+    def __init__(self, scene: Mapping[str, Any], width: int, height: int, places: Sequence[Vector] = ()) -> None:
+        self.scene, self.width, self.height, self._places = scene, width, height, places
+        self._bounds: tuple[Array, Array] | None = None
+
+    def picture(self, positions: Mapping[str, float], base: Pose) -> Array:
+        """Return the scene with joints at some positions, and its root at a pose, as rows of pixels in RGB."""
+        import numpy as np
+
+        pieces = list(_pieces(self.scene, positions, base))
+        triangles = np.concatenate([piece for piece, _ in pieces]) if pieces else np.zeros((0, 3, 3))
+        colours = np.concatenate([np.tile(colour, (len(piece), 1)) for piece, colour in pieces] or [np.zeros((0, 3))])
+        if self._bounds is None and len(triangles):
+            moves = np.array([minus(place, base.place) for place in (base.place, *self._places)])
+            low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+            self._bounds = low + moves.min(axis=0), high + moves.max(axis=0)
+        drawn = (
+            _drawn(triangles, colours, self.width, self.height, self._bounds)
+            if len(triangles)
+            else np.zeros((self.height, self.width, 4))
+        )
+        covered = drawn[..., 3:]
+        pixels: Array = (np.clip(drawn[..., :3] * covered + 1 - covered, 0, 1) * 255).round().astype(np.uint8)
+        return pixels
+
+
+def poses_of(
+    joints: Sequence[Mapping[str, Any]], positions: Mapping[str, float] = MappingProxyType({}), base: Pose | None = None
+) -> dict[str, Pose]:
+    """Return the poses of the links of a scene, in the frame of its root.
+
+    positions: those of joints that are not at their start. base: the pose of the root.
+    """
+    roots = {joint["parent"] for joint in joints} - {joint["child"] for joint in joints}
+    found: dict[str, Pose] = dict.fromkeys(roots, base or Pose())
+    starts = {joint["name"]: positions.get(joint["name"], joint["start"]) for joint in joints}
     for joint in joints:
         above = found.setdefault(joint["parent"], Pose())
         here = above.then(_pose(joint["pose"]))
         if joint["moves"]:
             leader, factor, offset = joint["mimic"] or ("", 1.0, 0.0)
-            place = starts[leader] * factor + offset if leader in starts else joint["start"]
+            place = starts[leader] * factor + offset if leader in starts else starts[joint["name"]]
             is_slide = joint["type"] == "prismatic"
             axis = tuple(joint["axis"])
             here = here.then(Pose(scaled(axis, place)) if is_slide else Pose(turn=about(axis, place)))
@@ -70,14 +109,16 @@ def _pose(numbers: Sequence[float]) -> Pose:
     return Pose((x, y, z), ((a, b, c), (d, e, f), (g, h, i)))
 
 
-def _pieces(scene: Mapping[str, Any]) -> Iterator[tuple[Array, Array]]:
+def _pieces(
+    scene: Mapping[str, Any], positions: Mapping[str, float] = MappingProxyType({}), base: Pose | None = None
+) -> Iterator[tuple[Array, Array]]:
     """The triangles of each part in the frame of the root, and its colour."""
     import numpy as np
 
-    poses, movers = poses_of(scene["joints"]), _movers(scene["joints"])
+    poses, movers = poses_of(scene["joints"], positions, base), _movers(scene["joints"])
     for link, parts in scene["links"].items():
         for part in parts:
-            pose = poses.get(link, Pose()).then(_pose(part["pose"]))
+            pose = poses.get(link, base or Pose()).then(_pose(part["pose"]))
             for corners, faces, own in _surfaces(part, scene["meshes"]):
                 placed = corners @ np.array(pose.turn).T + np.array(pose.place)
                 yield placed[faces], _tint(part, movers.get(link), part["colour"] or own or _GREY)
@@ -130,13 +171,18 @@ def _surfaces(part: Mapping[str, Any], meshes: Sequence[Any]) -> Iterator[tuple[
 # -- drawing ---------------------------------------------------------------------------------------------------------
 
 
-def _drawn(triangles: Array, colours: Array, width: int, height: int) -> Array:
-    """The triangles in perspective, lit from the camera and from above, as red, green, blue and cover from 0 to 1."""
+def _drawn(
+    triangles: Array, colours: Array, width: int, height: int, bounds: tuple[Array, Array] | None = None
+) -> Array:
+    """The triangles in perspective, lit from the camera and from above, as red, green, blue and cover from 0 to 1.
+
+    bounds: the corners of the box on which the camera looks; by default that of the triangles.
+    """
     import numpy as np
 
     back = np.array([math.cos(_PITCH) * math.cos(_YAW), math.cos(_PITCH) * math.sin(_YAW), math.sin(_PITCH)])
     right = np.array([-math.sin(_YAW), math.cos(_YAW), 0.0])
-    low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+    low, high = bounds or (triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1)))
     eye = (low + high) / 2 + _AWAY * max(0.05, float(np.linalg.norm(high - low))) * back
     seen = (triangles - eye) @ np.stack([right, np.cross(back, right), -back], axis=1)
     depth = np.maximum(seen[..., 2], 1e-6)

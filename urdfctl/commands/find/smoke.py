@@ -84,6 +84,13 @@ class SmokeOptions(CheckOptions, ReportOptions, command="smoke"):
         metavar="FILE",
         reads=Reads.TARGET,
     )
+    video: str | None = option(
+        OUTPUT,
+        "Write the motions as a film to this file, .gif or .mp4.",
+        metavar="FILE",
+        reads=Reads.TARGET,
+        of=("smoke",),
+    )
     gui: bool = option(CHECKED_FOR, "Show pybullet's window.", of=("smoke",))
     timeout: float = option(LIMITS, "Processor time for one robot, in seconds.", default=30.0, metavar="SECONDS")
     formats: tuple[str, ...] = option(OUTPUT, FORMAT, "--format", choices=tuple(SMOKE_FORMATS))
@@ -106,10 +113,14 @@ def run_smoke(options: SmokeOptions) -> int:
         write_smoke(made, name, file)
     if options.csv:
         write_file(options.csv, curves_as_csv(made.robots), force=True)
+    robots = [(test.settings, test.target) for test in tests]
+    if options.video:
+        from urdfctl.page.writing import write_film
+
+        write_film(options.video, list(zip(robots, made.robots, strict=True)), watch=with_progress)
     if options.report:
         from urdfctl.page.writing import write_smoke_page
 
-        robots = [(test.settings, test.target) for test in tests]
         write_smoke_page(
             options.report, made, list(zip(robots, made.robots, strict=True)), began=began, watch=with_progress
         )
@@ -181,6 +192,7 @@ def _validate(options: SmokeOptions) -> None:
     check_output(options.csv)
     if options.csv is not None and options.engine in ("none", _REAL):
         raise UserError(f"--csv requires a physics engine, not --engine {options.engine}")
+    _validate_video(options)
     if options.tasks is not None and options.engine in ("none", _REAL):
         raise UserError(f"--tasks requires a physics engine, not --engine {options.engine}")
     if "" in options.controllers:
@@ -188,6 +200,17 @@ def _validate(options: SmokeOptions) -> None:
     for path in options.controllers:
         if not os.path.lexists(path):
             raise UserError(f"file does not exist: '{path}'{nearest_path(path)}")
+
+
+def _validate_video(options: SmokeOptions) -> None:
+    if options.video is None:
+        return
+    from urdfctl.page.film import check_film
+
+    if options.engine in ("none", _REAL):
+        raise UserError(f"--video requires a physics engine, not --engine {options.engine}")
+    check_film(options.video)
+    check_output(options.video)
 
 
 def _settings(config: Config, options: SmokeOptions) -> Settings:

@@ -21,6 +21,8 @@ _BASE = "urdf/base_"
 _BESIDE = ".urdfctl-generated-"
 """The beginning of the names under which the files are read, as if they were beside the robot."""
 _INCLUDE = re.compile(r'(<xacro:include filename=")([^"]*)(")')
+_OWN_FILE = re.compile(r"\$\(find [^)]+\)/(config/controllers\.yaml)")
+"""The controller file as the package names it to the simulator's plugin: the package is not there yet."""
 _FATAL = ("UC901", "UC902", "UC903", "UC904", "UC905", "UC910")
 """What keeps the robot or a controller from starting."""
 _GAINS = ("UC916", "UC917", "UC918", "UC966", "UC987")
@@ -81,7 +83,9 @@ def _texts(made: list[File], path: str, *, repaired: bool) -> Iterator[tuple[str
             copied = _beside(path, copy) if copy else path
             text = _including(file.text, [copied, _beside(path, _CONTROL)])
             yield _beside(path, _ROBOT), text
-        elif file.name in (_CONTROL, copy) or os.path.basename(file.name) == "controllers.yaml":
+        elif file.name == _CONTROL:
+            yield _beside(path, file.name), _OWN_FILE.sub(lambda found: _beside(path, found[1]), file.text)
+        elif file.name == copy or os.path.basename(file.name) == "controllers.yaml":
             yield _beside(path, file.name), file.text
 
 

@@ -6,13 +6,14 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.hardware.simulator_plugins import IN_GAZEBO, components, control_plugins
-from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rule import Finding, Fix, Project, Severity, Stage, rule
 from urdfctl.rules.common import is_conditional, is_known, is_xacro
 
 
 @rule(
     "UC507",
     severity=Severity.ERROR,
+    stage=Stage.HARDWARE,
     runtime="refuses",
     distros=ROS2,
     in_library=False,

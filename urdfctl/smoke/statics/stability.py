@@ -86,7 +86,7 @@ def _judged(
     if holds_speed:
         return None
     if ratio < LEAST_DAMPING:
-        return _underdamped(hinges, gains, (inertia, stiffness, damping), period, task, ratio)
+        return _underdamped(hinges, gains, (inertia, stiffness, damping), period, task, ratio=ratio)
     return _sagging(mechanism, hinges, gains, task)
 
 
@@ -187,6 +187,7 @@ def _underdamped(
     model: Model,
     period: float,
     task: ControllerTask,
+    *,
     ratio: float,
 ) -> Trouble:
     """The finding that a loop swings for long, with the joint that swings most by itself and a d that damps it."""
