@@ -113,6 +113,21 @@ def test_the_graph_of_the_open_texts_is_shown_in_a_browser(folder: Folder) -> No
     assert not path_of(str(uri)).exists()  # gone with the server
 
 
+@pytest.mark.parametrize(("recording", "shown"), [("now.json", "UC832"), ("../now.json", "")])
+def test_a_recording_is_opened_beside_the_files(folder: Folder, recording: str, shown: str) -> None:
+    async def use(editor: Editor, _: Pages) -> object:
+        return await call(editor, "graph", "config/controllers.yaml", (editor.folder / recording).resolve().as_uri())
+
+    path = sample(folder, "picker")
+    shutil.copy(path / "now.json", folder.path / "now.json")
+    uri, pages, messages = used(path, "config/controllers.yaml", use, window=WINDOW)
+    if shown:
+        assert shown in pages.texts["graph.html"]
+    else:
+        assert uri is None
+        assert "is not a file in a folder of this window" in messages[-1]
+
+
 def test_an_editor_that_cannot_open_files_is_told_the_path(folder: Folder) -> None:
     async def use(editor: Editor, _: Pages) -> object:
         return await call(editor, "graph", ROBOT)

@@ -41,6 +41,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     vscode.commands.registerCommand("urdfctl.install", installOwn),
     vscode.commands.registerCommand("urdfctl.showOutput", () => output.show()),
     vscode.commands.registerCommand("urdfctl.explainHere", explainHere),
+    vscode.commands.registerCommand("urdfctl.live", openRecording),
     vscode.commands.registerCommand("urdfctl.menu", menu),
     vscode.window.onDidChangeActiveTextEditor(showStatus),
     vscode.workspace.onDidGrantWorkspaceTrust(restart),
@@ -163,6 +164,7 @@ const TRUSTING = { label: `$(shield) ${TRUST}`, command: "workbench.trust.manage
 
 async function menu(): Promise<void> {
   const others = [
+    { label: "$(pulse) Open a recording of the running system", command: "urdfctl.live" },
     { label: "$(refresh) Restart the server", command: "urdfctl.restart" },
     { label: "$(output) Show the output of the server", command: "urdfctl.showOutput" },
   ];
@@ -218,6 +220,20 @@ async function installOwn(): Promise<void> {
   const chosen = await vscode.window.showErrorMessage(`urdfctl was not installed: ${failure}.`, OUTPUT);
   if (chosen === OUTPUT) {
     output.show();
+  }
+}
+
+/** Draw what is really wired, as a recording of `urdfctl doctor --snapshot` shows it, beside the open file's robot. */
+async function openRecording(): Promise<void> {
+  const open = vscode.window.activeTextEditor?.document.uri;
+  if (!open || !client) {
+    void vscode.window.showInformationMessage("Open a file of the robot first.");
+    return;
+  }
+  const filters = { "Recordings of urdfctl doctor": ["json"] };
+  const chosen = await vscode.window.showOpenDialog({ title: "urdfctl: recording", filters, canSelectMany: false });
+  if (chosen?.[0]) {
+    await vscode.commands.executeCommand("urdfctl.graph", open.toString(), chosen[0].toString());
   }
 }
 

@@ -51,8 +51,12 @@ def answer_commands(server: Window) -> None:
 def _show(server: Window) -> None:
     @server.command(GRAPH)
     async def graph(window: Window, *words: Any) -> Any:
+        recording = _path(words[1]) if words[1:] else ""
+
         async def show(window: Window, workspace: Workspace, path: str) -> str:
-            return await show_page(window, "graph.html", await graph_page(workspace, path))
+            if recording and not window.shows(recording):
+                raise UserError(f"'{visible(recording)}' is not a file in a folder of this window")
+            return await show_page(window, "graph.html", await graph_page(workspace, path, recording))
 
         return await _about(window, words, show)
 

@@ -6,6 +6,8 @@ import asyncio
 import os
 from collections.abc import Mapping
 
+from urdfctl.doctor.recording import Recording, read_recording
+from urdfctl.doctor.wiring import live_graph
 from urdfctl.errors import UserError
 from urdfctl.graph.html import html as graph_html
 from urdfctl.graph.job import graph_work
@@ -20,12 +22,14 @@ from urdfctl.view.html import html as view_html
 from urdfctl.view.job import portrait_details, portrait_work
 
 
-async def graph_page(workspace: Workspace, path: str) -> str:
+async def graph_page(workspace: Workspace, path: str, recording: str = "") -> str:
     """Return what is wired to what in the robot that says most about a file, as HTML.
 
+    recording: that of a running system, whose differences to the files are shown; empty for the files alone.
     Raises UserError if it has no controllers, or cannot be read.
     """
-    result = await _made(graph_page_work, workspace, workspace.target_with(path), {})
+    live = dict(read_recording(recording).data) if recording else None
+    result = await _made(graph_page_work, workspace, workspace.target_with(path), {"live": live})
     if not result["page"]:
         raise UserError(f"the robot of '{os.path.basename(path)}' has no controllers and no hardware to draw")
     return str(result["page"])
@@ -57,6 +61,8 @@ async def _made(function: WorkFunction, workspace: Workspace, target: Target, de
 def graph_page_work(work: Work) -> Json:
     """Make the page of a graph in a process."""
     graph = Graph.from_json(graph_work(_with_texts(work)))
+    if work.details["live"] is not None:
+        graph = live_graph(graph, Recording("", work.details["live"]))
     return {"page": graph_html(readable(graph)) if graph.nodes else ""}
 
 
