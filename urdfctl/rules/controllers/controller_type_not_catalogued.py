@@ -71,8 +71,9 @@ def controller_type_not_catalogued(project: Project) -> Iterator[Finding]:
             reported.add(kind)
             why = f"package '{own['package']}' of this workspace does not define them as data"
             yield Finding(controller.at.at, f"parameters of controller type '{kind}' are not checked: {why}")
-        is_hardware = any(kind in project.catalog.known_hardware(distro) for distro in distros)
-        if controller.known_in or is_hardware or not kind.strip() or kind in reported or meant_by(project, controller):
+        catalog = project.catalog
+        is_other = any(kind in (*catalog.known_hardware(each), *catalog.known_transmissions(each)) for each in distros)
+        if controller.known_in or is_other or not kind.strip() or kind in reported or meant_by(project, controller):
             continue
         if not set(distros) & set(ROS2) and not _is_named_like_a_controller(kind):
             continue  # in ROS 1 other things have a type too, and no manager's section lists the controllers

@@ -31,6 +31,14 @@ from urdfctl.rules.common import replaced
                     interface_name: position
             """
         },
+        {
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: «transmission_interface/SimpleTransmission»}
+            """
+        },
     ],
     good=[
         {

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from urdfctl.rule import Project
 
-_OF_ROS1 = ("gazebo_ros_control", "gazebo_ros", "hardware_interface", "combined_robot_hw")
-"""Packages whose classes are ROS 1's, or no hardware at all."""
+_OF_ROS1 = ("gazebo_ros_control", "hardware_interface", "combined_robot_hw")
+"""Packages whose classes are ROS 1's; that of ROS 2 with one of these names exports none."""
 
 
 def other_kind(project: Project, name: str) -> str | None:
@@ -18,4 +18,4 @@ def other_kind(project: Project, name: str) -> str | None:
     if name.endswith(".so") or any(catalog.simulator_plugin(name, distro) for distro in distros):
         return "a library"
     package, _, rest = name.partition("/")
-    return f"of '{package}', which has no hardware for ros2_control" if rest and package in _OF_ROS1 else None
+    return "a class of ROS 1" if rest and package in _OF_ROS1 else None
