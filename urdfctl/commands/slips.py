@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 _COMMANDS = {
-    **dict.fromkeys(("check", "validate", "verify"), "lint"),
+    **dict.fromkeys(("validate", "verify"), "lint"),
     **dict.fromkeys(("fix", "repair", "format"), "lint --fix"),
     **dict.fromkeys(("test", "simulate", "sim", "run"), "smoke"),
     **dict.fromkeys(("gen", "generate", "new", "init", "create"), "gen-all"),

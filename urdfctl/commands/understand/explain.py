@@ -33,6 +33,7 @@ class ExplainOptions(Options):
     Example: urdfctl explain UC201
              urdfctl explain "No p gain specified for pid."
              urdfctl explain gazebo.log --in .
+             urdfctl explain --in .
     """
 
     what: tuple[str, ...] = argument(
@@ -93,6 +94,8 @@ def _explained(options: ExplainOptions) -> tuple[str, bool]:
         raise UserError(_NOTHING)
     if options.distro is not None and options.distro not in ALL:
         raise UserError(f"unknown distro '{options.distro}'{did_you_mean(options.distro, ALL)}")
+    if not text and options.folder is not None and (sys.stdin is None or sys.stdin.isatty()):
+        return _forecast(options.folder, options), True
     if text in {"", "-"}:
         return _explain_log(_standard_input(), options)
     fault = _fault(text)
@@ -105,6 +108,12 @@ def _explained(options: ExplainOptions) -> tuple[str, bool]:
     if len(text.split()) == 1:
         raise UserError(_unknown(text))
     return _explain_log(io.BytesIO(text.encode("utf-8", "surrogateescape")), options, pasted=True)
+
+
+def _forecast(folder: str, options: ExplainOptions) -> str:
+    from urdfctl.commands.understand.forecast import forecast
+
+    return forecast(folder, options.distro, options.output_format)
 
 
 def _fault(text: str) -> Fault | None:
@@ -162,6 +171,8 @@ def _explain_log(stream: BinaryIO, options: ExplainOptions, *, pasted: bool = Fa
     lines = Lines(stream)
     messages, folder = digest(lines, pasted=pasted, distro=options.distro), None
     if not messages.lines:
+        if options.folder is not None and not options.what:
+            return _forecast(options.folder, options), True
         raise UserError(_NOTHING)
     if options.folder is not None:
         from urdfctl.commands.understand.explain_files import checked

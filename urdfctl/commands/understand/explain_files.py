@@ -9,6 +9,7 @@ from urdfctl.commands.progress import with_progress
 from urdfctl.config.file import config_for, with_environ
 from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.lint.results import TargetResult
 from urdfctl.lint.run import LintRequest, lint, merge
 from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.logs.digest import Digest, KnownMessage
@@ -30,12 +31,21 @@ def checked(digest: Digest, folder: str, distro: str | None = None) -> tuple[Dig
     return digest._replace(known=tuple(known)), CheckedFolder(folder, _others(findings, known))
 
 
+def linted(folder: str, distro: str | None) -> list[TargetResult]:
+    """Return what lint finds in each robot of a folder. UserError if there is nothing to lint."""
+    return list(lint(_request(folder, distro), watch=with_progress).robots)
+
+
 def _findings(folder: str, distro: str | None) -> list[Diagnostic]:
     """The findings of lint in a folder."""
+    request = _request(folder, distro)
+    return merge(lint(request, watch=with_progress).results, request)
+
+
+def _request(folder: str, distro: str | None) -> LintRequest:
     config = with_environ(config_for((folder,)), os.environ)
     settings = settings_with(config, Settings(distro=distro, environ=passed_on(os.environ)))
-    request = LintRequest((folder,), config, settings, selection_with(config, Selection()))
-    return merge(lint(request, watch=with_progress).results, request)
+    return LintRequest((folder,), config, settings, selection_with(config, Selection()))
 
 
 def _with(known: KnownMessage, found: Sequence[FoundCause]) -> KnownMessage:
