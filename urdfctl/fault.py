@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum
 from typing import TYPE_CHECKING
 
-from urdfctl.addresses import page_of_fault
+from urdfctl import SITE
 from urdfctl.catalog.distros import ALL
 from urdfctl.diagnostic import Severity
 from urdfctl.model.stage import Stage, StageDependsOn
@@ -120,7 +120,7 @@ class Fault:
     @property
     def url(self) -> str | None:
         """The address of its page. A fault of an installed package has none."""
-        return page_of_fault(self.code) if self.module.startswith("urdfctl.rules.") else None
+        return f"{SITE}rules/{self.code}/" if self.module.startswith("urdfctl.rules.") else None
 
     @property
     def runtime(self) -> Runtime:

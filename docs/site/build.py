@@ -22,7 +22,7 @@ from messages import message_pages  # noqa: E402
 from playground import playground_pages, write_playground  # noqa: E402
 from texts import Pages  # noqa: E402
 
-from urdfctl.addresses import REPOSITORY, SITE  # noqa: E402 (the folder of the source comes first)
+from urdfctl import REPOSITORY, SITE  # noqa: E402 (the folder of the source comes first)
 
 _HERE = Path(__file__).resolve().parent
 _COMMANDS = "    # a page for each command\n"

@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-from urdfctl.addresses import SITE
+from urdfctl import SITE
 
 _LOADED = {"script": "src", "img": "src", "iframe": "src"}
 

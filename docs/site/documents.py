@@ -8,7 +8,7 @@ from pathlib import Path
 
 from texts import Pages
 
-from urdfctl.addresses import REPOSITORY
+from urdfctl import REPOSITORY
 from urdfctl.rules import all_faults
 from urdfctl.rules.readme import readme
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from texts import Pages, front_matter, one_line, quoted
 
-from urdfctl.addresses import REPOSITORY
+from urdfctl import REPOSITORY
 from urdfctl.catalog.distros import in_words
 from urdfctl.fault import Example, Fault
 from urdfctl.logs.printed import printed_because_of

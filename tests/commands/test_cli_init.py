@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -69,7 +70,8 @@ def files_written(folder: Folder) -> tuple[str, str]:
 
 def installed_from(monkeypatch: pytest.MonkeyPatch, said: dict[str, Any] | None, remote: str = "") -> None:
     """Let urdfctl be installed from there: what pip wrote of it, and the remote of the repository around it."""
-    monkeypatch.setattr(origin, "_direct_url", lambda: said)
+    text = None if said is None else json.dumps(said)
+    monkeypatch.setattr(origin, "distribution", lambda _: SimpleNamespace(read_text=lambda _: text))
     monkeypatch.setattr(origin, "repository_of", lambda _: "/clone")
     monkeypatch.setattr(origin, "remote_of", lambda _: remote)
     monkeypatch.setattr(origin, "commit_of", lambda *_: "c0ffee")

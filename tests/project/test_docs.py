@@ -23,6 +23,7 @@ from urdfctl.rules import all_faults
 PAGES = [
     path.relative_to(CHECKOUT).as_posix()
     for path in (*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/**/*.md"), *CHECKOUT.glob("samples/*.md"))
+    if "node_modules" not in path.parts
 ]
 README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
 OPTIONS = {name: command_named(name).options for name in COMMANDS}

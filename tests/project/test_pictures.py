@@ -28,7 +28,8 @@ def test_the_graph_is_current() -> None:
 
 
 def test_every_picture_is_on_a_page() -> None:
-    pages = "".join(page.read_text(encoding="utf-8") for page in (*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/*.md")))
+    documents = (*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/*.md"), *CHECKOUT.glob("docs/commands/*.md"))
+    pages = "".join(page.read_text(encoding="utf-8") for page in documents)
     pictures = [path.name for path in Path(PICTURES).iterdir() if path.suffix in {".svg", ".png"}]
     assert len(pictures) == 4
     assert [name for name in pictures if f"pictures/{name})" not in pages] == []

@@ -72,7 +72,7 @@ def test_a_workflow_has_no_rights_and_each_job_names_those_that_it_needs() -> No
 
 
 @needs_workflows
-def test_only_the_job_that_publishes_can_write_and_it_runs_nothing_of_the_checkout() -> None:
+def test_only_the_jobs_that_publish_can_write_and_they_run_nothing_of_the_checkout() -> None:
     writing = {
         f"{name}:{job}": {key for key, right in content["permissions"].items() if right == "write"}
         for name, workflow in workflows()
@@ -81,9 +81,14 @@ def test_only_the_job_that_publishes_can_write_and_it_runs_nothing_of_the_checko
     assert {job: rights for job, rights in writing.items() if rights} == {
         "check.yml:samples": {"security-events"},
         "release.yml:publish": {"id-token"},
+        "release.yml:publish-site": {"contents"},
     }
-    publish = dict(workflows())["release.yml"]["jobs"]["publish"]
-    assert [step for step in publish["steps"] if "run" in step or "checkout" in step["uses"]] == []
+    jobs = dict(workflows())["release.yml"]["jobs"]
+    assert [step for step in jobs["publish"]["steps"] if "run" in step or "checkout" in step["uses"]] == []
+    site = jobs["publish-site"]["steps"]
+    assert [step for step in site if "checkout" in step.get("uses", "")] == []
+    programs = {line.split()[0] for step in site for line in step.get("run", "").splitlines()}
+    assert programs == {"touch", "git"}
 
 
 @needs_workflows

@@ -9,7 +9,7 @@ import pytest
 import tomli
 from folder import CHECKOUT
 
-from urdfctl.addresses import REPOSITORY, SITE, page_of_fault, page_of_message
+from urdfctl import REPOSITORY, SITE
 from urdfctl.catalog.log_messages import log_messages
 from urdfctl.rules import all_faults
 
@@ -47,10 +47,10 @@ def test_the_page_of_a_rule_says_what_is_printed_wrong_right_and_the_authority()
     assert "](../messages/no-hardware-interface-in-joint.md)" in page
 
 
-def test_addresses_follow_from_the_one_setting_of_the_release() -> None:
-    assert page_of_fault("UC201") == f"{SITE}rules/UC201/"
-    assert page_of_message("gazebo-pid-gains-absent").startswith(SITE)
-    assert SITE.endswith("/")
+def test_a_finding_has_the_address_of_the_page_that_its_rule_has_here() -> None:
+    fault = next(fault for fault in all_faults() if fault.code == "UC201")
+    assert fault.url == f"{SITE}rules/UC201/"
+    assert f"rules/{fault.code}.md" in fault_pages()
 
 
 def test_the_manifests_name_the_addresses_of_the_release() -> None:

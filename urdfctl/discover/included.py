@@ -42,7 +42,7 @@ class Included(NamedTuple):
     every: tuple[str, ...]
 
 
-class _Naming(NamedTuple):
+class _Mention(NamedTuple):
     """The end of a path of a launch file, with the package that it is looked for in; None if that is not known.
 
     tail: in its name, `*` stands for each substitution.
@@ -102,18 +102,18 @@ def _in(package: str | None, candidates: Sequence[str]) -> Iterable[str]:
 
 
 @lru_cache(maxsize=_MOST_TEXTS)
-def _tails(text: bytes) -> tuple[_Naming, ...]:
+def _tails(text: bytes) -> tuple[_Mention, ...]:
     """The ends of the paths that an XML launch file includes. Texts are kept: each package's search reads them."""
     addresses = re.findall(_INCLUDE, re.sub(_COMMENT, b"", text))
     return tuple(_of_address(address.decode("utf-8", "replace")) for address in addresses)
 
 
-def _of_address(address: str) -> _Naming:
+def _of_address(address: str) -> _Mention:
     found = re.match(_FOUND, address)
     folders, slash, name = address.rpartition("/")
     folder = re.sub(r"^.*\$\([^)]*\)+/?", "", folders + slash).lstrip("./")
     tail = folder + re.sub(_SUBSTITUTION, "*", name)
-    return _Naming(tail, found[1] if found else None, re.match(_BESIDE, address) is not None)
+    return _Mention(tail, found[1] if found else None, re.match(_BESIDE, address) is not None)
 
 
 @lru_cache(maxsize=_MOST_TEXTS)
@@ -123,13 +123,13 @@ def _folder_of(path: str, current: str) -> str:
 
 
 @lru_cache(maxsize=_MOST_TEXTS)
-def _named(text: bytes) -> tuple[_Naming, ...]:
+def _named(text: bytes) -> tuple[_Mention, ...]:
     """The names of launch files in a Python or YAML launch file, with the packages that they are looked for in."""
     found = [
-        _Naming((match[1] or match[2]).decode("utf-8", "replace"), _package_before(text, match.start()))
+        _Mention((match[1] or match[2]).decode("utf-8", "replace"), _package_before(text, match.start()))
         for match in re.finditer(_NAMED, text)
     ]
-    demo = [_Naming(f"{name}.launch.py", None) for name in _OF_DEMO if re.search(_DEMO, text)]
+    demo = [_Mention(f"{name}.launch.py", None) for name in _OF_DEMO if re.search(_DEMO, text)]
     return tuple(dict.fromkeys([*found, *demo]))
 
 
