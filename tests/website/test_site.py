@@ -17,7 +17,7 @@ sys.path.append(str(CHECKOUT / "docs" / "site"))
 
 from checking import problems_of
 from documents import document_pages, linked
-from faults import page_of
+from faults import fault_pages, page_of
 from messages import message_pages
 
 PAGE = """<!doctype html><html lang="en"><head><title>A page</title><meta name="description" content="what it says">

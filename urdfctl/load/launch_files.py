@@ -235,7 +235,9 @@ class _LaunchFileReader:
         source = self._source(path)
         if source is None:
             return None
-        around = Surroundings(self.find, self.environ, self.module, self.yaml, self._too_long, self._written.setdefault)
+        around = Surroundings(
+            self.find, self.environ, self.module, self.yaml, too_long=self._too_long, write=self._written.setdefault
+        )
         script = read_python(source, around)
         if script.problem is not None:
             self.problems.append(script.problem)

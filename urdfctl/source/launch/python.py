@@ -114,7 +114,7 @@ class Run:
         self.surroundings = surroundings
         self.modules: Modules = importer.modules if importer else Modules(surroundings.module, self._followed)
         find, environ, _, yaml, too_long, write = surroundings
-        self.evaluation = Evaluation(source, find, environ, yaml, too_long, write)
+        self.evaluation = Evaluation(source, find, environ, yaml, too_long, write=write)
         self.evaluation.outer = importer.evaluation if importer else None
         self.evaluation.member = lambda path: self.modules.member(path, source.path)
         self.at = self.evaluation.at

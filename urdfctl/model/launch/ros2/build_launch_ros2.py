@@ -154,7 +154,7 @@ class _Walk:
 
     def texts(self, scope: ActionScope) -> Texts:
         sources = self.sources
-        return Texts(scope, sources.find, sources.environ, sources.values, sources.too_long, sources.written)
+        return Texts(scope, sources.find, sources.environ, sources.values, sources.too_long, written=sources.written)
 
     def nodes(self, scope: ActionScope) -> Nodes:
         return Nodes(self.facts, self.texts(scope))
