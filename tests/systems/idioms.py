@@ -145,6 +145,7 @@ SWITCHES = {
             "parts",
             "calibration",
             "backups",
+            "namesakes",
         ),
         possible.distractor,
     ),

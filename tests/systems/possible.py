@@ -302,6 +302,8 @@ def build(system: System, idioms: Idioms, _position: str) -> bool:
     return ros2(system, idioms, "") and idioms["source"] != "built"
 
 
-def distractor(_system: System, idioms: Idioms, position: str) -> bool:
+def distractor(system: System, idioms: Idioms, position: str) -> bool:
     """A distro that the user names is meant for everything."""
+    if position == "namesakes":
+        return system.generation == 2
     return position != "other generation" or idioms["evidence"] != "option"

@@ -50,6 +50,9 @@ def add_distractor(workspace: Workspace, places: Places) -> None:
     kind = workspace.idioms["distractor"]
     if kind == "none":
         return
+    if kind == "namesakes":
+        workspace.files = {**_namesakes(workspace, places), **workspace.files}
+        return
     if kind == "backups":
         workspace.files = {**backups(workspace), **workspace.files}
         return
@@ -150,6 +153,44 @@ def _other_generation(system: System, _places: Places) -> Files:
     return {f"{package}/{name}": content for name, content in {**files, **own}.items()}
 
 
+def _namesakes(workspace: Workspace, places: Places) -> Files:
+    """A package with launch files of the names of those that are started, which another one of it includes.
+
+    That one names the package of the others, too.
+    """
+    package = "test_bench"
+    names = [path.rpartition("/")[2] for path in workspace.starts]
+    empty = {".py": _EMPTY, ".xml": "<launch/>\n", ".yaml": "launch: []\n"}
+    files = {f"launch/{name}": empty[name[name.rindex(".") :]] for name in names}
+    included = "".join(_INCLUDING.format(package=package, name=name) for name in names)
+    files["launch/all.launch.py"] = _OUTER.format(package=places.bringup, included=included)
+    own = package_files(workspace.system, package, files, ["launch"])
+    return {f"{package}/{name}": content for name, content in {**files, **own}.items()}
+
+
+_EMPTY = """\
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
+_INCLUDING = """\
+        IncludeLaunchDescription(os.path.join(get_package_share_directory("{package}"), "launch", "{name}")),
+"""
+_OUTER = """\
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+
+
+def generate_launch_description():
+    \"\"\"Start what is tested beside {package}.\"\"\"
+    return LaunchDescription([
+{included}    ])
+"""
 _ROS1 = """\
 <launch>
   <param name="robot_description" textfile="$(find {package})/urdf/{model}.urdf"/>
