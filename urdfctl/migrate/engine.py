@@ -16,6 +16,7 @@ from urdfctl.migrate.installs import installs_for_launch_files
 from urdfctl.migrate.inventory import inventory
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.options import MigrationOptions
+from urdfctl.migrate.origins import check_direction, origins
 from urdfctl.migrate.packages import Lint, Linted, MigratedPackages
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.scratch import Scratch
@@ -59,12 +60,16 @@ def migrate(
     """
     source = lint(settings._replace(distro=options.source))
     first, known = source, Memory[LoadedTarget](scratch, _MOST_STATES, by_package=True)
+    came_from = origins(options, first, list(scratch.files()))
+    check_direction(options.target, came_from)
     noted: Sequence[Noted] = ()
     left_out: dict[Key, str] = {}
     robots: Sequence[LoadedTarget] = ()
     for _ in range(MOST_PASSES):
         target = lint(settings._replace(distro=options.target))
-        packages = MigratedPackages(scratch, options, settings, linted=source, known=known, began=first)
+        packages = MigratedPackages(
+            scratch, options, settings, linted=source, known=known, began=first, origins=came_from
+        )
         robots = packages.robots_before = robots or packages.loaded()
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())

@@ -6,13 +6,14 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeVar
 
-from urdfctl.catalog.distros import ALL, ROS2, generation
+from urdfctl.catalog.distros import ROS2, generation
 from urdfctl.config.settings import Settings
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.options import MigrationOptions
+from urdfctl.migrate.origins import Origins
 from urdfctl.migrate.scratch import Scratch, WrittenFile
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.disk.files import MAX_BYTES, first_bytes
@@ -37,6 +38,7 @@ class MigratedPackages:
     known: the targets that were read before.
     began: the targets at the beginning of the run, which say what is migrated; in a later pass they are not `linted`.
     robots_before: those targets with their models; none before they were loaded.
+    origins: the distros that the packages come from.
     """
 
     def __init__(
@@ -47,26 +49,19 @@ class MigratedPackages:
         linted: Linted,
         known: Memory[LoadedTarget],
         began: Linted,
+        origins: Origins,
     ) -> None:
         self.scratch = scratch
         self.options = options
         self.settings = settings
         self.linted = linted
-        self._known, self._began = known, began
+        self._known, self._began, self._origins = known, began, origins
         self.robots_before: Sequence[LoadedTarget] = ()
         self._sources: dict[str, tuple[WrittenFile | None, SourceText]] = {}
         self._loaded: dict[str | None, list[LoadedTarget]] = {}
         self._loaders: dict[str | None, Loader] = {}
         self._files: list[str] = []
         self._found: dict[object, object] = {}
-
-    @property
-    def source(self) -> str | None:
-        """The distro to migrate from: the one that the user names, or the earliest that all targets may be for."""
-        if self.options.source:
-            return self.options.source
-        possible = [result.distros for _, result in self._began if 0 < len(result.distros) < len(ALL)]
-        return min((distros[0] for distros in possible), key=ALL.index, default=None)
 
     @property
     def is_ros1(self) -> bool:
@@ -80,9 +75,13 @@ class MigratedPackages:
         """Whether gz simulates a robot of the packages before the migration."""
         return any(result.simulator == "gz" for _, result in self._began)
 
-    def crosses(self, since: str) -> bool:
-        """Return whether the migration leads from a distro before `since` to it or a later one."""
-        return self.options.crosses(since, self.source)
+    def crosses(self, since: str, path: str = "") -> bool:
+        """Return whether the migration leads from a distro before `since` to it or a later one.
+
+        path: a file, whose package's distro counts; without it, the earliest of all packages.
+        """
+        source = self._origins.of(path) if path else self._origins.all
+        return self.options._replace(source=None).crosses(since, source)
 
     def reaches(self, since: str) -> bool:
         """Return whether the target is a distro or a later one, whichever the migration comes from."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from urdfctl.migrate.classic.bridge import BRIDGE, BRIDGE_INSTALL
 from urdfctl.migrate.classic.comments import COMMENTS
 from urdfctl.migrate.classic.environment import ENVIRONMENT, MODEL_PATHS
+from urdfctl.migrate.classic.gone_packages import GONE_PACKAGES
 from urdfctl.migrate.classic.inertias import INERTIAS
 from urdfctl.migrate.classic.initial_positions import INITIAL_POSITIONS
 from urdfctl.migrate.classic.launch_python import CLASSIC_LAUNCH
@@ -41,6 +42,7 @@ PACKAGE_STEPS: tuple[Step, ...] = (
     MIGRATED_LAUNCH,
     CLASSIC_LAUNCH,
     CLASSIC_LAUNCH_XML,
+    GONE_PACKAGES,
     ENVIRONMENT,
     CLASSIC_MANIFEST,
     MODEL_PATHS,

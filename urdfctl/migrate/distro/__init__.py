@@ -9,6 +9,7 @@ from urdfctl.migrate.distro.mimic import MIMIC
 from urdfctl.migrate.distro.moveit import MOVEIT
 from urdfctl.migrate.distro.names import NAMES
 from urdfctl.migrate.distro.parameters import PARAMETERS
+from urdfctl.migrate.distro.spawner_types import SPAWNER_TYPES
 from urdfctl.migrate.distro.stamped import STAMPED, STAMPED_TOPICS
 from urdfctl.migrate.distro.stamped_nodes import STAMPED_NODES
 from urdfctl.migrate.distro.types import DEPENDENCIES, TYPES
@@ -23,6 +24,7 @@ STEPS: tuple[Step, ...] = (
     STAMPED,
     STAMPED_TOPICS,
     STAMPED_NODES,
+    SPAWNER_TYPES,
     LAUNCH_PYTHON,
     LAUNCH_XML,
     CONTROLLER_COMMANDS,

@@ -57,7 +57,7 @@ class _LaunchFile:
         """Yield the changes up to jazzy, or if there are none left, those of lyrical: they change the same lists."""
         early = list(self._of_jazzy())
         yield from early
-        if self.packages.crosses("lyrical") and not any(proposal.edits for proposal in early):
+        if self._crosses("lyrical") and not any(proposal.edits for proposal in early):
             for call, _ in self.nodes:
                 if _executable(call) == "ros2_control_node":
                     yield from self._remappings(call)
@@ -65,13 +65,16 @@ class _LaunchFile:
     def _of_jazzy(self) -> Iterator[Proposal]:
         for call, scope in self.nodes:
             executable = _executable(call)
-            if executable == "ros2_control_node" and self.packages.crosses("jazzy"):
+            if executable == "ros2_control_node" and self._crosses("jazzy"):
                 yield from self._description(call, scope)
                 yield from self._topic(call)
             elif executable.startswith("spawner"):
                 yield from self._options(call)
-                if self.packages.crosses("jazzy"):
+                if self._crosses("jazzy"):
                     yield from self._parameter_file(call, scope)
+
+    def _crosses(self, since: str) -> bool:
+        return self.packages.crosses(since, self.file.source.path)
 
     # -- the manager ---------------------------------------------------------------------------------------------------
 

@@ -29,7 +29,7 @@ def _launch_xml(packages: MigratedPackages) -> Iterator[Proposal]:
         all_nodes = (element for element in elements_of(source) if element.tagName == "node")
         nodes = [one for one in all_nodes if one.attrs.get("pkg") == "controller_manager" and "exec" in one.attrs]
         for node in nodes:
-            if node.attrs["exec"] == "ros2_control_node" and packages.crosses("jazzy"):
+            if node.attrs["exec"] == "ros2_control_node" and packages.crosses("jazzy", node.source.path):
                 yield from _manager(node)
             elif node.attrs["exec"].startswith("spawner"):
                 yield from _spawner(packages, node, nodes, known)
@@ -61,7 +61,11 @@ def _spawner(
         edit = Edit(span, span.text.replace("--stopped", "--inactive"))
         yield Proposal((edit,), entries=(_done("'--stopped' is now '--inactive'", node, AUTHORITY_OF_OPTIONS),))
         return
-    if not packages.crosses("jazzy") or {"--param-file", "-p"} & set(words) or "args" not in node.attrs:
+    if (
+        not packages.crosses("jazzy", node.source.path)
+        or {"--param-file", "-p"} & set(words)
+        or "args" not in node.attrs
+    ):
         return
     files = sections_near(known, node.source, _without_spawners(nodes, node.source.data))
     names = list(takewhile(lambda word: not word.startswith("-"), words))

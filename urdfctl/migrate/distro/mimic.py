@@ -20,9 +20,11 @@ _PARAMETERS = ("mimic", "multiplier", "offset")
 
 
 def _mimic(packages: MigratedPackages) -> Iterator[Proposal]:
-    if not packages.crosses("jazzy"):
-        return
-    files = [path for path in packages.files(*XML) if b"<joint" in packages.read(path).data]
+    files = [
+        path
+        for path in packages.files(*XML)
+        if packages.crosses("jazzy", path) and b"<joint" in packages.read(path).data
+    ]
     joints = [element for path in files for element in elements_of(packages.read(path)) if element.tagName == "joint"]
     in_urdf: dict[str, list[Element]] = {}
     for joint in joints:

@@ -49,15 +49,15 @@ def adapters(names: list[str]) -> Adapters:
 
 
 def _moveit(packages: MigratedPackages) -> Iterator[Proposal]:
-    if packages.crosses(moves_data()["moveit"]["since"]):
-        for path in packages.files(".yaml", ".yml"):
-            data = packages.read(path).data
-            if is_yaml(path) and (_PLUGIN.encode() in data or _ADAPTERS.encode() in data):
-                yield from _in_yaml(packages, path)
-        for path in packages.files(".py"):
-            data = packages.read(path).data
-            if _PLUGIN.encode() in data or _ADAPTERS.encode() in data:
-                yield from _in_python(PythonFile(packages.read(path)))
+    for path in packages.files(".yaml", ".yml", ".py"):
+        data = packages.read(path).data
+        is_moved = _PLUGIN.encode() in data or _ADAPTERS.encode() in data
+        if not is_moved or not packages.crosses(moves_data()["moveit"]["since"], path):
+            continue
+        if path.endswith(".py"):
+            yield from _in_python(PythonFile(packages.read(path)))
+        elif is_yaml(path):
+            yield from _in_yaml(packages, path)
     yield from _grippers(packages)
 
 

@@ -51,14 +51,14 @@ class _Parameter:
 def _parameters(packages: MigratedPackages) -> Iterator[Proposal]:
     for section in sections(packages):
         known = _moves_for(section.type, packages.options.target)
-        moves = [move for move in known if _is_due(packages, move)]
+        moves = [move for move in known if _is_due(packages, move, section.path)]
         if moves and section.parameters.entries and packages.may_change(section.path):
             yield from _Moving(packages, section, moves).proposals()
 
 
-def _is_due(packages: MigratedPackages, move: Move) -> bool:
+def _is_due(packages: MigratedPackages, move: Move, path: str) -> bool:
     """Whether the target needs a move: an old name if it is there at all, a default only if it changes on the way."""
-    return packages.crosses(move.since) if move.is_default else packages.reaches(move.since)
+    return packages.crosses(move.since, path) if move.is_default else packages.reaches(move.since)
 
 
 class _Moving:

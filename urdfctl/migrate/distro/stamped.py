@@ -44,9 +44,8 @@ _OLD_TOPIC = re.compile(r"(\w+)/(cmd_vel|reference)_unstamped\Z")
 
 def drives(packages: MigratedPackages) -> set[str]:
     """Return the controllers of the packages that read stamped velocities, if they did not before the migration."""
-    if not packages.crosses(SINCE):
-        return set()
-    return {one.controller for one in type_names(packages) if one.value.text.startswith(_READERS)}
+    readers = (one for one in type_names(packages) if one.value.text.startswith(_READERS))
+    return {one.controller for one in readers if packages.crosses(SINCE, one.path)}
 
 
 def _publishers(packages: MigratedPackages) -> Iterator[Proposal]:

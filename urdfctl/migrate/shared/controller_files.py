@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.catalog.moves import MANAGER
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.output.change import bytes_of
 from urdfctl.source.disk.files import is_yaml
 from urdfctl.source.span import SourceText
 from urdfctl.source.workspaces.install_maps import read_install_map
@@ -70,20 +71,32 @@ def type_names(packages: MigratedPackages) -> Iterator[TypeName]:
 def sections_near(known: Sequence[FileSection], source: SourceText, text: bytes) -> dict[str, set[str]]:
     """Return the controllers with parameters, each with its files.
 
-    They are those that a launch file names, or its package's, or all. Of files that have the same parameters for a
-    controller, only the first is returned.
+    They are those that a launch file names, or its package's, or those of packages that it needs, or of the only other.
+    Of files that have the same parameters for a controller, only the first is returned.
 
     text: the part of the launch file that names files for all controllers.
     """
     package = package_around(os.path.dirname(source.path))
-    named = [one for one in known if one.type and os.path.basename(one.path).encode() in text]
-    beside = [one for one in known if package_around(os.path.dirname(one.path)) == package]
     typed = [one for one in known if one.type]
-    chosen = [one for one in named if one in beside] or named or beside or typed
+    named = [one for one in typed if os.path.basename(one.path).encode() in text]
+    beside = [one for one in known if package_around(os.path.dirname(one.path)) == package]
+    near = [one for one in typed if _is_mentioned(one.path, source, package)]
+    only = typed if len({package_around(os.path.dirname(one.path)) for one in typed}) == 1 else []
+    chosen = [one for one in named if one in beside] or [one for one in named if one in near] or named
+    chosen = chosen or beside or near or only
     files: dict[str, dict[bytes, str]] = {}
     for section in chosen:
         files.setdefault(section.node, {}).setdefault(_words(section), section.path)
     return {node: {*by_text.values()} for node, by_text in files.items()}
+
+
+def _is_mentioned(path: str, launch: SourceText, package: str | None) -> bool:
+    """Whether a launch file or its package's manifest names the package of a file."""
+    folder = package_around(os.path.dirname(path))
+    name = package_name(os.path.join(folder, "package.xml")) if folder else None
+    manifest = SourceText(launch.path, bytes_of(os.path.join(package, "package.xml")) or b"") if package else launch
+    word = re.compile(rb"(?<![\w-])%s(?![\w-])" % re.escape(name or "").encode())
+    return bool(name) and any(word.search(one.data) for one in (launch, manifest))
 
 
 def _words(section: FileSection) -> bytes:
@@ -94,13 +107,17 @@ def _words(section: FileSection) -> bytes:
 
 def installed_path(packages: MigratedPackages, path: str) -> tuple[str, list[str]]:
     """Return the package of a file and its path in the share folder: as a description names it, or as installed."""
-    pattern = rb"\$\(find ([\w-]+)\)/([^<>\"'\s]*%s)" % re.escape(os.path.basename(path)).encode()
+    folder = package_around(path) or os.path.dirname(path)
+    own = package_name(os.path.join(folder, "package.xml"))
+    pattern = rb"\$\(find (%s)\)/([^<>\"'\s]*%s)" % (
+        re.escape(own).encode() if own else rb"[\w-]+",
+        re.escape(os.path.basename(path)).encode(),
+    )
     for description in packages.files(".xacro", ".urdf"):
         found = re.search(pattern, packages.read(description).data)
         if found:
             return found[1].decode(), found[2].decode().split("/")
-    folder = package_around(path) or os.path.dirname(path)
-    name = package_name(os.path.join(folder, "package.xml")) or os.path.basename(folder)
+    name = own or os.path.basename(folder)
     parts = os.path.relpath(path, folder).split(os.sep)
     rules = read_install_map(folder, name)
     tails = (parts[index:] for index in range(len(parts)))
