@@ -72,7 +72,7 @@ def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
     if not goes_to_gz(packages) or not leaves_classic(packages):
         return
     for folder in sorted(
-        {folder for path in packages.files(*OF_XML) if (folder := package_around(os.path.dirname(path)))}
+        {folder for path in packages.files(*OF_XML, *OF_SDF) if (folder := package_around(os.path.dirname(path)))}
     ):
         path = os.path.join(folder, BRIDGE_FILE)
         if exists(path) or _has_bridge(packages):
@@ -107,9 +107,10 @@ def _topics(packages: MigratedPackages, folder: str) -> Iterator[Topic]:
     them."""
     defaults = packages.found(_defaults)
     names = packages.found(_names_in_ros)
-    for path in packages.files(*OF_XML):
+    for path in packages.files(*OF_XML, *OF_SDF):
         source = packages.read(path)
-        root = root_of(source) if path.startswith(folder + os.sep) and b"<gazebo" in source.data else None
+        is_simulated = b"<gazebo" in source.data or path.endswith(OF_SDF)
+        root = root_of(source) if path.startswith(folder + os.sep) and is_simulated else None
         for element in elements(root) if root is not None else ():
             if element.tagName in {"plugin", "sensor"} and not _is_uncalled(packages, element):
                 written = {each.tagName: each for each in (*_in_contact(element), *element.elements())}

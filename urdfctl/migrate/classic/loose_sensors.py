@@ -4,14 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.migrate.classic.choice import is_chosen, replaced
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.classic.choice import CHOICE, is_chosen, keeps_classic, replaced
 from urdfctl.migrate.classic.systems import in_namespace, library_of
-from urdfctl.migrate.edits.markup import attribute, child, content, parent_of, step_of
+from urdfctl.migrate.edits.markup import (
+    attribute,
+    child,
+    content,
+    end_of,
+    indent_of,
+    indented,
+    parent_of,
+    removal,
+    step_of,
+)
 from urdfctl.migrate.edits.places import plugin_elements
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
+from urdfctl.migrate.todo import for_you
+from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "hector_gazebo_plugins, gazebo_plugins (ROS 1): <bodyName>, <topicName>, <updateRate>; gz-sensors"
@@ -36,12 +49,30 @@ def _loose_sensors(packages: MigratedPackages) -> Iterator[Proposal]:
         if library not in LOOSE or around is None or around.tagName != "gazebo" or is_chosen(element):
             continue
         link = content(body) if body is not None else attribute(around, "reference")
-        if link and len(around.elements()) == 1:
-            kind = LOOSE[library][0] if to_gz else _IN_CLASSIC[LOOSE[library][0]][0]
-            message = f"plugin '{library}' became a sensor of type {kind} on link '{link}'"
-            entry = ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)
-            text = _sensor(element, library, link, to_gz=to_gz)
-            yield Proposal(tuple(replaced(packages, around, text)), entries=(entry,))
+        if not link:
+            yield for_you(
+                element.at, f"plugin '{library}' names no link: write its sensor below one", authority=_AUTHORITY
+            )
+            continue
+        kind = LOOSE[library][0] if to_gz else _IN_CLASSIC[LOOSE[library][0]][0]
+        message = f"plugin '{library}' became a sensor of type {kind} on link '{link}'"
+        entry = ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)
+        text = _sensor(element, library, link, to_gz=to_gz)
+        is_alone = len(around.elements()) == 1
+        edits = replaced(packages, around, text) if is_alone else _moved(packages, element, around, text)
+        yield Proposal(tuple(edits), entries=(entry,))
+
+
+def _moved(packages: MigratedPackages, plugin: Element, around: Element, text: str) -> Iterator[Edit]:
+    """The edits that write a sensor after the element with its plugin, in which other plugins stay."""
+    if keeps_classic(packages, plugin):
+        yield from replaced(packages, plugin, "")
+        unless = f'<xacro:unless value="$(arg {CHOICE})">'
+        text = f"{unless}\n{indented(text, step_of(plugin.source))}</xacro:unless>\n"
+    else:
+        yield removal(plugin)
+    end = end_of(around)
+    yield Edit(SourceSpan(around.source, end, end), f"\n{indented(text, indent_of(around))}".rstrip("\n"))
 
 
 def _sensor(plugin: Element, library: str, link: str, *, to_gz: bool) -> str:

@@ -8,7 +8,8 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.classic.choice import CHOICE
-from urdfctl.migrate.edits.markup import MACRO, ancestors, elements, root_of, step_of
+from urdfctl.migrate.classic.sdf import OF_SDF
+from urdfctl.migrate.edits.markup import MACRO, ancestors, appended, elements, indent_of, root_of, step_of
 from urdfctl.migrate.edits.tokens import XML
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
@@ -59,6 +60,30 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
         yield Proposal((edit,), entries=(entry,))
 
 
+def _systems_of_models(packages: MigratedPackages) -> Iterator[Proposal]:
+    """The systems for the sensors of models in SDF: those of a world that the packages have are enough."""
+    if not goes_to_gz(packages) or packages.was_in_gz:
+        return
+    worlds = b"".join(packages.read(path).data for path in packages.files(*OF_SDF))
+    for path in packages.files(*OF_SDF):
+        source = packages.read(path)
+        root = root_of(source) if b"<sensor" in source.data and packages.may_change(path) else None
+        models = [each for each in root.elements() if each.tagName == "model"] if root is not None else []
+        for model in models:
+            sensors = (each.attrs.get("type", "") for each in elements(model) if each.tagName == "sensor")
+            needed = dict.fromkeys(SYSTEMS[kind] for kind in sensors if kind in SYSTEMS)
+            missing = [system for system in needed if system[0].encode() not in worlds]
+            if missing and model.close is not None:
+                lines = (f'<plugin filename="{file}" name="{name}"/>' for file, name in missing)
+                names = ", ".join(file for file, _ in missing)
+                message = f"the model loads {names} for its sensors: no world of the packages does"
+                option = "load them in the world"
+                entry = ReportEntry(EntryKind.DECIDED, message, model.at, authority=_AUTHORITY, option=option)
+                indent = indent_of(model) + step_of(source)
+                yield Proposal((appended(model, (f"{indent}{line}" for line in lines)),), entries=(entry,))
+                return
+
+
 def _needed(packages: MigratedPackages, loaded: LoadedTarget, robot: Robot) -> list[tuple[str, str]]:
     """The systems for the sensors that a robot has, and for those that it has with other arguments."""
     types = [s.attributes.get("type", "") for gazebo in robot.gazebos for s in gazebo.tag.named("sensor")]
@@ -107,6 +132,42 @@ SENSOR_SYSTEMS = Step(
                 <gazebo>
                   <plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>
                 </gazebo>
+            """,
+        },
+    ],
+)
+
+
+MODEL_SYSTEMS = Step(
+    name="sensor-systems-of-models",
+    part=Part.URDF,
+    summary="Systems for the sensors of models in SDF",
+    propose=_systems_of_models,
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "models/buoy/model.sdf": """
+                <sdf version="1.6">
+                  <model name="buoy">
+                    <link name="hull">
+                      <sensor name="motion" type="imu"/>
+                    </link>
+                  </model>
+                </sdf>
+            """,
+        },
+    ],
+    after=[
+        {
+            "models/buoy/model.sdf": """
+                <sdf version="1.6">
+                  <model name="buoy">
+                    <link name="hull">
+                      <sensor name="motion" type="imu"/>
+                    </link>
+                    <plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>
+                  </model>
+                </sdf>
             """,
         },
     ],

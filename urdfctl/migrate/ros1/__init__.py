@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.migrate.ros1.aliases import ALIASES
+from urdfctl.migrate.ros1.claimed import CLAIMED
 from urdfctl.migrate.ros1.classic_plugins import PLUGINS
 from urdfctl.migrate.ros1.controller_names import CONTROLLER_NAMES
 from urdfctl.migrate.ros1.controllers_yaml import CONTROLLERS
@@ -12,6 +13,7 @@ from urdfctl.migrate.ros1.launch_files import LAUNCH_FILES
 from urdfctl.migrate.ros1.manifest import MANIFEST
 from urdfctl.migrate.ros1.moveit_files import MOVEIT_FILES
 from urdfctl.migrate.ros1.moveit_launch import MOVEIT_LAUNCH
+from urdfctl.migrate.ros1.nested import NESTED
 from urdfctl.migrate.ros1.node_files import NODE_FILES
 from urdfctl.migrate.ros1.prefixes import PREFIXES
 from urdfctl.migrate.ros1.simulator_plugin import MIMIC_PLUGINS, SIMULATOR_PLUGIN
@@ -25,6 +27,7 @@ ROBOT_STEPS: tuple[Step, ...] = (
     SWITCHES,
     MIMIC_PLUGINS,
     TRANSMISSIONS,
+    NESTED,
     SIMULATOR_PLUGIN,
     SPAWNED_NAMESPACE,
     PLUGINS,
@@ -34,6 +37,7 @@ ROBOT_STEPS: tuple[Step, ...] = (
     FILE_ARGUMENTS,
     ALIASES,
     CONTROLLERS,
+    CLAIMED,
 )
 PACKAGE_STEPS: tuple[Step, ...] = (MOVEIT_LAUNCH, NODE_FILES, LAUNCH_FILES, MANIFEST)
 STEPS: tuple[Step, ...] = (*ROBOT_STEPS, *PACKAGE_STEPS)

@@ -14,6 +14,8 @@ from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, MapItem, contro
 from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
 from urdfctl.migrate.ros1.joint_gains import reads_gains
 from urdfctl.migrate.ros1.joint_states import NEW_NAME, loads_declaration
+from urdfctl.migrate.ros1.node_sections import node_section
+from urdfctl.migrate.ros1.spawned_names import SpawnedName, spawned_names
 from urdfctl.migrate.shared.hardware import simulated_by
 from urdfctl.migrate.shared.manager import BROADCASTER, RATE, manager_text
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
@@ -23,6 +25,7 @@ from urdfctl.source.yaml.tree import Mapping, Node
 
 _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
 _PID_GAINS = "gz_ros2_control src/gz_system.cpp: position_proportional_gain, one for all joints"
+_SPAWNED = "ros2_control controller_manager.cpp: a controller is a node in the namespace of its manager"
 _STEPS = 1000
 """Steps of a world in a second, by default: gazebo_ros_control updates in each (gazebo_ros_control_plugin.cpp)."""
 _ANY = "/**"
@@ -63,7 +66,8 @@ class _ControllersFile:
         types: dict[str, dict[str, str]] = {}
         for item, section in sections:
             if section is not None:
-                types.setdefault(self._namespace(item), {})[item.name] = section.type
+                self._note_name(item)
+                types.setdefault(self._namespace(item), {})[self._name(item)] = section.type
             self.entries += section.entries if section else ()
         rate, why = self._rate([section for _, section in sections if section])
         self.entries.append(
@@ -95,8 +99,25 @@ class _ControllersFile:
         return tuned and simulated_by(self.packages) != "none" and any("_control" in name for name in plugins)
 
     def _namespace(self, item: MapItem) -> str:
-        parts = [part for part in f"{self.loaded_into}/{item.namespace}".split("/") if part]
-        return "".join(f"/{part}" for part in parts)
+        spawned = self._spawned(item)
+        written = f"{self.loaded_into}/{item.namespace}" if spawned is None else spawned.manager
+        return "".join(f"/{part}" for part in written.split("/") if part)
+
+    def _name(self, item: MapItem) -> str:
+        spawned = self._spawned(item)
+        return item.name if spawned is None else spawned.name
+
+    def _note_name(self, item: MapItem) -> None:
+        """Report a controller whose namespace, and with it the names of its topics, changes."""
+        spawned = self._spawned(item)
+        if spawned is not None and f"{spawned.manager}/{spawned.name}".strip("/") != f"{item.namespace}/{item.name}":
+            now = "/".join(("", *filter(None, [spawned.manager]), spawned.name))
+            message = f"controller '{item.namespace}/{item.name}' became '{spawned.name}': its topics are in {now} now"
+            self.entries.append(ReportEntry(EntryKind.DECIDED, message, item.entry.key.at, authority=_SPAWNED))
+
+    def _spawned(self, item: MapItem) -> SpawnedName | None:
+        parts = f"{self.loaded_into}/{item.namespace}/{item.name}".split("/")
+        return self.packages.found(spawned_names).get("/".join(part for part in parts if part)) if item.type else None
 
     def _first_line(self) -> int:
         """The offset of the line of the first key, which may be a namespace."""
@@ -125,7 +146,8 @@ class _ControllersFile:
         if section is not None:
             above += f"{todo_line(self.source.path, section.todo)}\n" if section.todo else ""
             body = "".join(f"    {text}\n" if text else "\n" for text in section.lines.splitlines())
-            name = f"{self._namespace(item)}/{item.name}" if self._namespace(item) else item.name
+            space, own = self._namespace(item), self._name(item)
+            name = f"{space}/{own}" if space else own
             name = f'"{name}"' if "*" in name else name
             return f"{above}{name}:\n  ros__parameters:\n{body}" if body.strip() else above * bool(section.todo)
         return above + self._other(item, data[line : _end_of_lines(data, item)].decode("utf-8", "surrogateescape"))
@@ -138,6 +160,10 @@ class _ControllersFile:
             message = f"the gains of Gazebo's joints {kept if reads_gains(self.packages) else lost}"
             self.entries.append(ReportEntry(EntryKind.DECIDED, message, item.entry.key.at, authority=_PID_GAINS))
             return ""
+        if not item.type and (section := node_section(self.packages, item, self._namespace(item))):
+            message = f"'{item.name}' is the section of a node, which launch files give the file to"
+            self.entries.append(ReportEntry(EntryKind.DONE, message, item.entry.key.at, authority=_FORM))
+            return section
         kind = f"type '{item.type}' has no counterpart in ROS 2" if item.type else "no controller reads it"
         what = f"'{item.name}' is kept as a comment: {kind}"
         if not item.type:

@@ -41,6 +41,7 @@ Path = tuple[int, tuple[ElementKey, ...]]
 """A robot's number, and the macro calls that are still around a part, innermost first."""
 _BESIDE = "_ros2_control"
 _BLOCK_PARAMETER = r"(?:\*\*?\w+)(?:\s*:=\s*\S+)?"
+_CALLED = r"\A(<xacro:)((?:[\w-]+\.)*%s)(?=[\s/>]|\Z)"
 _TRAILING = r"_?(?:transmissions?|trans|ros_control|control)$"
 
 
@@ -215,11 +216,18 @@ def _with_conditions(item: PartItem, above: Element, step: str) -> str:
 
 
 def _call_text(call: Element, name: str) -> str:
-    """The call of the macro beside a macro, with the same arguments and without blocks."""
+    """The call of the macro beside a macro, with the same arguments and without blocks. The macro's name may be below
+    the namespace that its file is included in, or an attribute of <xacro:call>."""
     tag = call.source.start_tag(call.start)
     start = call.source.data[call.start : tag.end].decode() if tag else ""
     opened = start.rstrip(">").rstrip("/").rstrip()
-    return opened.replace(f"<xacro:{name}", f"<xacro:{name}{_BESIDE}", 1) + "/>"
+    pattern = (
+        r"(<xacro:call\b[^>]*?\bmacro=[\"'])((?:[\w-]+\.)*%s)(?=[\"'])" if call.tagName == "xacro:call" else _CALLED
+    )
+    text, count = re.subn(pattern % re.escape(name), rf"\1\2{_BESIDE}", opened, count=1)
+    if not count:
+        raise UnreadableTransmission(f"the name of its macro is not written in <{call.tagName}>")
+    return f"{text}/>"
 
 
 # -- writing ---------------------------------------------------------------------------------------------------------

@@ -14,11 +14,13 @@ from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.written import WrittenLaunch, as_python, as_xml
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.described import idle_publisher, spaces_of_description
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
 from urdfctl.migrate.ros1.roslaunch_nodes import LaunchTarget
-from urdfctl.migrate.shared.controller_files import type_names
+from urdfctl.migrate.ros1.spawned_names import spawned_names
+from urdfctl.migrate.shared.controller_files import installed_path, sections, type_names
 from urdfctl.migrate.shared.hardware import simulated_by, started_by_launch_files
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
@@ -109,6 +111,7 @@ def _is_of_moveit(path: str, root: Element) -> bool:
 def _target(packages: MigratedPackages) -> LaunchTarget:
     options = packages.options
     controllers = _controller_files(packages)
+    spaces = packages.found(spaces_of_description)
     return LaunchTarget(
         distro=options.target,
         simulator=simulated_by(packages),
@@ -119,6 +122,10 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         controllers_in=lambda written: _controllers_in(packages, written),
         remaps_description=options.target not in since("jazzy"),
         moveit=frozenset(packages_of_moveit(packages)),
+        spawned=packages.found(spawned_names),
+        files_of=lambda node: _files_of(packages, node),
+        publisher=packages.found(idle_publisher),
+        described_in=next(iter(spaces)) if len(spaces) == 1 else None,
     )
 
 
@@ -140,6 +147,15 @@ def _controllers_in(packages: MigratedPackages, written: str) -> list[str]:
     """The controllers of a file of the packages, after its own migration."""
     paths = addressed_files(packages, written) if is_yaml(written) else set()
     return [one.controller for one in type_names(packages) if one.path in paths] if paths else []
+
+
+def _files_of(packages: MigratedPackages, node: str) -> list[str]:
+    """The addresses of the controller files that have a section for a node."""
+    known = packages.found(sections)
+    paths = dict.fromkeys(one.path for one in known if one.node == node and not one.type)
+    chosen = [path for path in paths if any(one.type for one in known if one.path == path)]
+    addresses = (installed_path(packages, path) for path in chosen)
+    return [f"$(find {package})/{'/'.join(parts)}" for package, parts in addresses]
 
 
 LAUNCH_FILES = Step(

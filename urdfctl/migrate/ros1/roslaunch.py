@@ -20,20 +20,21 @@ from urdfctl.migrate.launch.actions import (
     words_of,
 )
 from urdfctl.migrate.ros1.choices import choices_in, chosen
+from urdfctl.migrate.ros1.described import is_description
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT
 from urdfctl.migrate.ros1.pausing import DECIDED, must_run, running
-from urdfctl.migrate.ros1.roslaunch_nodes import Notes, migrated_node, remapping, simulator_actions
+from urdfctl.migrate.ros1.roslaunch_nodes import Notes, migrated_node, remapping, simulator_actions, state_publisher
 from urdfctl.migrate.ros1.roslaunch_values import (
     given_by_name,
     inline_parameters,
+    namespace_of,
     parameter_name,
     root_around,
     value_of,
 )
 from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
-_DESCRIPTION = "robot_description"
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
 _TIMED = ("robot_state_publisher", "controller_manager", CLASSIC_PACKAGE)
 """Packages whose nodes have the simulation's time, or need none."""
@@ -158,7 +159,8 @@ class LaunchReading(Notes):
                 pairs += inline_parameters(element, parameter_name(name))
             elif "value" in element.attrs:
                 pairs.append((parameter_name(name), value_of(element)))
-        return pairs, files
+        files += map(parsed, self.target.files_of(node.attrs.get("name", "")))
+        return pairs, list(dict.fromkeys(files))
 
     def _is_given(self, element: Element) -> bool:
         """Whether a parameter outside of nodes is given to the node of its name."""
@@ -238,7 +240,7 @@ class LaunchReading(Notes):
         around: Element | None = parent
         while isinstance(around, Element):
             for element in around.elements():
-                if element.tagName == "param" and _is_description(element):
+                if element.tagName == "param" and is_description(element):
                     return description_command(element)
             around = around.parentNode if isinstance(around.parentNode, Element) else None
         return ()
@@ -254,7 +256,7 @@ class LaunchReading(Notes):
 
     def _param(self, element: Element, description: Text) -> Iterator[Action]:
         name = element.attrs.get("name", "")
-        if _is_description(element):
+        if is_description(element):
             if not _has_publisher(root_around(element)):
                 yield self.publisher(element, description)
             return
@@ -270,6 +272,12 @@ class LaunchReading(Notes):
     def publisher(self, element: Element, description: Text) -> Action:
         """Return the node that publishes the description which a parameter sets."""
         space = element.attrs.get("name", "").rpartition("/")[0]
+        if self.target.publisher is not None:  # it is in a launch file without the description, and dropped there
+            node = state_publisher(self.target.publisher)
+            own = namespace_of(self.target.publisher)
+            return node._replace(
+                value=parsed(f"/{own}") if own else None, description=description or description_command(element)
+            )
         return Action(
             "node",
             "robot_state_publisher",
@@ -338,12 +346,6 @@ def _all(element: Element) -> Iterator[Element]:
     yield element
     for child in element.elements():
         yield from _all(child)
-
-
-def _is_description(element: Element) -> bool:
-    last = element.attrs.get("name", "").rpartition("/")[2]
-    has_source = "command" in element.attrs or "textfile" in element.attrs
-    return has_source and (last == _DESCRIPTION or last.endswith("_description"))
 
 
 def description_command(element: Element) -> Text:

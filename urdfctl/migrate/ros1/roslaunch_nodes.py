@@ -19,7 +19,8 @@ from urdfctl.migrate.launch.actions import (
 )
 from urdfctl.migrate.ros1.command_nodes import COMMANDS, published
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
-from urdfctl.migrate.ros1.roslaunch_values import parameters_of, unread_parameters_of
+from urdfctl.migrate.ros1.roslaunch_values import namespace_of, parameters_of, unread_parameters_of
+from urdfctl.migrate.ros1.spawned_names import SpawnedName, full_name
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
@@ -40,6 +41,10 @@ class LaunchTarget(NamedTuple):
     moveit: the packages whose launch files MoveIt makes.
     left: the launch files that are left to a person, by package and name.
     own_package: the package of the launch file; empty if it has none.
+    publisher: the robot_state_publisher of the launch files without a description, which is started where that is set.
+    spawned: the controllers that are spawned by a name with slashes, by their full names.
+    files_of: returns the addresses of the controller files that have a section for a node, by the node's name.
+    described_in: the only namespace in which the description is published; None if there are several, or none.
     """
 
     distro: str
@@ -55,6 +60,10 @@ class LaunchTarget(NamedTuple):
     moveit: frozenset[str] = frozenset()
     left: frozenset[tuple[str, str]] = frozenset()
     own_package: str = ""
+    publisher: Element | None = None
+    spawned: Mapping[str, SpawnedName] = {}
+    files_of: Callable[[str], list[str]] = lambda _: []
+    described_in: str | None = None
 
     @property
     def simulated(self) -> bool:
@@ -124,12 +133,12 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
         yield from _spawner(reading, element, words, files)
     elif package == "gazebo_ros" and program == "spawn_model":
         reading.unpauses |= any(plain(word) == "-unpause" for word in words)
-        yield from [_spawned_model(element, words)] if reading.target.started != "none" else []
+        yield from [_spawned_model(reading.target, element, words)] if reading.target.started != "none" else []
     elif package == "gazebo_ros":
         world = next((word for word in words if not plain(word).startswith("-") or not is_literal(word)), ())
         yield from simulator_actions(reading, {"world_name": world} if world else {})
     elif package == "robot_state_publisher":
-        yield _state_publisher(element)._replace(description=description)
+        yield state_publisher(element)._replace(description=description)
     elif package == "joint_state_publisher":
         yield _joint_states(element)
     elif package == "tf2_ros" or (package == "tf" and program == "static_transform_publisher"):
@@ -270,6 +279,8 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
         elif option == "__ns:":
             space = value or ()
         else:
+            spawned = reading.target.spawned.get(full_name(element, plain(word))) if is_literal(word) else None
+            word = literal(spawned.name) if spawned is not None else word  # noqa: PLW2901 (the same name in ROS 2)
             is_declared_elsewhere = option == OLD_NAME and DECLARED_IN in map(_file_text, files)
             names.append(literal(NEW_NAME) if is_declared_elsewhere else word)
     manager = (
@@ -299,7 +310,7 @@ def _file_text(file: Text) -> str:
     return "".join(part.text if part.kind == "text" else f"$({part.kind} {part.text})" for part in file)
 
 
-def _spawned_model(element: Element, words: Sequence[Text]) -> Action:
+def _spawned_model(target: LaunchTarget, element: Element, words: Sequence[Text]) -> Action:
     shown: list[Text] = []
     rest = iter(words)
     for word in rest:
@@ -307,7 +318,7 @@ def _spawned_model(element: Element, words: Sequence[Text]) -> Action:
         if option == "-model":
             shown += [literal("-entity"), next(rest, ())]
         elif option == "-param":
-            shown += [literal("-topic"), _topic_of(next(rest, ()))]
+            shown += [literal("-topic"), _topic_of(target, element, next(rest, ()))]
         elif option == "-file" or option in _POSES:
             shown += [literal(option), next(rest, ())]
         elif option in WITHOUT_SUCCESSOR:
@@ -326,11 +337,14 @@ def _spawned_model(element: Element, words: Sequence[Text]) -> Action:
     )
 
 
-def _topic_of(parameter: Text) -> Text:
+def _topic_of(target: LaunchTarget, node: Element, parameter: Text) -> Text:
     """The topic on which robot_state_publisher publishes the description that was a parameter, whatever its name."""
     if not is_literal(parameter):
         return parameter
     space, slash, _ = plain(parameter).rpartition("/")
+    own = "/".join(part for part in ("" if slash and not space else namespace_of(node), space.strip("/")) if part)
+    if target.described_in is not None and "$(" not in f"{target.described_in}{own}" and own != target.described_in:
+        return literal("/".join(("", *filter(None, [target.described_in]), "robot_description")))
     return literal(f"{space}{slash}robot_description")
 
 
@@ -341,8 +355,8 @@ def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Act
         yield Action("include", value=parsed(CLASSIC_FILE), pairs=tuple((new, value) for new, value in named if value))
 
 
-def _state_publisher(element: Element) -> Action:
-    """robot_state_publisher with the parameters that ROS 2 has (robot_state_publisher README)."""
+def state_publisher(element: Element) -> Action:
+    """Return robot_state_publisher with the parameters that ROS 2 has (robot_state_publisher README)."""
     node = _plain(element, "robot_state_publisher", "robot_state_publisher")
     known = ("publish_frequency", "ignore_timestamp", "frame_prefix")
     pairs = [(name, value) for name, value in node.pairs if name in known]

@@ -106,8 +106,13 @@ def given_by_name(root: Element) -> list[tuple[Element, Element, str]]:
     return found
 
 
-def _full_name(element: Element) -> str:
-    own = element.attrs.get("param" if element.tagName == "rosparam" else "name", "")
+def namespace_of(element: Element) -> str:
+    """Return the namespace of a node or include, or the full name of a parameter, without the slash before."""
+    return _full_name(element, "" if element.tagName in ("node", "include") else None)
+
+
+def _full_name(element: Element, named: str | None = None) -> str:
+    own = element.attrs.get("param" if element.tagName == "rosparam" else "name", "") if named is None else named
     if own.startswith("/"):
         return own.strip("/")
     spaces = [around.attrs.get("ns", "") for around in reversed(list(_around(element)))]

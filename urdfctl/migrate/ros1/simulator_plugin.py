@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 
+from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.edits.markup import (
@@ -28,6 +29,7 @@ from urdfctl.migrate.edits.places import ElementKey, key_of, key_of_element, plu
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import controller_maps
+from urdfctl.migrate.ros1.described import spaces_of_description
 from urdfctl.migrate.ros1.followers import is_mimic_plugin, mimic_plugins
 from urdfctl.migrate.shared.hardware import host_plugin, simulated_by
 from urdfctl.migrate.shared.manager import BROADCASTER, RATE, manager_text
@@ -44,6 +46,7 @@ CONTROL = "libgazebo_ros_control.so"
 _SIM_TYPES = ("gazebo_ros_control/DefaultRobotHWSim", "")
 _DROPPED = ("robotSimType", "legacyModeNS", "controlPeriod", "eStopTopic", "robotParam")
 _AUTHORITY = "gz_ros2_control doc/index.rst; gazebo_ros2_control doc/index.rst"
+_JOINED = "gz_ros2_control gz_ros2_control_plugin.cpp: <ros><namespace>, <remapping>; controller_manager.cpp: robot_description"
 _MIMIC = "gz_ros2_control doc/index.rst: mimic joints by <mimic> of the URDF"
 
 
@@ -84,18 +87,19 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
     edits = [with_attribute(element, "filename", host.filenames[0]), with_attribute(element, "name", name)]
     dropped = [one for one in element.elements() if one.tagName in _DROPPED]
     edits += [removal(one) for one in dropped]
-    space = child(element, "robotNamespace")
+    space, note = child(element, "robotNamespace"), ""
     text = content(space) if space is not None else ""
     step = step_of(element.source)
     if space is not None:
         is_root = text.strip("/") == ""
-        inner = f"<ros>\n{step}<namespace>{text}</namespace>\n</ros>"
+        remapping, note = _joined(packages, text)
+        inner = f"<ros>\n{step}<namespace>{text}</namespace>\n{step * bool(remapping)}{remapping}</ros>"
         edits.append(removal(space) if is_root else Edit(span_of(space), indented(inner, indent_of(space)).lstrip()))
     files = controller_files(packages, robots)
     created: tuple[tuple[str, str], ...] = ()
     if not files and (new := _new_file(element, text)) is not None:
         files, created = [new[0]], (new[1:],)
-    edits += _chosen_namespaces(element, step)
+    edits += _chosen_namespaces(packages, element, step)
     edits.append(_with_parameters(element, files, step))
     edits = [edit for edit in edits if edit.text or edit.span.start != edit.span.end]
     entries = [
@@ -106,6 +110,7 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
             authority=_AUTHORITY,
         )
     ]
+    entries += [ReportEntry(EntryKind.DECIDED, note, element.at, authority=_JOINED)] if note else []
     entries += _chosen(element, files, _fitting(packages, robots))
     if created:
         message = "no launch file says which controllers the robot has: a new file has the joint state broadcaster"
@@ -116,13 +121,25 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
     yield Proposal((merged(edits), *_as_xacro(element, files)), created=created, entries=tuple(entries))
 
 
-def _chosen_namespaces(element: Element, step: str) -> Iterator[Edit]:
+def _chosen_namespaces(packages: MigratedPackages, element: Element, step: str) -> Iterator[Edit]:
     """The edits of namespaces within conditions of xacro."""
     for choice in element.elements():
         space = child(choice, "robotNamespace") if choice.tagName in CONDITIONS else None
         if space is not None:
-            text = f"<ros>\n{step}<namespace>{content(space)}</namespace>\n</ros>"
+            remapping, _ = _joined(packages, content(space))
+            text = f"<ros>\n{step}<namespace>{content(space)}</namespace>\n{step * bool(remapping)}{remapping}</ros>"
             yield Edit(span_of(space), indented(text, indent_of(space)).lstrip())
+
+
+def _joined(packages: MigratedPackages, space: str) -> tuple[str, str]:
+    """What makes the controller manager in a namespace read the description where it is published, and the entry."""
+    spaces = packages.found(spaces_of_description)
+    published = next(iter(spaces)) if len(spaces) == 1 else space.strip("/")
+    if "$(" in published or published == space.strip("/") or packages.options.target not in since("jazzy"):
+        return "", ""
+    topic = "/".join(("", *filter(None, [published]), "robot_description"))
+    note = f"the controller manager in '{space}' reads the robot description from {topic}, where it is published"
+    return f"<remapping>robot_description:={topic}</remapping>\n", note
 
 
 def _chosen(element: Element, files: list[str], fitting: list[str]) -> Iterator[ReportEntry]:

@@ -10,6 +10,7 @@ from urdfctl.migrate.edits.markup import attribute, element_at, step_of
 from urdfctl.migrate.edits.places import ElementKey, key_of_element, place_of, written_elements
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.doubled import components_of, doubled_elements
 from urdfctl.migrate.ros1.following import following, idle
 from urdfctl.migrate.ros1.gathering import Component, Gathering, label_of, prefix_of, written_component
 from urdfctl.migrate.ros1.parts import Converted, UnreadableTransmission, converted
@@ -32,7 +33,11 @@ def _transmissions(packages: MigratedPackages) -> Iterator[Proposal]:
     uses = Uses(packages)
     passive = Passive(packages, uses)
     done = _joints_of_components(packages)
-    known = [element for key in uses.by_element if (element := uses.element(key)) is not None]
+    doubled = doubled_elements(uses)
+    if doubled:
+        yield from components_of(packages, uses, passive, doubled)
+    single = (key for key in uses.by_element if key not in doubled)
+    known = [element for key in single if (element := uses.element(key)) is not None]
     parts: list[tuple[Element, Converted]] = []
     for element in [*known, *uses.unused()]:
         if {attribute(joint, "name") for joint in element.elements() if joint.tagName == "joint"} & done:

@@ -1,0 +1,67 @@
+"""Transmissions in macros that make a result of their own kind: several for one joint, and macros in a namespace."""
+
+from __future__ import annotations
+
+from folder import Folder
+from ros1_packages import migrated
+
+MACROS = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="limb" params="side:=left *pose">
+    <link name="${side}_foot"/>
+    <joint name="${side}_knee" type="continuous">
+      <xacro:insert_block name="pose"/><parent link="body"/><child link="${side}_foot"/>
+    </joint>
+    <transmission name="${side}_t"><type>transmission_interface/SimpleTransmission</type>
+      <joint name="${side}_knee"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+      <actuator name="${side}_m"/></transmission>
+  </xacro:macro>
+</robot>
+"""
+WALKER = """\
+<robot name="walker" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="limbs.xacro" ns="parts"/>
+  <link name="body"/>
+  <xacro:parts.limb><origin xyz="0 1 0"/></xacro:parts.limb>
+  <xacro:call macro="parts.limb" side="right"><origin xyz="0 -1 0"/></xacro:call>
+</robot>
+"""
+BOTH = """\
+<robot name="{name}">
+  <link name="body"/><link name="foot"/>
+  <joint name="knee" type="revolute"><parent link="body"/><child link="foot"/>
+    <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+{transmissions}
+</robot>
+"""
+ONE = """\
+  <transmission name="{kind}"><type>transmission_interface/SimpleTransmission</type>
+    <joint name="knee"><hardwareInterface>hardware_interface/{kind}JointInterface</hardwareInterface></joint>
+    <actuator name="m"/></transmission>
+"""
+
+
+def expanded(folder: Folder, path: str) -> str:
+    ran = folder.run("expand", path)
+    assert ran.returncode == 0, ran.stderr
+    return ran.stdout
+
+
+def test_macros_of_a_file_in_a_namespace_are_called_by_their_new_names(folder: Folder) -> None:
+    after = migrated(folder, {"limbs.xacro": MACROS, "walker.urdf.xacro": WALKER}, "--simulator", "none")
+    assert "<xacro:parts.limb_ros2_control/>" in after["walker.urdf.xacro"]
+    assert '<xacro:call macro="parts.limb_ros2_control" side="right"/>' in after["walker.urdf.xacro"]
+    text = expanded(folder, "new/walker.urdf.xacro")
+    assert text.count('<link name="left_foot"/>') == 1
+    assert text.count('<command_interface name="effort"/>') == 2
+
+
+def test_a_joint_with_a_transmission_for_each_interface_is_in_the_component_once(folder: Folder) -> None:
+    both = "".join(ONE.format(kind=kind) for kind in ("Position", "Velocity"))
+    after = migrated(folder, {"knee.urdf": BOTH.format(name="knee", transmissions=both)}, "--simulator", "none")
+    component = after["knee.urdf"].partition("<ros2_control")[2]
+    assert component.count('<joint name="knee">') == 1
+    assert component.index('<command_interface name="position"/>') < component.index(
+        '<command_interface name="velocity"/>'
+    )
+    assert "<transmission" not in after["knee.urdf"]

@@ -1,0 +1,104 @@
+"""Namespaces of ROS 1 that must be joined in ROS 2: descriptions, names of controllers, and files of other nodes."""
+
+from __future__ import annotations
+
+from folder import Folder
+from ros1_packages import arm, migrated, transmission
+
+PLUGIN = """\
+  <gazebo><plugin name="control" filename="libgazebo_ros_control.so">
+    <robotNamespace>{space}</robotNamespace>
+  </plugin></gazebo>
+"""
+PUBLISHER = '<node name="rsp" pkg="robot_state_publisher" type="robot_state_publisher">{more}</node>'
+DESCRIPTION = '<param name="robot_description" command="xacro $(find arm)/arm.urdf.xacro"/>'
+SPAWN = '<node name="put" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm"/>'
+TWO_SIDES = """\
+left:
+  grip: {type: effort_controllers/JointEffortController, joint: shoulder}
+right:
+  grip: {type: effort_controllers/JointEffortController, joint: shoulder}
+states:
+  type: joint_state_controller/JointStateController
+"""
+OTHER_NODES = """\
+# the filter
+nav:
+  filter:
+    frequency: 20  # Hz
+    odom0_config: [true, false]
+lamp: {brightness: 3}
+unread: {a: 1}
+grip: {type: effort_controllers/JointEffortController, joint: shoulder}
+"""
+
+
+def robot(space: str) -> str:
+    return arm(transmission("hardware_interface/EffortJointInterface"), PLUGIN.format(space=space))
+
+
+def launch(*lines: str) -> str:
+    return f"<launch>{''.join(lines)}</launch>\n"
+
+
+def test_the_manager_reads_the_description_where_another_launch_file_publishes_it(folder: Folder) -> None:
+    files = {
+        "arm.urdf.xacro": robot("/left_arm"),
+        "launch/top.launch": launch(
+            '<group ns="cell"><include file="$(find arm)/launch/robot.launch"/></group>',
+            SPAWN.replace(" -param ", " -param /cell/"),
+        ),
+        "launch/robot.launch": launch(DESCRIPTION, PUBLISHER.format(more="")),
+    }
+    after = migrated(folder, files, "--simulator", "gz")
+    assert "<remapping>robot_description:=/cell/robot_description</remapping>" in after["arm.urdf.xacro"]
+    assert '"-topic", "/cell/robot_description"' in " ".join(after["launch/top.launch.py"].split())
+
+
+def test_a_manager_in_the_namespace_of_the_publisher_needs_no_remapping(folder: Folder) -> None:
+    inside = f'<group ns="left_arm">{DESCRIPTION}{PUBLISHER.format(more="")}</group>'
+    files = {"arm.urdf.xacro": robot("left_arm"), "launch/robot.launch": launch(inside, SPAWN)}
+    after = migrated(folder, files, "--simulator", "gz")
+    assert "<remapping>" not in after["arm.urdf.xacro"]
+    assert '"-topic", "/left_arm/robot_description"' in " ".join(after["launch/robot.launch.py"].split())
+
+
+def test_a_publisher_without_a_description_keeps_its_remappings_where_it_is_started(folder: Folder) -> None:
+    remap = '<remap from="joint_states" to="/left_arm/joint_states"/><param name="tf_prefix" value="left"/>'
+    files = {
+        "arm.urdf.xacro": robot("/left_arm"),
+        "launch/world.launch": launch(DESCRIPTION, SPAWN),
+        "launch/control.launch": launch(PUBLISHER.format(more=remap)),
+    }
+    after = migrated(folder, files, "--simulator", "gz")
+    text = " ".join(after["launch/world.launch.py"].split())
+    assert 'remappings=[("joint_states", "/left_arm/joint_states")]' in text
+    assert '"frame_prefix": "left/"' in text
+    assert "robot_state_publisher" not in after["launch/control.launch.py"]
+
+
+def test_controllers_of_one_name_in_two_namespaces_get_two_names(folder: Folder) -> None:
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="left/grip --timeout 9 /right/grip states"/>'
+    load = '<rosparam command="load" file="$(find arm)/config/c.yaml"/>'
+    files = {"arm.urdf.xacro": robot("/"), "config/c.yaml": TWO_SIDES, "launch/c.launch": launch(load, spawner)}
+    after = migrated(folder, files, "--simulator", "gz")
+    assert "\nleft_grip:\n" in after["config/c.yaml"]
+    assert "\nright_grip:\n" in after["config/c.yaml"]
+    assert after["config/c.yaml"].count("controller_manager:") == 1
+    assert '"left_grip"' in after["launch/c.launch.py"]
+    assert '"right_grip"' in after["launch/c.launch.py"]
+    assert "controller 'left/grip' became 'left_grip': its topics are in /left_grip now" in after["MIGRATION.md"]
+
+
+def test_the_sections_of_nodes_in_a_controller_file_are_given_to_these(folder: Folder) -> None:
+    nodes = '<node name="filter" ns="nav" pkg="robot_localization" type="ukf_localization_node"/>'
+    nodes += '<node name="lamp" pkg="arm" type="lamp"/>'
+    load = '<rosparam command="load" file="$(find arm)/config/c.yaml"/>'
+    files = {"arm.urdf.xacro": robot("/"), "config/c.yaml": OTHER_NODES, "launch/c.launch": launch(load, nodes)}
+    after = migrated(folder, files, "--simulator", "gz")
+    text = after["config/c.yaml"]
+    assert "# the filter\n/nav/filter:\n  ros__parameters:\n    frequency: 20.0  # Hz\n" in text
+    assert "lamp:\n  ros__parameters: {brightness: 3}\n" in text
+    assert "# unread: {a: 1}" in text
+    given = 'parameters=[ParameterFile([FindPackageShare("arm"), "/config/c.yaml"])]'
+    assert " ".join(after["launch/c.launch.py"].split()).count(given) == 2

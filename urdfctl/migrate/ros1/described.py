@@ -1,0 +1,98 @@
+"""Where launch files of ROS 1 publish the robot description and its frames: namespaces, and what is remapped."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.migrate.edits.markup import attribute, elements, root_of
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.left_over import addressed_files
+from urdfctl.migrate.ros1.roslaunch_values import namespace_of
+from urdfctl.model.launch.build_launch import is_of_ros2
+from urdfctl.source.xml.dom import Element
+
+_DESCRIPTION = "robot_description"
+_PUBLISHER = "robot_state_publisher"
+_MOST_DEPTH = 8
+
+
+def is_description(element: Element) -> bool:
+    """Return whether a `<param>` sets a robot description."""
+    last = attribute(element, "name").rpartition("/")[2]
+    has_source = "command" in element.attrs or "textfile" in element.attrs
+    return has_source and (last == _DESCRIPTION or last.endswith("_description"))
+
+
+def launch_roots(packages: MigratedPackages) -> dict[str, Element]:
+    """Return the root elements of the launch files of ROS 1, by their paths."""
+    found = {}
+    for path in packages.files(".launch", ".launch.xml", "launch.xml"):
+        source = packages.read(path)
+        root = root_of(source) if b"<launch" in source.data else None
+        if root is not None and root.tagName == "launch" and not is_of_ros2(root):
+            found[path] = root
+    return found
+
+
+def idle_publisher(packages: MigratedPackages) -> Element | None:
+    """Return the only robot_state_publisher of launch files that set no description; None if several differ."""
+    found: dict[str, Element] = {}
+    for root in launch_roots(packages).values():
+        every = list(elements(root))
+        if not any(element.tagName == "param" and is_description(element) for element in every):
+            found |= {_said(one): one for one in every if _is_publisher(one)}
+    return next(iter(found.values())) if len(found) == 1 else None
+
+
+def _is_publisher(element: Element) -> bool:
+    return element.tagName == "node" and attribute(element, "pkg") == _PUBLISHER
+
+
+def _said(node: Element) -> str:
+    """What distinguishes a publisher from others."""
+    inner = (f"{one.tagName} {sorted(one.attrs.items())}" for one in node.elements())
+    return f"{namespace_of(node)}|{'|'.join(inner)}"
+
+
+def spaces_of_description(packages: MigratedPackages) -> frozenset[str]:
+    """Return the namespaces, without the slash before, in which launch files publish the robot description.
+
+    They are as written, with arguments. They are those of robot_state_publisher; without one, those of the parameter.
+    """
+    roots = launch_roots(packages)
+    contexts = _contexts(packages, roots)
+    nodes = [(path, one) for path, root in roots.items() for one in elements(root) if _is_publisher(one)]
+    chosen = nodes or [
+        (path, one)
+        for path, root in roots.items()
+        for one in elements(root)
+        if one.tagName == "param" and is_description(one)
+    ]
+    return frozenset(
+        "/".join(part for part in (space, _own_space(one)) if part) for path, one in chosen for space in contexts[path]
+    )
+
+
+def _own_space(element: Element) -> str:
+    space = namespace_of(element)
+    return space if element.tagName == "node" else space.rpartition("/")[0]
+
+
+def _contexts(packages: MigratedPackages, roots: dict[str, Element]) -> dict[str, set[str]]:
+    """The namespaces in which each launch file is included; that of the root for one that no other includes."""
+    including: dict[str, list[tuple[str, str]]] = {path: [] for path in roots}
+    for path, root in roots.items():
+        for one in elements(root):
+            if one.tagName == "include":
+                for file in addressed_files(packages, attribute(one, "file")) & roots.keys():
+                    including[file].append((path, namespace_of(one)))
+    return {path: set(_spaces(path, including, ())) or {""} for path in roots}
+
+
+def _spaces(path: str, including: dict[str, list[tuple[str, str]]], seen: tuple[str, ...]) -> Iterator[str]:
+    if not including[path]:
+        yield ""
+    for parent, space in including[path]:
+        if parent not in seen and len(seen) < _MOST_DEPTH:
+            for above in _spaces(parent, including, (*seen, path)):
+                yield "/".join(part for part in (above, space) if part)
