@@ -102,3 +102,15 @@ def test_the_sections_of_nodes_in_a_controller_file_are_given_to_these(folder: F
     assert "# unread: {a: 1}" in text
     given = 'parameters=[ParameterFile([FindPackageShare("arm"), "/config/c.yaml"])]'
     assert " ".join(after["launch/c.launch.py"].split()).count(given) == 2
+
+
+def test_a_manager_in_the_root_reads_a_description_in_a_namespace(folder: Folder) -> None:
+    inside = f'<group ns="cell">{DESCRIPTION}{PUBLISHER.format(more="")}</group>'
+    bare = arm(
+        transmission("EffortJointInterface"),
+        '  <gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>\n',
+    )
+    after = migrated(folder, {"arm.urdf.xacro": bare, "launch/r.launch": launch(inside)}, "--simulator", "gz")
+    assert "<ros> <remapping>robot_description:=/cell/robot_description</remapping> </ros>" in " ".join(
+        after["arm.urdf.xacro"].split()
+    )

@@ -87,20 +87,21 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
     edits = [with_attribute(element, "filename", host.filenames[0]), with_attribute(element, "name", name)]
     dropped = [one for one in element.elements() if one.tagName in _DROPPED]
     edits += [removal(one) for one in dropped]
-    space, note = child(element, "robotNamespace"), ""
+    space = child(element, "robotNamespace")
     text = content(space) if space is not None else ""
     step = step_of(element.source)
+    remapping, note = _joined(packages, text)
+    is_root = text.strip("/") == ""
+    lines = ("" if is_root else f"{step}<namespace>{text}</namespace>\n") + (f"{step}{remapping}" if remapping else "")
+    inner = f"<ros>\n{lines}</ros>" if lines else ""
     if space is not None:
-        is_root = text.strip("/") == ""
-        remapping, note = _joined(packages, text)
-        inner = f"<ros>\n{step}<namespace>{text}</namespace>\n{step * bool(remapping)}{remapping}</ros>"
-        edits.append(removal(space) if is_root else Edit(span_of(space), indented(inner, indent_of(space)).lstrip()))
+        edits.append(Edit(span_of(space), indented(inner, indent_of(space)).lstrip()) if inner else removal(space))
     files = controller_files(packages, robots)
     created: tuple[tuple[str, str], ...] = ()
     if not files and (new := _new_file(element, text)) is not None:
         files, created = [new[0]], (new[1:],)
     edits += _chosen_namespaces(packages, element, step)
-    edits.append(_with_parameters(element, files, step))
+    edits.append(_with_parameters(element, files, step, inner if space is None else ""))
     edits = [edit for edit in edits if edit.text or edit.span.start != edit.span.end]
     entries = [
         ReportEntry(
@@ -159,16 +160,17 @@ def _as_xacro(element: Element, files: list[str]) -> Iterator[Edit]:
         yield Edit(SourceSpan(element.source, at, at), ' xmlns:xacro="http://www.ros.org/wiki/xacro"')
 
 
-def _with_parameters(element: Element, files: list[str], step: str) -> Edit:
-    """The edit that adds the controller files at the end of a plugin."""
+def _with_parameters(element: Element, files: list[str], step: str, more: str) -> Edit:
+    """The edit that adds the controller files, and further lines, at the end of a plugin."""
     indent = indent_of(element)
-    lines = "".join(f"{indent}{step}<parameters>{file}</parameters>\n" for file in files)
+    lines = indented(more and f"{more}\n", f"{indent}{step}")
+    lines += "".join(f"{indent}{step}<parameters>{file}</parameters>\n" for file in files)
     if element.close is None or ((tag := element.source.start_tag(element.start)) and tag.self_closed):
         end = end_of(element)
-        return Edit(SourceSpan(element.source, end - 2, end), f">\n{lines}{indent}</plugin>" if files else "/>")
+        return Edit(SourceSpan(element.source, end - 2, end), f">\n{lines}{indent}</plugin>" if lines else "/>")
     line = element.source.data.rfind(b"\n", 0, element.close) + 1
     if element.source.data[line : element.close].strip():
-        return Edit(SourceSpan(element.source, element.close, element.close), f"\n{lines}{indent}" if files else "")
+        return Edit(SourceSpan(element.source, element.close, element.close), f"\n{lines}{indent}" if lines else "")
     return Edit(SourceSpan(element.source, line, line), lines)
 
 
