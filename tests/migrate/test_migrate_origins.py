@@ -120,3 +120,38 @@ def test_a_migration_to_an_earlier_distro_is_refused(folder: Folder, words: tupl
 def test_a_package_that_may_be_for_the_target_is_not_refused(folder: Folder) -> None:
     folder.write(of_ros2("hand"))
     assert folder.run("migrate", "hand", "--to", "humble").returncode == 0
+
+
+def test_steps_are_taken_and_left_out_by_their_names(folder: Folder) -> None:
+    folder.write(of_ros1("crane"))
+    words = ("migrate", "crane", "--to", "jazzy", "--simulator", "gz")
+    only = folder.run(*words, "--step", "transmissions").stdout
+    assert "+++ b/crane/urdf/crane.urdf" in only
+    assert "package.xml" not in only
+    without = folder.run(*words, "--skip", "roslaunch,transmissions").stdout
+    assert "launch.py" not in without
+    assert "+++ b/crane/config/control.yaml" in without
+    wrong = folder.run(*words, "--skip", "roslunch")
+    assert (wrong.returncode, "did you mean 'roslaunch'?" in wrong.stderr) == (2, True)
+    listed = folder.run("migrate", "--list", "--to", "jazzy", "--step", "spawner-types").stdout
+    assert listed.startswith(
+        "Types of controllers in spawners' arguments: step 'spawner-types', part 'launch', 1 change\n"
+    )
+
+
+def test_the_end_of_a_migration_counts_and_says_how_to_start_the_result(folder: Folder) -> None:
+    simulator = '<include file="$(find gazebo_ros)/launch/empty_world.launch"/></launch>'
+    start = LAUNCH_OF_ROS1.format(name="crane").replace("</launch>", simulator)
+    folder.write({**of_ros1("crane"), "crane/launch/crane.launch": start})
+    words = ("migrate", "crane", "--to", "jazzy", "--simulator", "gz", "--in-place", "--force")
+    ran = folder.run(*words, "--fail-on", "left")
+    assert "left to you (see " in ran.stderr
+    assert ran.returncode == int(" 0 left to you" not in ran.stderr)
+    report = text_of(folder, "crane/MIGRATION.md")
+    commands = report.partition("## Build and start\n\n```\n")[2].splitlines()
+    assert commands[0] == "urdfctl lint . --distro jazzy"
+    assert "colcon build --packages-up-to crane" in commands
+    assert "ros2 launch crane crane.launch.py" in commands
+    again = folder.run(*words)
+    assert again.stderr.startswith("urdfctl: changed 0 files: 0 applied, 0 choices made")
+    assert text_of(folder, "crane/MIGRATION.md") == report

@@ -316,7 +316,8 @@ def test_transmissions_become_a_component_although_controllers_want_other_interf
     robot = arm(transmission("PositionJointInterface"), PLUGIN)
     after = migrated(folder, {"urdf/arm.xacro": robot, "config/c.yaml": EFFORT, "launch/arm.launch": launch})
     assert '<ros2_control name="arm_system" type="system">' in after["urdf/arm.xacro"]
-    assert "lint finds UC450" in after["MIGRATION.md"]
+    assert "controller 'ctl' claims 'effort', which no transmission named" in after["MIGRATION.md"]
+    assert after["urdf/arm.xacro"].count("<command_interface") == 2
 
 
 def test_extra_joints_become_a_list_of_names(folder: Folder) -> None:

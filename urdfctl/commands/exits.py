@@ -30,7 +30,7 @@ _OWN: dict[str, dict[int, str]] = {
     "gen-all": {1: f"The package would not start, and was not written. {_OUT_OF_DATE}"},
     "gen-moveit": {1: f"The package would not start, and was not written. {_OUT_OF_DATE}"},
     "gen-check": {0: "All files are up to date.", 1: "A file is out of date."},
-    "migrate": {1: "There are changes, and they are shown, not written."},
+    "migrate": {1: "There are changes, which are shown, not written. With `--fail-on left`: something is left to you."},
     "schema": {1: "With `--check`: a file does not fit."},
 }
 _GENERATORS = ("gen-controllers", "gen-transmissions", "gen-ros2-control", "gen-gazebo", "gen-launch", "convert")

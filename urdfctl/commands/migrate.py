@@ -14,9 +14,10 @@ from urdfctl.commands.progress import with_progress
 from urdfctl.commands.words import configured, settings_from
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
-from urdfctl.migrate.engine import Migration, migrate
+from urdfctl.migrate.engine import MENDING, Migration, migrate
 from urdfctl.migrate.linting import Lint
 from urdfctl.migrate.options import MigrationOptions, Part
+from urdfctl.migrate.proof import commands_for
 from urdfctl.migrate.report import as_json, as_markdown
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind
@@ -85,6 +86,15 @@ class MigrateOptions(ReadingOptions):
         choices=tuple(part.value for part in Part),
         metavar="NAME,...",
     )
+    step: tuple[str, ...] = option(
+        CHECKED_FOR, "Take only these steps, which --list names; NAME,NAME.", is_open=True, metavar="NAME,..."
+    )
+    skip: tuple[str, ...] = option(
+        CHECKED_FOR, "Leave out these steps, which --list names; NAME,NAME.", is_open=True, metavar="NAME,..."
+    )
+    fail_on: str | None = option(
+        OUTPUT, "Exit with status 1 if anything is left to a person: left.", choices=("left",), metavar="LEVEL"
+    )
     launch: str = option(OTHER, "Form of new launch files: py or xml.", default="py", choices=_LAUNCH_FORMS)
     keep_classic: bool = option(OTHER, "Keep Gazebo Classic beside gz, behind a xacro argument.")
     report: str | None = option(
@@ -145,6 +155,8 @@ def migration_of(options: MigrateOptions) -> MigrationOptions:
         raise UserError(f"unknown simulator '{options.simulator}'{near}; known are {', '.join(SIMULATORS)}")
     if options.launch not in _LAUNCH_FORMS:
         raise UserError(f"--launch must be py or xml, not '{options.launch}'")
+    if options.fail_on not in (None, "left"):
+        raise UserError(f"--fail-on must be left, not '{options.fail_on}'")
     return MigrationOptions(
         target=options.to,
         source=options.source,
@@ -153,6 +165,8 @@ def migration_of(options: MigrateOptions) -> MigrationOptions:
         launch=options.launch,
         keep_classic=options.keep_classic,
         only=_parts(options.only),
+        steps=_steps("--step", options.step),
+        skipped=_steps("--skip", options.skip),
     )
 
 
@@ -176,6 +190,15 @@ def _parts(texts: Sequence[str]) -> frozenset[Part]:
     return frozenset(map(Part, names))
 
 
+def _steps(option_name: str, texts: Sequence[str]) -> frozenset[str]:
+    names = [name.strip() for text in texts for name in text.split(",") if name.strip()]
+    known = [*(step.name for step in STEPS), *MENDING]
+    for name in names:
+        if name not in known:
+            raise UserError(f"{option_name}: unknown step '{name}'{did_you_mean(name, known)}; --list names the steps")
+    return frozenset(names)
+
+
 def _check_destination(options: MigrateOptions, folders: Sequence[str]) -> None:
     """Raise UserError if files would be lost, or written outside of the workspace."""
     check_output(options.output, options.report)
@@ -196,7 +219,8 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, migrat
     is_new = path is not None and (bool(options.report) or not exists(path))
     is_reported = path is not None and bool(result.changes or (is_new and result.lines))
     render = as_json if path and path.endswith(".json") else as_markdown
-    text = encoded(render(result.lines, migration.source, migration.target, base)) if is_reported else b""
+    shown = commands_for(scratch, result.changes, migration.target, base)
+    text = encoded(render(result.lines, migration.source, migration.target, base, shown)) if is_reported else b""
     report = (path, text) if path is not None and is_reported else None
     if report is not None and os.path.isdir(report[0]):
         raise UserError(f"'{report[0]}' is a folder")
@@ -214,11 +238,13 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, migrat
     counts = {kind: sum(line.kind is kind for line in result.lines) for kind in EntryKind}
     verb = "changed" if is_written else "would change"
     files = f"{len(result.changes)} file{'s' * (len(result.changes) != 1)}"
+    decided = counts[EntryKind.DECIDED]
     print_message(
-        f"{verb} {files}; {counts[EntryKind.DONE]} done, {counts[EntryKind.DECIDED]} decided, "
-        f"{counts[EntryKind.FOR_YOU]} for you{f' (see {path})' if is_reported else ''}"
+        f"{verb} {files}: {counts[EntryKind.DONE]} applied, {decided} choice{'s' * (decided != 1)} made, "
+        f"{counts[EntryKind.FOR_YOU]} left to you{f' (see {path})' if is_reported else ''}"
     )
-    return int(bool(result.changes) and not is_written)
+    is_failed = options.fail_on == "left" and counts[EntryKind.FOR_YOU] > 0
+    return int(is_failed or (bool(result.changes) and not is_written))
 
 
 command = Command(MigrateOptions, run_migrate)

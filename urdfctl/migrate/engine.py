@@ -32,6 +32,8 @@ from urdfctl.startup.records import NamedTuple
 MOST_PASSES = 3
 _MOST_STATES = 4
 """So many states of a robot are remembered: an attempt reads again most of what the last one read."""
+MENDING = ("installed-files", "fixes-of-lint")
+"""The names of the last steps, which mend what lint finds after the others."""
 _UNREADABLE = ("UC001", "UC024", "UC026", "UC027")
 """The findings about files that are no valid XML, YAML or Python, in which no step can change anything."""
 
@@ -74,7 +76,8 @@ def migrate(
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())
         if not options.only:
-            wanted += _mending(lint, settings._replace(distro=options.target), first, state)
+            mending = _mending(lint, settings._replace(distro=options.target), first, state)
+            wanted += [step for step in mending if options.takes(step.name, step.part)]
         trials = Trials(packages, wanted, state, lint=lint, settings=settings, earlier=noted)
         attempt, found = trials.best()
         noted = attempt.noted
@@ -179,5 +182,4 @@ def _mending(lint: Lint, settings: Settings, source: Linted, state: Before) -> l
 
 
 def _is_wanted(step: Step, packages: MigratedPackages) -> bool:
-    only = packages.options.only
-    return (not only or step.part in only) and (step.generation != 1 or packages.is_ros1)
+    return packages.options.takes(step.name, step.part) and (step.generation != 1 or packages.is_ros1)

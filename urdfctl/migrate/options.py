@@ -28,6 +28,8 @@ class MigrationOptions(NamedTuple):
     launch: how new launch files are written: py or xml.
     keep_classic: keep Gazebo Classic beside gz, behind a xacro argument.
     only: the parts to migrate; all if empty.
+    steps: the names of the steps to take; all if empty.
+    skipped: the names of the steps to leave out.
     """
 
     target: str
@@ -37,6 +39,13 @@ class MigrationOptions(NamedTuple):
     launch: str = "py"
     keep_classic: bool = False
     only: frozenset[Part] = frozenset()
+    steps: frozenset[str] = frozenset()
+    skipped: frozenset[str] = frozenset()
+
+    def takes(self, name: str, part: Part) -> bool:
+        """Return whether the user wants a step."""
+        is_named = (not self.only or part in self.only) and (not self.steps or name in self.steps)
+        return is_named and name not in self.skipped
 
     def crosses(self, since: str, source: str | None = None) -> bool:
         """Return whether the migration leads from a distro before `since` to it or a later one.

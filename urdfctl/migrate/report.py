@@ -43,8 +43,10 @@ class ReportLine(NamedTuple):
     option: str = ""
 
 
-def as_json(lines: Sequence[ReportLine], source: str | None, target: str, base: str) -> str:
-    """Return the report as JSON, with paths relative to the folder `base`."""
+def as_json(
+    lines: Sequence[ReportLine], source: str | None, target: str, base: str, commands: Sequence[str] = ()
+) -> str:
+    """Return the report as JSON, with paths relative to the folder `base`. commands: as in `as_markdown`."""
     data = {
         "from": source,
         "to": target,
@@ -54,12 +56,18 @@ def as_json(lines: Sequence[ReportLine], source: str | None, target: str, base: 
             ]
             for kind in EntryKind
         },
+        "commands": list(commands),
     }
     return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
 
 
-def as_markdown(lines: Sequence[ReportLine], source: str | None, target: str, base: str) -> str:
-    """Return the report as Markdown, with paths relative to the folder `base`."""
+def as_markdown(
+    lines: Sequence[ReportLine], source: str | None, target: str, base: str, commands: Sequence[str] = ()
+) -> str:
+    """Return the report as Markdown, with paths relative to the folder `base`.
+
+    commands: those that build and start the result.
+    """
     parts = [f"# Migration {f'from {source} ' if source else ''}to {target}", ""]
     for kind, title in _TITLES.items():
         groups: dict[tuple[str, ...], list[ReportLine]] = {}
@@ -67,6 +75,8 @@ def as_markdown(lines: Sequence[ReportLine], source: str | None, target: str, ba
             groups.setdefault((line.message, line.option, line.authority), []).append(line)
         items = [text for message, group in _similar(list(groups.values())) for text in _item(message, group, base)]
         parts += [f"## {title}", "", *(items or ["Nothing."]), ""]
+    if commands:
+        parts += ["## Build and start", "", "```", *commands, "```", ""]
     return "\n".join(parts)
 
 

@@ -16,7 +16,7 @@ _WIDTH = 120
 def rows(steps: Sequence[Step], options: MigrationOptions) -> Iterator[tuple[Step, Row]]:
     """Yield the changes that a migration between two distros may make, each with its step, in order."""
     for step in steps:
-        if (options.only and step.part not in options.only) or (
+        if not options.takes(step.name, step.part) or (
             step.generation == 1 and options.source is not None and generation(options.source) != 1
         ):
             continue
@@ -31,7 +31,8 @@ def table(steps: Sequence[Step], options: MigrationOptions) -> str:
     for name, same in groupby(rows(steps, options), key=lambda found: found[0].name):
         found = list(same)
         step = found[0][0]
-        lines += ["", f"{step.summary}: step '{name}', part '{step.part.value}'"]
+        count = f"{len(found)} change{'s' * (len(found) != 1)}"
+        lines += ["", f"{step.summary}: step '{name}', part '{step.part.value}', {count}"]
         for authority, its in groupby((row for _, row in found), key=lambda row: row.authority):
             for row in its:
                 since = f"  (since {row.since})" if row.since else ""

@@ -18,6 +18,7 @@ from urdfctl.model.launch.build_launch import is_of_ros2
 from urdfctl.source.span import SourceSpan
 
 _GONE = frozenset("gazebo_ros gazebo_plugins gazebo_ros2_control gazebo_ros_pkgs gazebo_msgs gazebo_dev".split())
+_PATHS = ("join", "PathJoinSubstitution", "PythonLaunchDescriptionSource", "AnyLaunchDescriptionSource", "Path", "str")
 _LOOKUPS = ("get_package_share_directory", "get_package_share_path", "get_package_prefix", "FindPackageShare")
 _AUTHORITY = (
     "rosdistro#41224: not in jazzy; ament_index_python get_package_share_directory() raises PackageNotFoundError"
@@ -63,9 +64,9 @@ def _in_python(packages: MigratedPackages, file: PythonFile) -> Iterator[Proposa
 
 
 def _unused(call: ast.Call, scope: ast.AST) -> ast.Assign | None:
-    """The assignment of a call to a name that nothing reads; None for any other form."""
+    """The assignment of a call, or of a path with it, to a name that nothing reads; None for any other form."""
     for statement in ast.walk(scope):
-        if isinstance(statement, ast.Assign) and statement.value is call and len(statement.targets) == 1:
+        if isinstance(statement, ast.Assign) and _is_path(statement.value, call) and len(statement.targets) == 1:
             target = statement.targets[0]
             block = next((each for each in _blocks(scope) if statement in each), [])
             if not isinstance(target, ast.Name) or len(block) == 1:
@@ -73,6 +74,12 @@ def _unused(call: ast.Call, scope: ast.AST) -> ast.Assign | None:
             loads = (node for node in ast.walk(scope) if isinstance(node, ast.Name) and node.id == target.id)
             return statement if all(isinstance(node.ctx, ast.Store) for node in loads) else None
     return None
+
+
+def _is_path(value: ast.expr, call: ast.Call) -> bool:
+    """Whether a value is a call, or a path that it begins."""
+    calls = [node for node in ast.walk(value) if isinstance(node, ast.Call)]
+    return call in calls and all(called(one) in (*_LOOKUPS, *_PATHS) for one in calls)
 
 
 def _blocks(scope: ast.AST) -> Iterator[list[ast.stmt]]:

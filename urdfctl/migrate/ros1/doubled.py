@@ -66,7 +66,11 @@ def components_of(
         robot = uses.robots[first[path]].project.robot
         name = f"{(robot.name if robot else None) or 'robot'}_system"
         todo = without_hardware(packages, name)
-        edits.append(_component(root, name, system_plugin(packages), joints[0], passive.of(first[path]), todo))
+        edits.append(
+            _component(
+                root, name, plugin=system_plugin(packages), joints=joints[0], passive=passive.of(first[path]), todo=todo
+            )
+        )
         message = f"the transmissions of {', '.join(joints[0])} became joints of component '{name}', each with all its "
         message += "interfaces, with the names that the robot has"
         entries.append(ReportEntry(EntryKind.DONE, message, root.at, authority=_AUTHORITY))
@@ -88,7 +92,7 @@ def _joints(uses: Sequence[TransmissionUse], passive: Mapping[str, str]) -> Join
     return {name: () if name in passive else commands for name, commands in found.items()}
 
 
-def _component(root: Element, name: str, plugin: str, joints: Joints, passive: Mapping[str, str], todo: str) -> Edit:
+def _component(root: Element, name: str, *, plugin: str, joints: Joints, passive: Mapping[str, str], todo: str) -> Edit:
     """The edit that writes a component at the end of a robot's file."""
     step = step_of(root.source)
     note = f"{step}{todo_line(root.source.path, todo)}\n" if todo else ""
