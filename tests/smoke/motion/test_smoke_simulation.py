@@ -172,3 +172,12 @@ def test_a_mimic_joint_is_led_unless_a_controller_moves_it() -> None:
     alone = Obedient()
     simulation(alone, MIMIC).update()
     assert "m" not in alone.places
+
+
+@pytest.mark.parametrize(("rate", "updates"), [(1000.0, 10), (200.0, 2), (50.0, 1)])
+def test_a_robot_is_watched_once_in_ten_milliseconds(rate: float, updates: int) -> None:
+    made = simulation(Obedient(), budget=0.0, rate=rate)
+    for _ in range(updates - 1):
+        made.update()
+    with pytest.raises(OutOfTime):
+        made.update()

@@ -16,6 +16,8 @@ from urdfctl.smoke.tasks import FREELY, ControllerTask, Goal, MotionFamily
 
 _EXPLODED = 1e4
 """From this position on, in rad or m, the simulation has exploded."""
+_WATCHED = 0.01
+"""A robot is watched for exploding or tipping over once in this time, in s: asking an engine is as slow as a step."""
 _SAMPLES = 60
 """The approximate number of samples of a curve."""
 
@@ -54,6 +56,7 @@ class RobotSimulation:
     def every(self, steps: int) -> None:
         """Update the controllers once in a number of steps."""
         self.steps, self.period = steps, steps * STEP
+        self._unwatched = self._at_once = max(1, round(_WATCHED / self.period))
 
     def run_for(self, seconds: float) -> None:
         """Simulate some seconds with unchanged commands."""
@@ -68,6 +71,14 @@ class RobotSimulation:
                 engine.to_position(hinge.name, self.followed(hinge), FREELY, FREELY)
         for _ in range(self.steps):
             engine.step()
+        self._unwatched -= 1
+        if not self._unwatched:
+            self._unwatched = self._at_once
+            self._watch()
+
+    def _watch(self) -> None:
+        """Raise what ends the simulation, if it happened."""
+        engine = self.engine
         if time.process_time() > self._deadline:
             raise OutOfTime
         place = engine.base_pose()
