@@ -114,6 +114,7 @@ from types import SimpleNamespace as S
 from rclpy import R
 def header(number): return S(stamp=S(sec=1, nanosec=number), frame_id="")
 class Description:
+    def __init__(self, data): self.data = data
     @staticmethod
     def messages(name): return [S(**one) for one in R["robot_description"].get(name, [])]
 class JointState:
@@ -125,9 +126,9 @@ class JointState:
 class Others:
     @staticmethod
     def messages(name): return []
-def get_message(kind):
-    return {"std_msgs/msg/String": Description, "sensor_msgs/msg/JointState": JointState}.get(kind, Others)
+String, DynamicJointState, TFMessage, DiagnosticArray, Clock = Description, Others, Others, Others, Others
 """
+_PACKAGES = ("std_msgs", "sensor_msgs", "control_msgs", "tf2_msgs", "diagnostic_msgs", "rosgraph_msgs")
 
 
 def write_fake_ros(folder: Path) -> None:
@@ -136,14 +137,12 @@ def write_fake_ros(folder: Path) -> None:
         "rclpy/__init__.py": _RCLPY,
         "rclpy/qos.py": _QOS,
         "fake_message.py": _MESSAGE,
-        "std_msgs/__init__.py": "",
-        "std_msgs/msg.py": "def String(data): return data\n",
         "controller_manager_msgs/__init__.py": "",
         "controller_manager_msgs/srv.py": _SERVICES,
         "rcl_interfaces/__init__.py": "",
         "rcl_interfaces/srv.py": _PARAMETERS,
-        "rosidl_runtime_py/__init__.py": "",
-        "rosidl_runtime_py/utilities.py": _UTILITIES,
+        **{f"{package}/__init__.py": "" for package in _PACKAGES},
+        **{f"{package}/msg.py": _UTILITIES for package in _PACKAGES},
     }
     for name, text in files.items():
         path = folder / name

@@ -9,6 +9,7 @@ All questions are open at once and share a deadline. Values that may be private 
 from __future__ import annotations
 
 import argparse
+import importlib
 import json
 import math
 import os
@@ -37,9 +38,9 @@ PACKAGES = (
     "ros_gz_bridge",
 )
 """The packages whose versions are recorded."""
-DISCOVERY = 1.2
+DISCOVERY = 1.0
 """Seconds in which the graph becomes known."""
-ANSWERS = 2.2
+ANSWERS = 1.8
 """Seconds after which a question has no answer."""
 PRIVATE = re.compile(r"(?i)serial|password|passwd|secret|token|(^|[._])(ip|host|user)(name|_?address)?($|[._])")
 XML_PARAMETER = re.compile(r"(<param\s+name=[\"']([^\"']+)[\"']\s*>)([^<]*)(</param>)")
@@ -112,7 +113,8 @@ class Collector:
         self.spin(DISCOVERY, lambda: True)
         known = self.node.get_node_names_and_namespaces()
         nodes = [(name, space) for name, space in known if name != self.node.get_name()]
-        services = self.node.get_service_names_and_types()
+        own = f"{full(self.node.get_name(), '/')}/"
+        services = [one for one in self.node.get_service_names_and_types() if not one[0].startswith(own)]
         found: dict[str, object] = {
             "recorded": {"distro": os.environ.get("ROS_DISTRO"), "how": "rclpy", "versions": versions()},
             "nodes": [{"name": name, "namespace": space} for name, space in nodes],
@@ -240,13 +242,14 @@ class Collector:
     def listen(self, name: str, kind: str, kept: list[object]) -> None:
         """Subscribe a topic with what each of its publishers offers."""
         from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-        from rosidl_runtime_py.utilities import get_message
 
+        package, _, message = kind.partition("/msg/")
         infos = self.node.get_publishers_info_by_topic(name)
         lasting = bool(infos) and all(one.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL for one in infos)
         durability = DurabilityPolicy.TRANSIENT_LOCAL if lasting else DurabilityPolicy.VOLATILE
         qos = QoSProfile(depth=1000, durability=durability, reliability=ReliabilityPolicy.BEST_EFFORT)
-        self.node.create_subscription(get_message(kind), name, kept.append, qos)
+        message_type = getattr(importlib.import_module(f"{package}.msg"), message)
+        self.node.create_subscription(message_type, name, kept.append, qos)
 
 
 def keeper(answers: dict[str, object], service: str) -> Callable[[Any], None]:
