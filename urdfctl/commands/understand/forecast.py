@@ -31,7 +31,7 @@ class Expected(NamedTuple):
     finding: Diagnostic
 
 
-class Start(NamedTuple):
+class ExpectedStart(NamedTuple):
     """What one start prints.
 
     name: the launch file, or the robot if none starts it.
@@ -50,7 +50,7 @@ def forecast(folder: str, distro: str | None, output_format: str) -> str:
     return _as_json(starts) if output_format == "json" else "".join(_as_text(starts, folder))
 
 
-def _starts(results: Sequence[TargetResult]) -> Iterator[Start]:
+def _starts(results: Sequence[TargetResult]) -> Iterator[ExpectedStart]:
     for result in results:
         if not result.links:
             continue
@@ -59,7 +59,7 @@ def _starts(results: Sequence[TargetResult]) -> Iterator[Start]:
         messages = {one.text: one for error in errors for one in found[id(error)]}
         silent = tuple(relative(error) for error in errors if not found[id(error)])
         name = shown(result.launch or result.path)
-        yield Start(name, result.distro or " or ".join(result.distros), tuple(messages.values()), silent)
+        yield ExpectedStart(name, result.distro or " or ".join(result.distros), tuple(messages.values()), silent)
 
 
 def _expected(error: Diagnostic, result: TargetResult) -> list[Expected]:
@@ -89,7 +89,7 @@ def _filled(pattern: str, error: Diagnostic) -> str:
     return _BLANK.sub(name, pattern)
 
 
-def _as_text(starts: Sequence[Start], folder: str) -> Iterator[str]:
+def _as_text(starts: Sequence[ExpectedStart], folder: str) -> Iterator[str]:
     if not starts:
         yield f"no robot found in {visible(folder)}\n"
     for start in starts:
@@ -108,7 +108,7 @@ def _as_text(starts: Sequence[Start], folder: str) -> Iterator[str]:
     yield f"Next:\n  urdfctl lint {visible(folder)}  shows all findings in these files\n"
 
 
-def _as_json(starts: Sequence[Start]) -> str:
+def _as_json(starts: Sequence[ExpectedStart]) -> str:
     data = [
         {
             "launch": start.name,
