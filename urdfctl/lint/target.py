@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import chain
 
 from urdfctl.lint.engine import lint
 from urdfctl.lint.generated import twin_digest
@@ -22,6 +23,10 @@ from urdfctl.source.suppressions import Reach
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
+_OF_SIMULATORS = frozenset(
+    {"gazebo_ros", "ros_gz", "ros_gz_sim", "ros_gz_bridge", "ros_ign", "ros_ign_gazebo", "ros_ign_bridge"}
+)
+"""Packages whose nodes spawn models into a simulator, or talk to one."""
 Run = Callable[..., Outcome]
 """Runs the rules on a project."""
 
@@ -33,6 +38,16 @@ class LintedTarget(NamedTuple):
     project: Project
     root: Element | None
     sources: Mapping[str, SourceText]
+
+
+def _simulator(project: Project) -> str | None:
+    """The simulator that the target runs in. A plugin in the robot alone starts none: it does not count where a launch
+    file that was read wholly starts no simulator, and nothing that would wait for one."""
+    launch = project.launch
+    if launch is None or not launch.complete or launch.simulations or launch.spawns:
+        return project.simulator
+    waits = any(node.package.text in _OF_SIMULATORS for node in (*launch.nodes, *chain(*launch.beside)))
+    return project.simulator if waits else project.named_simulator
 
 
 def lint_target(
@@ -66,7 +81,7 @@ def lint_target(
         ros=project.ros,
         distro=project.distro,
         distro_from=project.distro_from,
-        simulator=project.simulator,
+        simulator=_simulator(project),
         complete=project.complete,
         library=project.library and not project.of_kind(ProblemKind.ARGUMENTS_NEEDED),
         robot=robot.name if robot else None,
