@@ -457,6 +457,6 @@ def test_a_sourced_ros_with_a_xacro_of_its_own_does_not_matter(folder: Folder) -
 
 def test_help_shows_an_example_and_every_option() -> None:
     shown = CliRunner().invoke(app, ["lint", "--help"], terminal_width=200).output
-    assert "Example: urdfctl lint urdf/robot.xacro prefix:=left_ --distro noetic" in shown
+    assert "Example: urdfctl lint urdf/robot.xacro reach:=0.6 --distro jazzy" in shown
     for option in ("--distro", "--simulator", "--start", "--workspace", "--package-path", "--env", "--trust"):
         assert option in shown

@@ -104,7 +104,7 @@ def test_colours_are_forced_by_force_color(folder: Folder, environ: dict[str, st
 
 
 def test_the_help_lists_the_formats_of_smoke() -> None:
-    assert "--format [text|json|junit|sarif|github]" in smoke("--help").stdout
+    assert "--format [text|json|junit|sarif|github|gitlab]" in smoke("--help").stdout
 
 
 @needs_pybullet

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -37,8 +38,19 @@ arm:
   ros__parameters: {joints: [elbow], command_interfaces: [position], state_interfaces: [position]}
 """
 MANIFEST = '<package format="3"><name>arm</name></package>\n'
-FILES = {"urdf/r.urdf": ROBOT, "config/c.yaml": CONTROLLERS, "package.xml": MANIFEST, ".git/HEAD": ""}
+BODY = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>'
+SOUND = re.sub(r"<ros2_control.*</ros2_control>", "", ROBOT, flags=re.DOTALL)
+SOUND = SOUND.replace('<link name="base"/><link name="fore"/>', f'<link name="base"/><link name="fore">{BODY}')
+FILES = {
+    "urdf/r.urdf": ROBOT,
+    "urdf/s.urdf": SOUND,
+    "config/c.yaml": CONTROLLERS,
+    "package.xml": MANIFEST,
+    ".git/HEAD": "",
+}
 GENERATE = "urdf/r.urdf --distro jazzy"
+STARTS = "urdf/s.urdf --distro jazzy --simulator none --hardware mock"
+"""A robot that would start: others are refused before anything is written."""
 WRITERS = [
     *(f"lint urdf/r.urdf --format {name}=@" for name in "text concise json jsonl sarif github gitlab junit".split()),
     "lint urdf/r.urdf -o @",
@@ -121,11 +133,11 @@ def test_no_command_writes_through_a_committed_link(folder: Folder, words: str, 
         ("new/urdf", "migrate . --to jazzy -o new --force"),
         ("new", "migrate . --to jazzy -o new --force"),
         ("new", "migrate . --to jazzy -o new/more --force"),
-        ("new/config", f"gen-all {GENERATE} --type trajectory -o new"),
+        ("new/config", f"gen-all {STARTS} --type trajectory -o new"),
         ("new/config", f"gen-all {GENERATE} --type trajectory -o new --force"),
         ("new/package.xml", f"gen-all {GENERATE} --type trajectory -o new --force"),
         ("new", f"gen-all {GENERATE} --type trajectory -o new --force"),
-        ("new", f"gen-all {GENERATE} --type trajectory -o new/more"),
+        ("new", f"gen-all {STARTS} --type trajectory -o new/more"),
         ("urdfctl.toml", "init --distro jazzy"),
         ("urdfctl.toml", "init --distro jazzy --force"),
         (".pre-commit-config.yaml", "init --distro jazzy --pre-commit"),

@@ -95,9 +95,12 @@ class Scratch:
         return any(_is_below(os.path.realpath(path), folder) for folder in self.folders)
 
     def original(self, path: str) -> bytes:
-        """Return what a file was before it was written; empty if it did not exist."""
+        """Return what a file was before it was written; empty if it did not exist, or is no file that can be read."""
         path = os.path.normpath(path)
-        return (self._originals[path] if path in self._originals else bytes_of(path)) or b""
+        try:
+            return (self._originals[path] if path in self._originals else bytes_of(path)) or b""
+        except OSError:
+            return b""
 
     def write(self, path: str, data: bytes | None) -> None:
         """Write a file in the copy, or delete it if `data` is None."""

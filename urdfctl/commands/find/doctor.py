@@ -8,6 +8,8 @@ from urdfctl.commands.declaring import CHECKED_FOR, LIMITS, OUTPUT, Command, Rea
 from urdfctl.commands.options import TEXT_OR_JSON, TargetOptions
 from urdfctl.commands.robot_targets import robots_of
 from urdfctl.commands.words import configured, output_of, settings_from, split_arguments
+from urdfctl.config.file import Config
+from urdfctl.config.settings import Settings
 from urdfctl.doctor.collecting import SystemSilent, collected
 from urdfctl.doctor.log import Log, read_log
 from urdfctl.doctor.recording import Recording, read_recording, recording_of
@@ -68,6 +70,7 @@ class DoctorOptions(TargetOptions):
 
 def run_doctor(options: DoctorOptions) -> int:
     """Print what is wrong, and return the exit status: 1 if anything is, otherwise 0."""
+    _settled(options)  # what the words say is judged before anything is read or asked
     paths, _ = split_arguments(options.words)
     if len(paths) > 1:
         raise UserError("doctor reads one recording: urdfctl doctor SNAPSHOT.json; --in names the files it is about")
@@ -78,12 +81,19 @@ def run_doctor(options: DoctorOptions) -> int:
     return _watched(options)
 
 
+def _settled(options: DoctorOptions) -> tuple[Config, Settings]:
+    output_of(options.output_format, TEXT_OR_JSON)
+    config = configured(options.folders, options)
+    return config, settings_from(
+        config, options, distro=options.distro, simulator=options.simulator, named=options.folders
+    )
+
+
 def _examined(options: DoctorOptions, recording: Recording, told: str = "") -> tuple[str, int]:
     """Write what is wrong, if it differs from what was told; return it, and the exit status."""
     _, arguments = split_arguments(options.words)
     output, file = output_of(options.output_format, TEXT_OR_JSON)
-    config = configured(options.folders, options)
-    settings = settings_from(config, options, distro=options.distro, simulator=options.simulator, named=options.folders)
+    config, settings = _settled(options)
     if not (options.distro or config.distro):
         settings = settings._replace(distro=recording.distro)
     log = read_log(options.log, settings.distro) if options.log else Log()
