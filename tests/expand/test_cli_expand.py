@@ -148,4 +148,4 @@ def test_only_the_environment_that_is_named_reaches_the_description(folder: Fold
 
 def test_help_shows_an_example() -> None:
     shown = CliRunner().invoke(app, ["expand", "--help"], terminal_width=200).output
-    assert "Example: urdfctl expand urdf/robot.xacro prefix:=left_ -o robot.urdf" in shown
+    assert "Example: urdfctl expand urdf/robot.xacro reach:=0.6 -o robot.urdf" in shown

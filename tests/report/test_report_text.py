@@ -245,7 +245,7 @@ def on_a_terminal(folder: Folder, *words: str, environ: Mapping[str, str | None]
 def without_colours(written: str) -> str:
     import re
 
-    return re.sub(r"\x1b\[[0-9;]*m", "", written)
+    return re.sub(r"\x1b\[[0-9;]*m|\x1b\]8;[^\x1b]*\x1b\\", "", written)
 
 
 def test_a_terminal_gets_colours_and_the_same_words(folder: Folder) -> None:

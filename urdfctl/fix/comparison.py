@@ -114,8 +114,10 @@ class _Part(NamedTuple):
 
 def same_tree(before: Element | None, after: Element | None, files: Files) -> bool:
     """Return whether two expanded trees differ only in parts that the edits change, add or remove."""
-    if before is None or after is None:
-        return before is after
+    if before is None:  # where there was no robot, none of its parts can change
+        return True
+    if after is None:
+        return False
     pairs = zip_longest(_tree(before, _Before(files)), _tree(after, _After(files)))
     return all(old == new for old, new in pairs)
 

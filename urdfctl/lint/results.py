@@ -69,6 +69,7 @@ class TargetResult(NamedTuple):
     joining: what decides what is started beside it.
     idle: how many joints of the robot move, if nothing of it is controlled: 0 otherwise.
     twin: a digest of the expanded description if a file of the same name, plain or xacro, is beside it.
+    is_only_shown: whether its launch file is known to start no simulator, and nothing that would wait for one.
     missing_packages: the packages that it uses and package.xml declares, and that are not in the workspace.
     """
 
@@ -94,6 +95,12 @@ class TargetResult(NamedTuple):
     twin: str | None = None
     idle: int = 0
     joining: JoinFacts = JoinFacts()
+    is_only_shown: bool = False
+
+    @property
+    def started_simulator(self) -> str | None:
+        """The simulator that it runs in: a plugin in the robot alone starts none."""
+        return None if self.is_only_shown else self.simulator
 
     @property
     def is_controlled(self) -> bool:

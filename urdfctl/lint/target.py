@@ -40,14 +40,14 @@ class LintedTarget(NamedTuple):
     sources: Mapping[str, SourceText]
 
 
-def _simulator(project: Project) -> str | None:
-    """The simulator that the target runs in. A plugin in the robot alone starts none: it does not count where a launch
-    file that was read wholly starts no simulator, and nothing that would wait for one."""
+def _is_only_shown(project: Project) -> bool:
+    """Whether only a plugin in the robot names its simulator, and the launch file, which was read wholly, starts none,
+    and nothing that would wait for one."""
     launch = project.launch
-    if launch is None or not launch.complete or launch.simulations or launch.spawns:
-        return project.simulator
-    waits = any(node.package.text in _OF_SIMULATORS for node in (*launch.nodes, *chain(*launch.beside)))
-    return project.simulator if waits else project.named_simulator
+    if launch is None or project.named_simulator or not launch.complete or launch.simulations or launch.spawns:
+        return False
+    nodes = (*launch.nodes, *chain(*launch.beside))
+    return not any(node.package.text in _OF_SIMULATORS for node in nodes)
 
 
 def lint_target(
@@ -81,7 +81,8 @@ def lint_target(
         ros=project.ros,
         distro=project.distro,
         distro_from=project.distro_from,
-        simulator=_simulator(project),
+        simulator=project.simulator,
+        is_only_shown=_is_only_shown(project),
         complete=project.complete,
         library=project.library and not project.of_kind(ProblemKind.ARGUMENTS_NEEDED),
         robot=robot.name if robot else None,

@@ -62,7 +62,7 @@ def migrate(
     """
     source = lint(settings._replace(distro=options.source))
     first, known = source, Memory[LoadedTarget](scratch, _MOST_STATES, by_package=True)
-    came_from = origins(options, first, list(scratch.files()))
+    came_from = origins(options, first, scratch)
     check_direction(options.target, came_from)
     noted: Sequence[Noted] = ()
     left_out: dict[Key, str] = {}

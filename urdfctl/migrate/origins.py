@@ -10,7 +10,7 @@ from urdfctl.errors import UserError
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
 from urdfctl.migrate.options import MigrationOptions
-from urdfctl.output.change import bytes_of
+from urdfctl.migrate.scratch import Scratch
 from urdfctl.source.disk.files import is_launch
 from urdfctl.source.workspaces.packages import package_around
 from urdfctl.startup.records import NamedTuple
@@ -35,7 +35,7 @@ class Origins(NamedTuple):
         return self.packages.get(package_around(os.path.dirname(path)) or "", self.all)
 
 
-def origins(options: MigrationOptions, linted: Sequence[tuple[Target, TargetResult]], files: Sequence[str]) -> Origins:
+def origins(options: MigrationOptions, linted: Sequence[tuple[Target, TargetResult]], scratch: Scratch) -> Origins:
     """Return the distros that packages come from, before anything is changed.
 
     The distro that the user names holds for the packages of its generation. A package that may be for the target is
@@ -44,7 +44,7 @@ def origins(options: MigrationOptions, linted: Sequence[tuple[Target, TargetResu
     """
     possible = _possible(linted)
     is_mixed = {1, 2} <= {result.ros for _, result in linted}
-    naming = {package_around(os.path.dirname(path)) for path in files if _names_files(path)}
+    naming = {package_around(os.path.dirname(path)) for path in scratch.files() if _names_files(scratch, path)}
     found = {}
     for folder, distros in possible.items():
         first = distros[0]
@@ -91,6 +91,6 @@ def _likely(target: str, distros: Sequence[str], *, is_there: bool, has_files: b
     return target if is_there and target in distros else distros[0]
 
 
-def _names_files(path: str) -> bool:
+def _names_files(scratch: Scratch, path: str) -> bool:
     """Whether a launch file has a spawner that names the file of its controllers."""
-    return is_launch(path) and _FILE_OPTION in (bytes_of(path) or b"")
+    return is_launch(path) and _FILE_OPTION in scratch.content(path)

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.migrate.scratch import Scratch
-from urdfctl.output.change import Change, bytes_of
+from urdfctl.output.change import Change
 from urdfctl.source.disk.files import is_launch
 from urdfctl.source.workspaces.packages import package_around, package_name
 
@@ -43,7 +43,7 @@ def _starting(scratch: Scratch, folders: Iterable[str]) -> Iterator[tuple[str, s
     known = set(folders)
     for path in scratch.files():
         folder = package_around(os.path.dirname(path))
-        data = (bytes_of(path) or b"") if folder in known and is_launch(path) else b""
+        data = scratch.content(path) if folder in known and is_launch(path) else b""
         is_of_ros2 = path.endswith((".launch.xml", ".launch.yaml")) or b"generate_launch_description" in data
         if folder and is_of_ros2 and any(mark in data for mark in _STARTS):
             yield folder, os.path.basename(path)

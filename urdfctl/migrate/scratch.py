@@ -95,12 +95,18 @@ class Scratch:
         return any(_is_below(os.path.realpath(path), folder) for folder in self.folders)
 
     def original(self, path: str) -> bytes:
-        """Return what a file was before it was written; empty if it did not exist, or is no file that can be read."""
+        """Return what a file was before it was written; empty if it did not exist, or is no file of the copy: a link
+        may lead out of it, or to a folder."""
         path = os.path.normpath(path)
-        try:
-            return (self._originals[path] if path in self._originals else bytes_of(path)) or b""
-        except OSError:
+        if path in self._originals:
+            return self._originals[path] or b""
+        return self.content(path)
+
+    def content(self, path: str) -> bytes:
+        """Return what a file of the copy holds now; empty if it does not exist, or a link leads out of the copy."""
+        if not _is_below(os.path.realpath(path), os.path.realpath(self.root)) or not os.path.isfile(path):
             return b""
+        return bytes_of(path) or b""
 
     def write(self, path: str, data: bytes | None) -> None:
         """Write a file in the copy, or delete it if `data` is None."""

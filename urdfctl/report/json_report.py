@@ -47,7 +47,7 @@ def target_document(target: TargetResult) -> dict[str, Any]:
         "ros": target.ros,
         "distro": target.distro,
         "distro_from": target.distro_from,
-        "simulator": target.simulator,
+        "simulator": target.started_simulator,
         "complete": target.complete,
     }
 

@@ -42,6 +42,7 @@ SECONDS = 20
 ENOUGH = 0.9
 NOT_RULES = {"__init__", "family", "examples", "readme", "prose", "launch_samples", "samples", "kinds"}
 REASONS: dict[str, str] = {
+    "urdf.urdf_attribute_not_read: _NAMING without 'child'": "its example would be that of 'parent' again",
     "controllers.controller_type_not_in_distro: _MAINTAINED without *since('humble')": "other evidence than the types",
     "controllers.controller_type_not_in_distro: _MAINTAINED without 'noetic'": "of the distro is needed, or own types",
     "controllers.parameters: _REQUIRING without 'any_set'": "only types that users describe have such a rule",

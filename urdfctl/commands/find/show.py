@@ -92,7 +92,7 @@ def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:
     yield "spawned", ", ".join(bringup.spawned)
     yield "includes", ", ".join(map(shown, bringup.includes))
     yield "moveit", "move_group" if bringup.moveit else ""
-    yield "simulator", target.simulator or ", ".join(bringup.simulators)
+    yield "simulator", target.started_simulator or ", ".join(bringup.simulators)
     distro = target.distro or (f"ROS {target.ros}" if target.ros else "unknown")
     yield "distro", f"{distro}, from {target.distro_from}" if target.distro_from else distro
     if not bringup.complete:

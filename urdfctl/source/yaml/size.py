@@ -5,6 +5,9 @@ A small text can expand without limit, or crash its reader by deep nesting.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from typing import Any
+
 from urdfctl.source.budget import OverBudget
 
 _MOST_DEPTH = 64
@@ -14,6 +17,10 @@ _HARMLESS_BYTES = 4096
 _OPENINGS = (b"[", b"{", b"- ", b"? ")
 _HARMLESS_OPENINGS = 150
 """A reader calls itself a few times for each level, and Python allows it a thousand calls."""
+
+_TOO_DEEP = "exceeded maximum nesting depth"
+"""What libyaml says of a text that is nested a thousand deep, before any of it is an event."""
+_NESTED = f"the YAML file is nested more than {_MOST_DEPTH} deep"
 
 
 def check_size(text: bytes) -> None:
@@ -25,10 +32,21 @@ def check_size(text: bytes) -> None:
         return
     from urdfctl.startup.lazy_yaml import SAFE_LOADER, yaml
 
+    try:
+        _count(yaml.parse(text, SAFE_LOADER))
+    except yaml.MarkedYAMLError as error:
+        if _TOO_DEEP not in str(error):
+            raise
+        raise OverBudget(_NESTED) from None
+
+
+def _count(events: Iterable[Any]) -> None:
+    from urdfctl.startup.lazy_yaml import yaml
+
     total = 0
     sizes: dict[str | None, int] = {}
     opened: list[tuple[str | None, int]] = []
-    for event in yaml.parse(text, SAFE_LOADER):
+    for event in events:
         if isinstance(event, yaml.AliasEvent):
             total += sizes.get(event.anchor, 1)
         elif isinstance(event, yaml.ScalarEvent):
@@ -42,6 +60,6 @@ def check_size(text: bytes) -> None:
             anchor, before = opened.pop()
             sizes[anchor] = total - before
         if len(opened) > _MOST_DEPTH:
-            raise OverBudget(f"the YAML file is nested more than {_MOST_DEPTH} deep")
+            raise OverBudget(_NESTED)
         if total > _MOST_NODES:
             raise OverBudget(f"the YAML file expands to more than {_MOST_NODES} nodes")

@@ -18,6 +18,8 @@ from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 
 MOST_DEPTH = 64
+_TOO_DEEP = "exceeded maximum nesting depth"
+"""What libyaml says from 0.2.6 on of a text that is nested a thousand deep, before any of it is an event."""
 MOST_NODES = 200_000
 _MOST_DUPLICATES = 20
 _MOST_TAGS = 20
@@ -340,6 +342,16 @@ class _EventReader:
         at = Place(self.source, start, end=start + (len(found.group().encode()) if found else 0))
         return ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"YAML does not allow {what}"))
 
+    def _first_too_deep(self, end: int) -> int:
+        """The place of the first bracket that is nested too deep, in a text that has many more before a place."""
+        depth = int(self.source.data[self._base :].lstrip()[:1] not in (b"[", b"{"))  # a map or list around them
+        for place in range(self._base, end):
+            byte = self.source.data[place : place + 1]
+            depth += (byte in b"[{") - (byte in b"]}")
+            if depth > MOST_DEPTH:
+                return place
+        return end
+
     def _syntax(self, error: yaml.MarkedYAMLError) -> ReadError:
         from urdfctl.source.conflicts import merge_conflict
 
@@ -360,5 +372,7 @@ class _EventReader:
             message = "tab where YAML allows only spaces"
             return ReadError(Problem(ProblemKind.YAML_TAB, Place(self.source, start, end=start + 1), message))
         why = " ".join(part for part in (error.context, error.problem) if part) or "invalid YAML"
+        if _TOO_DEEP in why:
+            return self._over(self._first_too_deep(start), f"the YAML is nested more than {MOST_DEPTH} levels deep")
         at = Place(self.source, start, end=min(start + 1, len(self.source.data)))
         return ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"the file is not valid YAML: {why}"))
