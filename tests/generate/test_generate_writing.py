@@ -133,7 +133,8 @@ def test_a_distro_that_nobody_tells_is_taken_and_said(folder: Folder) -> None:
 
 def test_the_newest_distro_that_has_what_was_asked_for_is_taken(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT})
-    ran = command("gen-all", "r.urdf", "--type", "effort", "--simulator", "gazebo-classic", "-o", "made")
+    words = ("r.urdf", "--type", "effort", "--simulator", "gazebo-classic", "-o", "made", "--force")
+    ran = command("gen-all", *words)
     assert ran.stderr.startswith(
         "urdfctl: ROS distro is unknown; using humble, the newest one that has all of this. Set it with --distro\n"
     )
