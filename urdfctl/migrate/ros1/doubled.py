@@ -41,9 +41,10 @@ def doubled_elements(uses: Uses) -> set[ElementKey]:
 
 
 def components_of(
-    packages: MigratedPackages, uses: Uses, passive: Passive, elements: Collection[ElementKey]
+    packages: MigratedPackages, uses: Uses, passive: Passive, replaced: Collection[ElementKey]
 ) -> Iterator[Proposal]:
     """Yield the proposal to replace some transmissions by a component in the file of each robot."""
+    elements = [key for key in uses.by_element if key in replaced]  # in the order of the files
     robots: dict[str, list[Joints]] = {}
     first: dict[str, int] = {}
     numbers = {use.robot for key in elements for use in uses.by_element[key]}
