@@ -111,7 +111,7 @@ def start_clock(limits: Limits) -> None:
 
 def stop_clock() -> None:
     """Cancel the alarms, so that they cannot interrupt the writing of a result."""
-    if hasattr(signal, "setitimer"):  # not on Windows, nor in a browser
+    if sys.platform != "win32" and hasattr(signal, "setitimer"):  # a browser has no timers
         signal.setitimer(signal.ITIMER_PROF, 0)
         signal.setitimer(signal.ITIMER_REAL, 0)
 
