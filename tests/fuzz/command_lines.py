@@ -158,7 +158,7 @@ def _init(files: _Files) -> Line:
     more = files.choose([[], ["--pre-commit", "--workflow"], ["--force"]])
     where = files.choose(["", "", "urdf/"])
     writes = tuple(f"{where}{name}" for name in ("urdfctl.toml", ".pre-commit-config.yaml", ".github/"))
-    return Line("init", ["init", where or ".", *files.distro, *more], writes)
+    return Line("init", ["init", where or ".", *files.distro, *more], writes, programs=("git",))
 
 
 def _migrate(files: _Files) -> Line:
