@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from urdfctl.model.launch.launch import (
+from urdfctl.model.launch.launch import Launch
+from urdfctl.model.launch.package import Package
+from urdfctl.model.launch.parts import (
     UNCHANGED,
     Description,
     GivenParameters,
     InlineParameters,
-    Launch,
     LaunchedFile,
     Node,
     ParameterLoad,
@@ -18,7 +19,6 @@ from urdfctl.model.launch.launch import (
     Word,
     joined,
 )
-from urdfctl.model.launch.package import Package
 
 __all__ = [
     "UNCHANGED",

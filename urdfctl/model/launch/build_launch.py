@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.launch.launch import (
+from urdfctl.model.launch.launch import Launch
+from urdfctl.model.launch.parts import (
     Description,
     InlineParameters,
-    Launch,
     LaunchedFile,
     Node,
     ParameterLoad,

@@ -7,7 +7,7 @@ import re
 from collections import ChainMap
 from collections.abc import Callable, Iterable, Mapping
 
-from urdfctl.model.launch.launch import joined
+from urdfctl.model.launch.parts import joined
 from urdfctl.source.lengths import Room
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
