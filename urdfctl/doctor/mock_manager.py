@@ -102,16 +102,6 @@ def started(plan: dict[str, Any], folder: str) -> subprocess.Popen[bytes]:
         )
 
 
-def _end(process: subprocess.Popen[bytes]) -> None:
-    """End a manager with all processes that it started."""
-    if sys.platform == "win32":
-        process.kill()
-    else:
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGKILL)
-    process.wait()
-
-
 def result_of(plan: dict[str, Any], rclpy: Any, folder: str) -> dict[str, object]:
     """Return how far the manager and its controllers came."""
     from rclpy.qos import DurabilityPolicy, QoSProfile
@@ -133,7 +123,12 @@ def result_of(plan: dict[str, Any], rclpy: Any, folder: str) -> dict[str, object
         stages = {controller["name"]: manager.stage_of(controller) for controller in plan["controllers"]}
         return {"answers": True, "stages": stages}
     finally:
-        _end(process)
+        with contextlib.suppress(ProcessLookupError):
+            if sys.platform == "win32":
+                process.kill()
+            else:
+                os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
         node.destroy_node()
         rclpy.shutdown()
 
