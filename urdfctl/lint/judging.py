@@ -245,10 +245,8 @@ def _outer(launched: LaunchedTargets) -> LaunchedTargets:
         if result.bringup
     }
 
-    def is_inner(path: str) -> bool:
-        return any(path in inner and outer not in includes.get(path, ()) for outer, inner in includes.items())
-
-    return [(entry, pair) for entry, pair in launched if not is_inner(os.path.abspath(entry.target.path))]
+    inner = {path for outer, paths in includes.items() for path in paths if outer not in includes.get(path, ())}
+    return [(entry, pair) for entry, pair in launched if os.path.abspath(entry.target.path) not in inner]
 
 
 def _lacks_robot(result: TargetResult) -> bool:
