@@ -18,6 +18,7 @@ from urdfctl.doctor.run import doctor
 from urdfctl.errors import UserError
 from urdfctl.output.printing import print_message, print_text
 from urdfctl.output.writing import write_file
+from urdfctl.startup.records import NamedTuple
 
 _PAUSE = 1.0
 """Seconds between two questions to a system that does not answer."""
@@ -70,30 +71,37 @@ class DoctorOptions(TargetOptions):
 
 def run_doctor(options: DoctorOptions) -> int:
     """Print what is wrong, and return the exit status: 1 if anything is, otherwise 0."""
-    _settled(options)  # what the words say is judged before anything is read or asked
+    wanted = _wanted(options)
     paths, _ = split_arguments(options.words)
     if len(paths) > 1:
         raise UserError("doctor reads one recording: urdfctl doctor SNAPSHOT.json; --in names the files it is about")
     if not options.watch:
-        return _examined(options, read_recording(paths[0]) if paths else _recorded(options))[1]
+        return _examined(wanted, options, read_recording(paths[0]) if paths else _recorded(options))[1]
     if paths:
         raise UserError("--watch records the system that runs here; it does not go with a recording")
-    return _watched(options)
+    return _watched(wanted, options)
 
 
-def _settled(options: DoctorOptions) -> tuple[Config, Settings]:
-    output_of(options.output_format, TEXT_OR_JSON)
+class _Wanted(NamedTuple):
+    """What the words and the configuration say. output: the format, and the file for it if it is not printed."""
+
+    config: Config
+    settings: Settings
+    output: tuple[str, str | None]
+
+
+def _wanted(options: DoctorOptions) -> _Wanted:
+    """Judge the words, before anything is read or asked."""
+    output = output_of(options.output_format, TEXT_OR_JSON)
     config = configured(options.folders, options)
-    return config, settings_from(
-        config, options, distro=options.distro, simulator=options.simulator, named=options.folders
-    )
+    settings = settings_from(config, options, distro=options.distro, simulator=options.simulator, named=options.folders)
+    return _Wanted(config, settings, output)
 
 
-def _examined(options: DoctorOptions, recording: Recording, told: str = "") -> tuple[str, int]:
+def _examined(wanted: _Wanted, options: DoctorOptions, recording: Recording, told: str = "") -> tuple[str, int]:
     """Write what is wrong, if it differs from what was told; return it, and the exit status."""
     _, arguments = split_arguments(options.words)
-    output, file = output_of(options.output_format, TEXT_OR_JSON)
-    config, settings = _settled(options)
+    config, settings, (output, file) = wanted
     if not (options.distro or config.distro):
         settings = settings._replace(distro=recording.distro)
     log = read_log(options.log, settings.distro) if options.log else Log()
@@ -107,13 +115,13 @@ def _examined(options: DoctorOptions, recording: Recording, told: str = "") -> t
     return text, int(bool(report.ailments))
 
 
-def _watched(options: DoctorOptions) -> int:
+def _watched(wanted: _Wanted, options: DoctorOptions) -> int:
     """Examine the system that runs here until nothing is wrong in it, or the user has seen enough."""
     told, status = "", 1
     try:
         while status:
             try:
-                told, status = _examined(options, _recorded(options), told)
+                told, status = _examined(wanted, options, _recorded(options), told)
             except SystemSilent as error:
                 if str(error) != told:
                     told = str(error)
