@@ -18,8 +18,8 @@ _OPENINGS = (b"[", b"{", b"- ", b"? ")
 _HARMLESS_OPENINGS = 150
 """A reader calls itself a few times for each level, and Python allows it a thousand calls."""
 
-_TOO_DEEP = "exceeded maximum nesting depth"
-"""What libyaml says of a text that is nested a thousand deep, before any of it is an event."""
+TOO_DEEP = "exceeded maximum nesting depth"
+"""What newer libyaml says of a text that is nested a thousand deep, before any of it is an event."""
 _NESTED = f"the YAML file is nested more than {_MOST_DEPTH} deep"
 
 
@@ -35,7 +35,7 @@ def check_size(text: bytes) -> None:
     try:
         _count(yaml.parse(text, SAFE_LOADER))
     except yaml.MarkedYAMLError as error:
-        if _TOO_DEEP not in str(error):
+        if TOO_DEEP not in str(error):
             raise
         raise OverBudget(_NESTED) from None
 

@@ -13,13 +13,12 @@ from typing import Any
 
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import BOM, Place, SourceText
+from urdfctl.source.yaml.size import TOO_DEEP
 from urdfctl.startup.lazy_yaml import SAFE_LOADER, yaml
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 
 MOST_DEPTH = 64
-_TOO_DEEP = "exceeded maximum nesting depth"
-"""What libyaml says from 0.2.6 on of a text that is nested a thousand deep, before any of it is an event."""
 MOST_NODES = 200_000
 _MOST_DUPLICATES = 20
 _MOST_TAGS = 20
@@ -372,7 +371,7 @@ class _EventReader:
             message = "tab where YAML allows only spaces"
             return ReadError(Problem(ProblemKind.YAML_TAB, Place(self.source, start, end=start + 1), message))
         why = " ".join(part for part in (error.context, error.problem) if part) or "invalid YAML"
-        if _TOO_DEEP in why:
+        if TOO_DEEP in why:
             return self._over(self._first_too_deep(start), f"the YAML is nested more than {MOST_DEPTH} levels deep")
         at = Place(self.source, start, end=min(start + 1, len(self.source.data)))
         return ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"the file is not valid YAML: {why}"))
