@@ -10,13 +10,14 @@ from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.launch_files import own_packages
 from urdfctl.migrate.ros1.left_over import addressed_files
+from urdfctl.migrate.ros1.node_sections import has_nested_list
 from urdfctl.migrate.ros1.roslaunch_nodes import has_successor
 from urdfctl.migrate.ros1.roslaunch_values import given_by_name, root_around
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
-from urdfctl.source.yaml.tree import Mapping, Node, Sequence, YamlFile, read_yaml
+from urdfctl.source.yaml.tree import Mapping, Node, YamlFile, read_yaml
 
 _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
 _HEAD = "/**:\n  ros__parameters:\n"
@@ -68,14 +69,7 @@ def _obstacle(file: YamlFile, root: Node) -> str:
     """What ROS 2 cannot read in a file of parameters; empty if nothing."""
     if file.aliases or len(file.documents) > 1:
         return "it reads no aliases, and one document"
-    pending = [root]
-    while pending:
-        node = pending.pop()
-        if isinstance(node, Mapping):
-            pending += [entry.value for entry in node.entries]
-        elif isinstance(node, Sequence) and any(isinstance(item, Mapping | Sequence) for item in node.items):
-            return "no parameter is a list of maps or lists"
-    return ""
+    return "no parameter is a list of maps or lists" if has_nested_list(root) else ""
 
 
 def _wrapped(root: Mapping) -> Edit:

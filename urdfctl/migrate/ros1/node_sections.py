@@ -46,7 +46,7 @@ def node_section(packages: MigratedPackages, item: MapItem, namespace: str) -> s
 def _sections(nodes: Mapping[str, str], value: Node, full: str) -> list[str]:
     last = full.rpartition("/")[2]
     known = [name for name in nodes if name == full or ("*" in full and name.rpartition("/")[2] == last)]
-    if not isinstance(value, Map) or not value.entries or _is_nested_list(value):
+    if not isinstance(value, Map) or not value.entries or has_nested_list(value):
         return []
     if not known:
         inner = [_sections(nodes, entry.value, f"{full}/{entry.key.text}") for entry in value.entries]
@@ -69,8 +69,8 @@ def _body(value: Map) -> str:
     return "  ros__parameters:\n" + textwrap.indent(lines.rstrip("\n") + "\n", "    ")
 
 
-def _is_nested_list(root: Node) -> bool:
-    """Whether there is a list of maps or lists, which is no parameter of ROS 2."""
+def has_nested_list(root: Node) -> bool:
+    """Return whether there is a list of maps or lists, which is no parameter of ROS 2."""
     pending = [root]
     while pending:
         node = pending.pop()
