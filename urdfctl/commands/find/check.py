@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from urdfctl.commands.declaring import OUTPUT, Command, option
 from urdfctl.commands.find.lint import LintOptions, fail_on_of, request_of
-from urdfctl.commands.find.smoke import SmokeOptions, smoke_status, tested, write_smoke
+from urdfctl.commands.find.smoke import SmokeOptions, smoke_status, tested, with_progress_of_tests, write_smoke
 from urdfctl.commands.options import FORMAT
 from urdfctl.commands.progress import with_progress
 from urdfctl.commands.words import baseline_of, outputs_of
@@ -19,7 +19,6 @@ from urdfctl.output.links import check_output
 from urdfctl.output.writing import write_file
 from urdfctl.smoke.curves import curves_as_csv
 from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, report_of
-from urdfctl.smoke.run import RobotTest
 
 
 class LintAndSmokeOptions(SmokeOptions, command="check"):
@@ -44,7 +43,11 @@ def run_check(options: LintAndSmokeOptions) -> int:
     baseline = baseline_of(of_lint, [request.config], request.selection, found_by="lint")
     run = lint(request, watch=with_progress)
     linted = report(run, request, fail_on=fail_on_of(of_lint, request), unknown=baseline and baseline.unknown)
-    tests, smoked = _smoked(options) if any(result.links for result in run.robots) else ([], report_of((), ()))
+    tests, smoked = (
+        tested(options, with_progress_of_tests)
+        if any(result.links for result in run.robots)
+        else ([], report_of((), ()))
+    )
     whole = linted._replace(
         findings=(*linted.findings, *_new(smoked.found.findings, run)),
         quiet=options.quiet,
@@ -62,10 +65,6 @@ def run_check(options: LintAndSmokeOptions) -> int:
         pairs = [((test.settings, test.target), robot) for test, robot in zip(tests, made.robots, strict=True)]
         write_smoke_page(options.report, made, pairs, began=began, watch=with_progress, kind="Check")
     return 3 if run.crashed else smoke_status(made, exit_zero=options.exit_zero)
-
-
-def _smoked(options: LintAndSmokeOptions) -> tuple[list[RobotTest], SmokeReport]:
-    return tested(options, lambda tests, total: with_progress(tests, total, "testing"))
 
 
 def _new(findings: Sequence[Diagnostic], run: LintRun) -> list[Diagnostic]:

@@ -107,8 +107,8 @@ def run_smoke(options: SmokeOptions) -> int:
     if options.engine == _REAL:
         from urdfctl.commands.find.real_smoke import tested_by_ros2
 
-        return tested_by_ros2(tested(options, lambda tests, total: with_progress(tests, total, "testing"))[0], outputs)
-    tests, made = tested(options, lambda tests, total: with_progress(tests, total, "testing"))
+        return tested_by_ros2(tested(options, with_progress_of_tests)[0], outputs)
+    tests, made = tested(options, with_progress_of_tests)
     for name, file in outputs:
         write_smoke(made, name, file)
     if options.csv:
@@ -125,6 +125,11 @@ def run_smoke(options: SmokeOptions) -> int:
             options.report, made, list(zip(robots, made.robots, strict=True)), began=began, watch=with_progress
         )
     return smoke_status(made, exit_zero=options.exit_zero)
+
+
+def with_progress_of_tests(tests: Iterator[RobotTest], total: int) -> Iterable[RobotTest]:
+    """Yield tests, and show on a terminal how many of them are done."""
+    return with_progress(tests, total, "testing")
 
 
 def tested(
@@ -190,27 +195,19 @@ def _validate(options: SmokeOptions) -> None:
     if options.csv == "":
         raise UserError("--csv requires the name of a file")
     check_output(options.csv)
-    if options.csv is not None and options.engine in ("none", _REAL):
-        raise UserError(f"--csv requires a physics engine, not --engine {options.engine}")
-    _validate_video(options)
-    if options.tasks is not None and options.engine in ("none", _REAL):
-        raise UserError(f"--tasks requires a physics engine, not --engine {options.engine}")
+    for name, given in {"--csv": options.csv, "--video": options.video, "--tasks": options.tasks}.items():
+        if given is not None and options.engine in ("none", _REAL):
+            raise UserError(f"{name} requires a physics engine, not --engine {options.engine}")
+    if options.video is not None:
+        from urdfctl.page.film import check_film
+
+        check_film(options.video)
+        check_output(options.video)
     if "" in options.controllers:
         raise UserError("--controllers requires the name of a file")
     for path in options.controllers:
         if not os.path.lexists(path):
             raise UserError(f"file does not exist: '{path}'{nearest_path(path)}")
-
-
-def _validate_video(options: SmokeOptions) -> None:
-    if options.video is None:
-        return
-    from urdfctl.page.film import check_film
-
-    if options.engine in ("none", _REAL):
-        raise UserError(f"--video requires a physics engine, not --engine {options.engine}")
-    check_film(options.video)
-    check_output(options.video)
 
 
 def _settings(config: Config, options: SmokeOptions) -> Settings:
