@@ -32,11 +32,8 @@ def fault_explanation(fault: Fault) -> str:
     ]
     if fault.bad:
         parts += ["Wrong:", *_files(fault.bad[0].files)]
-        parts += (
-            ["Output of urdfctl lint:", textwrap.indent(output_of_lint(fault), "  ")]
-            if command_of(fault.code) == "lint"
-            else []
-        )
+        if command_of(fault.code) == "lint":
+            parts += ["Output of urdfctl lint:", textwrap.indent(output_of_lint(fault), "  ")]
         parts += ["Right:", *_files(fault.good[0].files)]
     parts.append(f"To ignore it in one place: <!-- urdfctl: ignore[{fault.code}] the reason -->")
     return "\n\n".join(part for part in parts if part) + "\n"
