@@ -19,6 +19,7 @@ from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.rules import all_faults
+from urdfctl.run.fork import Standby
 from urdfctl.run.limits import Json, Limits, Result, WorkerFailure, processors
 from urdfctl.run.pool import Division, run_jobs
 from urdfctl.source.disk.files import is_launch
@@ -59,12 +60,14 @@ class Workers(NamedTuple):
     loader: shared by forked workers; a new one if None.
     parallel: how many workers run at the same time; one for each processor if None.
     targets_per_worker: how many targets a forked worker may take, each within the limits.
+    standby: workers of other targets of the same run and loader, which have read what they share; None: there are none.
     meanwhile: called once, after the first workers were started.
     """
 
     loader: Loader | None = None
     parallel: int | None = None
     targets_per_worker: int = 1
+    standby: Standby | None = None
     meanwhile: Callable[[], object] = _nothing
 
 
@@ -88,11 +91,11 @@ def run_on_targets(
     ]
     return run_jobs(
         jobs,
-        partial(perform, function, workers.loader or Loader(settings)),
+        partial(perform, workers.loader or Loader(settings)),
         Limits(settings.timeout, settings.memory, settings.environ),
         workers.parallel or processors(),
         function_name="urdfctl.lint.job:perform_alone",
-        division=Division(workers.targets_per_worker, [_folder_of_launch(target) for target in targets]),
+        division=Division(workers.targets_per_worker, list(map(_folder_of_launch, targets)), workers.standby),
         meanwhile=workers.meanwhile,
     )
 
@@ -133,17 +136,18 @@ def job_for(
     }
 
 
-def perform(function: WorkFunction, loader: Loader, job: Json) -> Json:
+def perform(loader: Loader, job: Json) -> Json:
     """Do a job with what this process shares among its jobs."""
     target, selection = Target.from_json(job["target"]), Selection.from_json(job["selection"])
+    module, _, name = job["function"].partition(":")
+    function: WorkFunction = getattr(import_module(module), name)
     with loader.reading_for(target.path):
         return function(Work(loader, target, selection, job["details"]))
 
 
 def perform_alone(job: Json) -> Json:
     """Do a job in a process that knows nothing but the job."""
-    module, _, name = job["function"].partition(":")
-    return perform(getattr(import_module(module), name), Loader(Settings.from_json(job["settings"])), job)
+    return perform(Loader(Settings.from_json(job["settings"])), job)
 
 
 # -- linting ---------------------------------------------------------------------------------------------------------
@@ -155,19 +159,16 @@ def lint_all(
     selection: Selection,
     *,
     focus: Sequence[Sequence[str]] = (),
-    loader: Loader | None = None,
-    parallel: int | None = None,
-    meanwhile: Callable[[], object] = _nothing,
+    workers: Workers = Workers(),  # noqa: B008 (immutable)
 ) -> Iterator[TargetResult]:
     """Yield the findings of each target, in order, each from a limited worker.
 
     focus: as in `lint_target`, for each target; no target has one if empty.
-    loader: one that has read some of what the targets need; a new one if None.
-    parallel, meanwhile: as in `Workers`.
     """
     if not targets:
         return
-    workers = Workers(shared_loader(targets, settings, loader), parallel, _TARGETS_PER_WORKER, meanwhile)
+    loader = shared_loader(targets, settings, workers.loader)
+    workers = workers._replace(loader=loader, targets_per_worker=_TARGETS_PER_WORKER)
     details = [{"focus": list(paths)} for paths in focus] or None
     results = run_on_targets(lint_work, targets, settings, selection, details=details, workers=workers)
     for target, result in zip(targets, results, strict=True):
@@ -180,11 +181,9 @@ def lint_work(work: Work) -> Json:
     return result_to_json(lint_target(work.loader, work.target, work.selection, focus=focus).result)
 
 
-def launch_variants(
-    targets: Sequence[Target], settings: Settings, loader: Loader, parallel: int | None = None
-) -> list[list[Target]]:
+def launch_variants(targets: Sequence[Target], settings: Settings, workers: Workers) -> list[list[Target]]:
     """Return, for each launch file, a target for each choice of the arguments that it needs, or only itself."""
-    results = run_on_targets(variants_work, targets, settings, workers=Workers(loader, parallel))
+    results = run_on_targets(variants_work, targets, settings, workers=workers)
     return [
         [Target.from_json(one) for one in result["targets"]] if isinstance(result, dict) else [target]
         for target, result in zip(targets, results, strict=True)

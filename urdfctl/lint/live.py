@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 
 from urdfctl.config.settings import Settings
-from urdfctl.lint.job import WorkFunction, failed, job_for, lint_work, perform, variants_work
+from urdfctl.lint.job import failed, job_for, lint_work, perform, variants_work
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import result_from_json
@@ -71,7 +71,7 @@ class LiveLinter:
         """Return, for each launch file, a target for each choice of the arguments that it needs."""
         for target in targets:
             if target not in self._variants:
-                result = self._result(variants_work, job_for(variants_work, target, self.settings))
+                result = self._result(job_for(variants_work, target, self.settings))
                 found = [Target.from_json(one) for one in result["targets"]] if isinstance(result, dict) else [target]
                 self._variants[target] = found
         return [self._variants[target] for target in targets]
@@ -79,12 +79,12 @@ class LiveLinter:
     def _lint(self, target: Target, details: Json) -> TargetResult:
         job = job_for(lint_work, target, self.settings, selection=self.selection, details=details)
         started = _now()
-        result = self._result(lint_work, job)
+        result = self._result(job)
         self.seconds[target] = _now() - started
         return result_from_json(result) if isinstance(result, dict) else failed(target, self.settings, result)
 
-    def _result(self, function: WorkFunction, job: Json) -> Result:
+    def _result(self, job: Json) -> Result:
         if self._is_outdated():
             raise Outdated
-        shared = partial(perform, function, self._loader)
+        shared = partial(perform, self._loader)
         return next(run_all_here([job], shared, self._limits))

@@ -7,6 +7,7 @@ for open texts.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from contextlib import closing
 from typing import TYPE_CHECKING
 
 from urdfctl.config.file import Config
@@ -16,7 +17,7 @@ from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.errors import UserError
 from urdfctl.lint import merging, planning
 from urdfctl.lint.grouping import grouped
-from urdfctl.lint.job import launch_variants, lint_all
+from urdfctl.lint.job import Workers, launch_variants, lint_all
 from urdfctl.lint.judging import LintRun, judge
 from urdfctl.lint.planning import Arguments, Plan, of_shard
 from urdfctl.lint.ranking import causes_first
@@ -25,6 +26,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.names import did_you_mean
+from urdfctl.run.fork import Standby
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -104,7 +106,9 @@ def _linted(request: LintRequest, watch: Watch, meanwhile: Callable[[], object])
             f"nothing to lint in {where}: name a robot (.urdf, .xacro), a controller file (.yaml) or a launch file, or "
             "a folder that contains one"
         )
-    run = judge(plan(files, request), in_workers(request, watch, meanwhile))
+    with closing(Standby()) as standby:
+        workers = Workers(Loader(request.settings), request.parallel, standby=standby, meanwhile=meanwhile)
+        run = judge(plan(files, request), InWorkers(request, workers, watch))
     if not run.results and request.shard is None:
         raise UserError(
             f"nothing to lint in {where}: it contains launch files, but they start no robot or controllers of this "
@@ -144,31 +148,23 @@ class InWorkers(NamedTuple):
     """Loads targets and runs the rules on them, in limited workers."""
 
     request: LintRequest
-    loader: Loader
+    workers: Workers
     watch: Watch
-    meanwhile: Callable[[], object]
 
     def lint(self, targets: Sequence[Target], focus: Sequence[Sequence[str]] = ()) -> Iterator[TargetResult]:
         """Yield the result of each target, in order. focus: as in `lint_target`, for each target."""
-        results = lint_all(
-            targets,
-            self.request.settings,
-            self.request.selection,
-            focus=focus,
-            loader=self.loader,
-            parallel=self.request.parallel,
-            meanwhile=self.meanwhile,
-        )
+        request = self.request
+        results = lint_all(targets, request.settings, request.selection, focus=focus, workers=self.workers)
         return self.watch(results, len(targets))
 
     def variants(self, targets: Sequence[Target]) -> list[list[Target]]:
         """Return, for each launch file, a target for each choice of the arguments that it needs."""
-        return launch_variants(targets, self.request.settings, self.loader, self.request.parallel)
+        return launch_variants(targets, self.request.settings, self.workers)
 
 
-def in_workers(request: LintRequest, watch: Watch = unwatched, meanwhile: Callable[[], object] = _nothing) -> InWorkers:
-    """Return what lints the targets of a request. watch, meanwhile: as in `lint`."""
-    return InWorkers(request, Loader(request.settings), watch, meanwhile)
+def in_workers(request: LintRequest, watch: Watch = unwatched) -> InWorkers:
+    """Return what lints the targets of a request, each in workers of its own. watch: as in `lint`."""
+    return InWorkers(request, Workers(Loader(request.settings), request.parallel), watch)
 
 
 # -- merge and report ------------------------------------------------------------------------------------------------

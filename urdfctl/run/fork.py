@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import sys
@@ -17,25 +18,67 @@ MAX_GROWTH = (48 << 20) if sys.platform == "darwin" else (48 << 10)
 """By how much a worker may have grown and still take another job, in the unit of ru_maxrss."""
 
 
+class Standby:
+    """Workers that have done their jobs and wait for the next ones, for which they need not import and read again.
+
+    All jobs that they get must have the same function and the same limits.
+    """
+
+    def __init__(self) -> None:
+        self.idle: list[_Worker] = []
+
+    def close(self) -> None:
+        """End the workers."""
+        while self.idle:
+            self.idle.pop().kill()
+
+    def take(self, numbers: range, jobs: Sequence[Json]) -> _Worker | None:
+        """Return a waiting worker that was given jobs; None if there is none."""
+        while self.idle:
+            worker = self.idle.pop()
+            try:
+                worker.give(numbers, jobs)
+            except BrokenPipeError:  # it has grown too much, and left
+                worker.reap()
+                continue
+            return worker
+        return None
+
+
 class ForkPool:
     """Forked workers, the jobs that wait for one, and the results.
 
     pending: ranges of job numbers; each range goes to one worker.
+    retried: the first numbers of ranges that need a new worker, as another did not do them.
+    standby: where workers come from and go to; a worker ends after its jobs if None.
     """
 
     def __init__(
-        self, jobs: Sequence[Json], function: Callable[[Json], Json], limits: Limits, pending: list[range]
+        self,
+        jobs: Sequence[Json],
+        function: Callable[[Json], Json],
+        limits: Limits,
+        pending: list[range],
+        standby: Standby | None = None,
     ) -> None:
-        self.jobs, self.function, self.limits = jobs, function, limits
+        self.jobs, self.function, self.limits, self.standby = jobs, function, limits, standby
         self.pending = pending[::-1]
+        self.retried: set[int] = set()
         self.active: dict[int, _Worker] = {}
         self.results: dict[int, Result] = {}
 
     def fill(self, parallel: int) -> None:
         """Start workers until `parallel` are active or no job is waiting."""
         while self.pending and len(self.active) < parallel:
-            worker = self._fork(self.pending.pop())
+            numbers = self.pending.pop()
+            worker = (None if numbers.start in self.retried else self._waiting(numbers)) or self._fork(numbers)
             self.active[worker.pipe] = worker
+
+    def _waiting(self, numbers: range) -> _Worker | None:
+        return self.standby.take(numbers, self._jobs(numbers)) if self.standby else None
+
+    def _jobs(self, numbers: range) -> list[Json]:
+        return [self.jobs[number] for number in numbers]
 
     def _fork(self, numbers: range) -> _Worker:
         if sys.platform == "win32":
@@ -43,18 +86,29 @@ class ForkPool:
         sys.stdout.flush()
         sys.stderr.flush()
         reading, writing = os.pipe()
+        inbox, outbox = os.pipe() if self.standby else (None, None)
         pid = os.fork()
         if pid == 0:
             os.close(reading)
             status = 1
             try:
+                self._close_outboxes(outbox)
                 restrict(self.limits)
-                _work([self.jobs[number] for number in numbers], self.function, self.limits, writing)
+                _work_on(self._jobs(numbers), self.function, self.limits, pipe=writing, inbox=inbox)
                 status = 0
             finally:
                 os._exit(status)
         os.close(writing)
-        return _Worker(numbers, pid, reading, self.limits)
+        if inbox is not None:
+            os.close(inbox)
+        return _Worker(numbers, pid, reading, outbox, self.limits)
+
+    def _close_outboxes(self, own: int | None) -> None:
+        """Close what only the parent writes to: a worker whose parent has ended reads the end of its inbox."""
+        others = [*self.active.values(), *(self.standby.idle if self.standby else ())]
+        for outbox in [own, *(worker.outbox for worker in others)]:
+            if outbox is not None:
+                os.close(outbox)
 
     def wait(self) -> None:
         """Read what workers have written; end those that are done, too slow, or write too much."""
@@ -78,7 +132,7 @@ class ForkPool:
         worker.text.extend(piece)
         if b"\n" in piece:
             self._take_results(worker)
-        if not piece:
+        elif not piece:
             del self.active[worker.pipe]
             self._ended(worker, worker.reap())
 
@@ -86,8 +140,16 @@ class ForkPool:
         *lines, rest = bytes(worker.text).split(b"\n")
         worker.text = bytearray(rest)
         for line in lines:
-            self._settle(worker, decoded_result(line))
+            result = decoded_result(line)
+            self._settle(worker, result)
             worker.start_clock()
+            worker.is_sound = worker.is_sound and not isinstance(result, WorkerFailure)
+        if self.standby and not worker.jobs:
+            del self.active[worker.pipe]
+            if worker.is_sound:
+                self.standby.idle.append(worker)
+            else:
+                worker.kill()
 
     def _settle(self, worker: _Worker, result: Result) -> None:
         """Keep a result. A failure after other jobs is tried again alone: those may have caused it."""
@@ -102,6 +164,7 @@ class ForkPool:
     def _retry(self, numbers: range) -> None:
         if numbers:
             self.pending.append(numbers)
+            self.retried.add(numbers.start)
 
     def _ended(self, worker: _Worker, status: int) -> None:
         if worker.jobs and (status != 0 or worker.is_at_first_job):
@@ -115,12 +178,23 @@ class ForkPool:
 
 
 class _Worker:
-    """A process, the numbers of the jobs it has not done yet, and what it has written of the next result."""
+    """A process, the numbers of the jobs it has not done yet, and what it has written of the next result.
 
-    def __init__(self, jobs: range, pid: int, pipe: int, limits: Limits) -> None:
-        self.jobs, self.pid, self.pipe, self.limits = jobs, pid, pipe, limits
-        self.is_at_first_job = True
+    pipe: the results are read from it. outbox: more jobs are written to it; None if the process ends after its jobs.
+    """
+
+    def __init__(self, jobs: range, pid: int, pipe: int, outbox: int | None, limits: Limits) -> None:
+        self.jobs, self.pid, self.pipe, self.outbox, self.limits = jobs, pid, pipe, outbox, limits
+        self.is_at_first_job = self.is_sound = True
         self.text = bytearray()
+        self.start_clock()
+
+    def give(self, numbers: range, jobs: Sequence[Json]) -> None:
+        """Give more jobs to a process that has none. BrokenPipeError: it has ended."""
+        if self.outbox is None:
+            raise ValueError("this worker ends after its jobs")
+        _write(self.outbox, json.dumps(jobs).encode() + b"\n")
+        self.jobs = numbers
         self.start_clock()
 
     def start_clock(self) -> None:
@@ -133,21 +207,39 @@ class _Worker:
 
     def reap(self) -> int:
         os.close(self.pipe)
+        if self.outbox is not None:
+            os.close(self.outbox)
         return os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
 
 
-def _work(jobs: Sequence[Json], function: Callable[[Json], Json], limits: Limits, pipe: int) -> None:
-    """Write one result a line, until the jobs are done or this process has grown by MAX_GROWTH."""
+def _work_on(
+    jobs: Sequence[Json], function: Callable[[Json], Json], limits: Limits, *, pipe: int, inbox: int | None
+) -> None:
+    """Write one result a line: of some jobs, then of those that come. This process ends if it has grown too much."""
     if sys.platform == "win32":
         raise NotImplementedError
     import resource
 
     at_start = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    for job in jobs:
-        start_clock(limits)
-        _write(pipe, encoded_result(job, function) + b"\n")
-        if resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - at_start > MAX_GROWTH:
-            return
+    while jobs:
+        for job in jobs:
+            start_clock(limits)
+            _write(pipe, encoded_result(job, function) + b"\n")
+            if resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - at_start > MAX_GROWTH:
+                return
+        jobs = _next_jobs(inbox) if inbox is not None else ()
+
+
+def _next_jobs(inbox: int) -> list[Json]:
+    """Wait for jobs; none if the parent wants no more of them."""
+    text = bytearray()
+    while not text.endswith(b"\n"):
+        piece = os.read(inbox, 1 << 16)
+        if not piece:
+            return []
+        text += piece
+    jobs: list[Json] = json.loads(text)
+    return jobs
 
 
 def _write(pipe: int, text: bytes) -> None:

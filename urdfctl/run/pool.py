@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from urdfctl.run.fork import ForkPool
+from urdfctl.run.fork import ForkPool, Standby
 from urdfctl.run.limits import CAN_FORK, HAS_PROCESSES, Json, Limits, Result
 from urdfctl.startup.records import NamedTuple
 
@@ -22,10 +22,12 @@ class Division(NamedTuple):
 
     jobs_per_worker: how many jobs a forked worker may do, each within the limits.
     together: for each job, a key; neighbours with the same key share work and go to the same worker. Empty: none do.
+    standby: where workers come from and wait for later jobs; they end after these jobs if None.
     """
 
     jobs_per_worker: int = 1
     together: Sequence[str] = ()
+    standby: Standby | None = None
 
 
 def run_jobs(
@@ -58,7 +60,8 @@ def run_jobs(
         yield from run_all_fresh(jobs, function_name, limits, parallel)
         return
     size = max(min(division.jobs_per_worker, len(jobs) // (4 * parallel)), 1)
-    pool = ForkPool(jobs, function, limits, _shares(division.together or [""] * len(jobs), size))
+    shares = _shares(division.together or [""] * len(jobs), size)
+    pool = ForkPool(jobs, function, limits, shares, division.standby)
     try:
         pool.fill(parallel)
         meanwhile()
