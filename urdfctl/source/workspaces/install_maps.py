@@ -14,6 +14,7 @@ from itertools import islice
 
 from urdfctl.source.disk import gate
 from urdfctl.source.disk.files import first_bytes
+from urdfctl.source.workspaces.expanded_files import expanded_files
 from urdfctl.source.workspaces.installed import Installed, below_share, installed
 
 _INSTALL = r"(?si)\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)"
@@ -149,6 +150,7 @@ def _from_cmake(text: str, package: str) -> Iterator[Installed]:
             if source.isupper() and source.isalpha():
                 break
             yield installed(kind.upper(), target, source)
+    yield from expanded_files(_substituted(text, name))
 
 
 def _unrolled(text: str) -> str:

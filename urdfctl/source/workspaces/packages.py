@@ -280,10 +280,15 @@ class Packages:
         """Return the source file of an installed path; the path itself if it exists or no file is installed there."""
         if gate.exists(path):
             return path
-        for name, folder in self._found.items():
-            if path.startswith(folder + os.sep):
-                return self._source_in(folder, name, path[len(folder) + 1 :]) or path
+        for name, folder in self._around(path):
+            return self._source_in(folder, name, path[len(folder) + 1 :]) or path
         return self._of_other_machine(path) or path
+
+    def _around(self, path: str) -> list[tuple[str, str]]:
+        """The packages with a path in them, by name: those that were found, and the robot file's own one."""
+        own = self.own()
+        folders = {**({self._own_name(): own} if own else {}), **self._found}
+        return [(name, folder) for name, folder in folders.items() if path.startswith(folder + os.sep)]
 
     def _source_in(self, folder: str, name: str, relative: str) -> str | None:
         return self._index.install_map(folder, name).source_of(os.path.normpath(relative))
@@ -314,10 +319,9 @@ class Packages:
         """
         if self.is_ignored_by_git(path):
             return True
-        for name, folder in self._found.items():
-            if path.startswith(folder + os.sep):
-                build = self._index.install_map(folder, name)
-                return build.makes or not (build.whole or self._is_missing_from(folder, path))
+        for name, folder in self._around(path):
+            build = self._index.install_map(folder, name)
+            return build.makes or not (build.whole or self._is_missing_from(folder, path))
         return False
 
     def _is_missing_from(self, package: str, path: str) -> bool:
@@ -326,10 +330,8 @@ class Packages:
 
     def is_made_by_build(self, path: str) -> bool:
         """Return whether the CMakeLists.txt of a source package mentions a missing file of it, and may make files."""
-        own = self.own()
-        folders = {**self._found, **({self._index.name_of(own) or "": own} if own else {})}
-        around = [(name, folder) for name, folder in folders.items() if path.startswith(folder + os.sep)]
-        return any(self._index.install_map(folder, name).makes_named(os.path.basename(path)) for name, folder in around)
+        builds = (self._index.install_map(folder, name) for name, folder in self._around(path))
+        return any(build.makes_named(os.path.basename(path)) for build in builds)
 
     def is_ignored_by_git(self, path: str) -> bool:
         """Return whether git ignores a missing file: it is created later, and never committed."""
