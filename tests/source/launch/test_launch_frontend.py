@@ -47,6 +47,7 @@ def spawned(args: str) -> list[str]:
         ("left_$(var a)", ["left_arm"]),
         ("$(env HERE) $(env NOWHERE 'y z')", ["x", "y z"]),
         ("$(eval '&quot;$(var a)&quot; == &quot;arm&quot;')", ["True"]),
+        (r"$(eval '\'$(var a)\' == \'arm\'')", ["True"]),
         ("$(env NOWHERE) b", ["b"]),
         ("$(not $(var yes))", ["false"]),
         ("$(equals $(var a) arm)", ["true"]),

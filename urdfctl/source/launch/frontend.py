@@ -15,6 +15,8 @@ from urdfctl.source.yaml.tree import Sequence as YamlList
 from urdfctl.startup.records import NamedTuple
 
 _MOST_DEPTH = 30
+_ESCAPED = r"\\(['\"])"
+"""A quote inside a quoted argument (launch, frontend/parse_substitution.py replace_escaped_characters())."""
 _QUOTED = r"(?s)^(['\"])(.*)\1$"
 _SUBSTITUTIONS: dict[str, tuple[str, int]] = {
     "var": ("LaunchConfiguration", 2),
@@ -293,7 +295,7 @@ def _substitution(inside: str, at: Place, depth: int) -> Term:
             given = re.sub(r"(['\"])\s+(?:warn|fail|ignore|capture)$", r"\1", given)
         quoted = re.fullmatch(r"'(.*)'|\"(.*)\"", given, re.DOTALL)
         text = (quoted.group(1) if quoted.group(1) is not None else quoted.group(2)) if quoted else given
-        return Called(_WHOLE[name], at, [substituted(Constant(text, at), depth + 1)])
+        return Called(_WHOLE[name], at, [substituted(Constant(re.sub(_ESCAPED, r"\1", text), at), depth + 1)])
     if name not in _SUBSTITUTIONS:
         return UnknownTerm(at)
     full, most = _SUBSTITUTIONS[name]
