@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from collections.abc import Sequence as Several
 
 from urdfctl.load.inline_parameters import inline_tree
@@ -11,7 +11,7 @@ from urdfctl.load.near_files import file_near
 from urdfctl.model.controllers import Controllers, FileReference, MoveItList
 from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.controllers.controller_forms import form_of
-from urdfctl.model.launch import GivenParameters, InlineParameters, Launch, ParameterLoad, Rewriting
+from urdfctl.model.launch import GivenParameters, InlineParameters, Launch, ParameterLoad, Rewriting, joined
 from urdfctl.model.robot import Robot
 from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.opaque import UNKNOWN
@@ -74,11 +74,15 @@ def read_controllers(
     for text, at, is_named in _named_by(robot, launch):
         reader.reference(text, at, is_named=is_named)
     loads = launch.loads if launch else ()
+    surely = {_loaded_by(load) for load in loads if load.sure}
     for load in loads:
+        if not load.sure and _loaded_by(load) in surely:
+            continue  # nothing else than what is loaded anyway
         if not load.sure or load.namespace is None or load.file.path is None:
             reader.whole = False
         else:
-            reader.load(load, of_other=launch is not None and launch.is_of_other_node(load))
+            others = launch.namespaces_of_others if launch is not None and launch.ros == 1 else ()
+            reader.load(load, of_other=launch is not None and launch.is_of_other_node(load), others=others)
     for inline in launch.inline if launch else ():
         reader.contained(inline)
     for given in launch.given if launch else ():
@@ -88,6 +92,19 @@ def read_controllers(
     for path in map(os.path.abspath, paths):
         reader.named(path)
     return reader.read()
+
+
+def _loaded_by(load: ParameterLoad) -> tuple[str | None, str | None, Rewriting]:
+    """What one load adds that another one does not."""
+    return load.file.path, load.namespace, load.rewriting
+
+
+def _spaces(tree: YamlFile, namespace: str) -> set[str]:
+    """The full names of what a file sets when it is loaded into a namespace of ROS 1; a mark for what has no name."""
+    keys = (
+        entry.key.text for document in tree.documents if isinstance(document, Mapping) for entry in document.entries
+    )
+    return {joined(namespace, key) for key in keys} or {UNKNOWN}
 
 
 def listed_joints(path: str, files: Files) -> Iterator[tuple[str, Place]]:
@@ -189,12 +206,17 @@ class _ControllerFileReader:
         if tree is not None:
             self._loaded.append(Loaded(tree))
 
-    def load(self, load: ParameterLoad, *, of_other: bool = False) -> None:
-        """Add a file that a launch file loads. One for a single node is kept only if it may have controllers."""
+    def load(self, load: ParameterLoad, *, of_other: bool = False, others: Collection[str] = ()) -> None:
+        """Add a file that a launch file loads. One for a single node is kept only if it may have controllers.
+
+        others: ROS 1: the namespaces of other robots. A file that sets parameters only there is one of these.
+        """
         tree, exists = self._existing(load.file.path or "", load.file.at)
         if exists is False and load.file.exists is None:
             exists = None  # its path needs an argument
         self._references.append(load.file._replace(exists=exists))
+        if tree is not None and _spaces(tree, load.namespace or "") <= set(others):
+            return
         if tree is not None and not (load.in_node and (of_other or form_of(tree) is None)):
             self._loaded.append(Loaded(self._rewritten(tree, load.rewriting), load.namespace or "", of_other))
 

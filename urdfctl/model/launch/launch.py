@@ -96,16 +96,18 @@ class Launch(NamedTuple):
     def robots(self) -> tuple[Description, ...]:
         """The descriptions of all robots, each once, with the robot's namespace; empty if it is not known which.
 
-        The same description in a namespace and below it is one robot. A node's own description belongs to the node's
-        namespace, unless controllers are loaded under the node's name. Of different descriptions for one namespace,
-        that of the controller manager counts, then that of robot_state_publisher; in ROS 1 the one that is set last. Of
-        several nodes of one kind that are all started, the first counts: they publish to one topic.
+        The same description in a namespace and below it is one robot, unless each has a controller manager. A node's
+        own description belongs to the node's namespace, unless controllers are loaded under the node's name. Of
+        different descriptions for one namespace, that of the controller manager counts, then that of
+        robot_state_publisher; in ROS 1 the one that is set last. Of several nodes of one kind that are all started, the
+        first counts: they publish to one topic.
         """
         usable = [each._replace(namespace=self._home(each)) for each in self.descriptions if each.usable]
         sure = [each for each in usable if each.sure]
         robots: list[Description] = []
+        managed = {node.namespace for node in self.nodes if node.runs("controller_manager", "ros2_control_node")}
         for each in sorted(_decisive(sure or usable), key=lambda one: (one.namespace or "").count("/")):
-            if not any(_is_same_robot(each, robot) for robot in robots):
+            if not any(_is_same_robot(each, robot, managed) for robot in robots):
                 robots.append(each)
         order = [each.at for each in self.descriptions]
         robots.sort(key=lambda one: order.index(one.at))
@@ -113,6 +115,11 @@ class Launch(NamedTuple):
         if len(first) < len(robots) and not sure:
             return ()  # different descriptions for one namespace
         return tuple(each for each in robots if first[each.namespace] is each)
+
+    @property
+    def namespaces_of_others(self) -> frozenset[str]:
+        """The namespaces of its other robots, if only what belongs to one is kept."""
+        return frozenset(other.namespace for other in self.others if other.namespace)
 
     @property
     def unfollowed(self) -> tuple[str, ...]:
@@ -215,7 +222,13 @@ def _rank(description: Description) -> int:
     return _DECIDING.index(description.node) if description.node in _DECIDING else len(_DECIDING)
 
 
-def _is_same_robot(description: Description, robot: Description) -> bool:
-    """Whether a description is that of a robot nearer to the root."""
+def _is_same_robot(description: Description, robot: Description, managed: Collection[str | None]) -> bool:
+    """Whether a description is that of a robot nearer to the root.
+
+    managed: the namespaces with a controller manager.
+    """
+    spaces = {description.namespace, robot.namespace}
+    if len(spaces) > 1 and spaces <= set(managed):
+        return False
     is_same = (description.file.path, description.arguments) == (robot.file.path, robot.arguments)
     return is_same and f"{description.namespace or ''}/".startswith(f"{robot.namespace or ''}/")

@@ -58,15 +58,24 @@ class LaunchFacts:
         return reference
 
     def load(
-        self, file: Word, node: str, *, sure: bool, of: str | None, rewriting: Rewriting = UNCHANGED
+        self,
+        file: Word,
+        node: str,
+        *,
+        sure: bool,
+        of: str | None,
+        rewriting: Rewriting = UNCHANGED,
+        held: bool = True,
     ) -> FileReference:
         """Add a parameter file of a controller manager or a spawner, and return the reference to it.
 
         of: the node's namespace; None if unknown.
         rewriting: how the launch file rewrites the file.
+        held: False if the node runs only with other launch arguments, and nothing is loaded.
         """
         reference = self.reference(file.text, file.at, "parameters", sure=sure)
-        self.loads.append(ParameterLoad(reference, "", file.at, sure, node=node, of=of, rewriting=rewriting))
+        if held:
+            self.loads.append(ParameterLoad(reference, "", file.at, sure, node=node, of=of, rewriting=rewriting))
         return reference
 
     def described(self, content: Content, node: str, namespace: str | None, *, sure: bool) -> None:

@@ -15,6 +15,7 @@ from urdfctl.model.launch.ros2.texts import Content, Texts, rewriting_of
 from urdfctl.source.launch.terms import Called, Constant, Items, OneOf, Perhaps, Table, Term, UnknownTerm
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 SPAWNERS = ("spawner", "spawner.py")
 _FILE_OPTIONS = ("-file", "--file")
@@ -22,6 +23,14 @@ _SUFFIXES = (".yaml", ".yml", ".urdf", ".xacro", ".rviz", ".sdf", ".world", ".sr
 _NAMING = ("controller_name", "controller_names", "controller_info_dict")
 _ALTERNATIVE = {"package": "node_package", "executable": "node_executable", "name": "node_name"}
 """The keywords of a node with their names in older distros."""
+
+
+class _Run(NamedTuple):
+    """When an action runs: as the state of the launch file says in which it is."""
+
+    sure: bool
+    held: bool
+    after: tuple[str, ...] = ()
 
 
 class Nodes:
@@ -39,7 +48,7 @@ class Nodes:
         package, executable = self._word(term, "package"), self._word(term, "executable")
         if not held:
             if self._is_spawner(package, executable):
-                self.facts.elsewhere.append(self._spawn(term, executable, sure=sure, after=after))
+                self.facts.elsewhere.append(self._spawn(term, executable, _Run(sure, held, after)))
             return
         words, complete = self._split(term, "arguments")
         name = self._word(term, "name").known if _given(term, "name") is not None else None
@@ -71,7 +80,7 @@ class Nodes:
             )
         )
         if self._is_spawner(package, executable):
-            self.facts.spawns.append(self._spawn(term, executable, sure=sure, after=after))
+            self.facts.spawns.append(self._spawn(term, executable, _Run(sure, held, after)))
         else:
             self._described_by(words, executable.text, namespace, sure=sure)
 
@@ -89,12 +98,12 @@ class Nodes:
         command = command_arguments(self._split(term, "cmd")[0])
         return command[1] if command else None
 
-    def _spawn(self, term: Called, program: Word, *, sure: bool, after: tuple[str, ...]) -> Spawn:
+    def _spawn(self, term: Called, program: Word, run: _Run) -> Spawn:
         words, complete = self._split(term, "arguments")
         parsed = spawner_arguments(words, complete=complete)
         files = [*parsed.values("-p", "--param-file"), *self._files(term.keywords.get("parameters"))]
         at = term.keywords["arguments"].at if "arguments" in term.keywords else term.at
-        return self._spawn_with(parsed, program, at, self._namespace(term), files, sure=sure, after=after)
+        return self._spawn_with(parsed, program, at, self._namespace(term), files, run)
 
     def _spawn_with(
         self,
@@ -103,9 +112,7 @@ class Nodes:
         at: Place,
         namespace: str,
         files: Sequence[Word],
-        *,
-        sure: bool,
-        after: tuple[str, ...] = (),
+        run: _Run,
     ) -> Spawn:
         for given in parsed.values("-n", "--namespace"):
             namespace = joined("", given.text)
@@ -114,7 +121,8 @@ class Nodes:
             self.facts.load(
                 word,
                 program.text,
-                sure=sure,
+                sure=run.sure,
+                held=run.held,
                 of=if_known(namespace),
                 rewriting=self._rewritings.get((word.text, word.at.start), UNCHANGED),
             )
@@ -126,13 +134,13 @@ class Nodes:
             namespace=manager_namespace,
             at=at,
             active=parsed.active,
-            sure=sure,
+            sure=run.sure,
             complete=parsed.complete,
             manager=manager,
             program=program,
             options=parsed.options,
             files=references,
-            after=after,
+            after=run.after,
         )
 
     def helper(self, term: Called, *, sure: bool, held: bool) -> None:
@@ -149,7 +157,7 @@ class Nodes:
         parsed = parsed._replace(manager=parsed.manager or manager)
         paths = [word for file_list in file_lists for word in self._words(_as_list(file_list))[0] if word.text]
         program = Word("spawner", term.at)
-        spawn = self._spawn_with(parsed, program, term.at, self.texts.scope.namespace, paths, sure=sure)
+        spawn = self._spawn_with(parsed, program, term.at, self.texts.scope.namespace, paths, _Run(sure, held))
         (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
 
     def moveit(self, term: Called, *, sure: bool, held: bool) -> None:
@@ -193,7 +201,7 @@ class Nodes:
             program, parsed = command
             parsed = parsed._replace(complete=parsed.complete and complete)
             files = list(parsed.values("-p", "--param-file"))
-            spawn = self._spawn_with(parsed, program, term.at, "", files, sure=sure, after=after)
+            spawn = self._spawn_with(parsed, program, term.at, "", files, _Run(sure, held, after))
             (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
         return words
 

@@ -115,9 +115,10 @@ class NodeParameters:
 
     def _of_builder(self, term: Member | Called) -> None:
         """Add the parameters of a MoveItConfigsBuilder: one of its dicts, or all of them (`to_dict()`)."""
-        self.complete = False
         builder = builder_of(term, self.texts)
-        if isinstance(term, Member) and term.name == _DESCRIPTION:
+        is_description = isinstance(term, Member) and term.name == _DESCRIPTION
+        self.complete = self.complete and is_description
+        if is_description:
             self.names.append(Word(term.name, term.at))
             self._description(term)
         elif builder is not None and (isinstance(term, Called) or term.name == _SEMANTIC):
