@@ -196,6 +196,22 @@ def test_what_a_person_changed_is_kept_and_said(written: Folder) -> None:
     assert command("gen-check", "out") == (0, "", "")
 
 
+def test_without_fcl_meshes_are_hulls_which_is_said_and_with_it_nothing_is(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("fcl")
+    corners = "".join(f"v {x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1))
+    faces = "".join(
+        f"f {a} {b} {c}\n" for a, b, c in ((1, 2, 3), (1, 5, 2), (1, 3, 5), (8, 7, 6), (8, 6, 4), (8, 4, 7))
+    )
+    mesh = arm().replace('<box size="0.04 0.2 0.02"/>', '<mesh filename="hand.obj" scale="0.04 0.2 0.02"/>')
+    folder.write({"six.urdf": mesh, "hand.obj": corners + faces})
+    said = "meshes are tested for collisions as their convex hulls, which touch more often (hand)"
+    assert said not in command("gen-moveit", "six.urdf", *JAZZY).stderr
+    monkeypatch.setattr("urdfctl.smoke.engines.contacts.tests_surfaces", lambda: False)
+    assert said in command("gen-moveit", "six.urdf", *JAZZY, "--force").stderr
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

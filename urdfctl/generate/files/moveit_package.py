@@ -19,6 +19,7 @@ from urdfctl.generate.text.templates import Templates
 
 _RAMP = 2.0
 """The acceleration of a joint in parts of its greatest velocity, per second."""
+_LISTED = 4
 _LISTS_SINCE = "jazzy"
 _LAUNCH = "moveit.launch.py"
 _YAML = ("ompl_planning", "pilz_industrial_motion_planner_planning", "pilz_cartesian_limits", "kinematics")
@@ -57,6 +58,7 @@ def moveit_files(
     notes: list[str] = []
     if options.output:
         parts, notes = with_own_parts(parts, f"{options.output}/{semantic}", robot)
+    notes += _about_hulls(linkage.hulls)
     values = _values(options, robot, groups, linkage, parts)
     values.update(semantic=semantic, robot=name)
     files = [File(semantic, semantic_text(name, xml_command, parts))]
@@ -65,6 +67,15 @@ def moveit_files(
     files.append(File("config/moveit.rviz", templates.render("moveit/moveit.rviz", **values)))
     files.append(File(f"launch/{_LAUNCH}", templates.render("launch/moveit.launch.py", **values)))
     return files, notes
+
+
+def _about_hulls(links: Sequence[str]) -> list[str]:
+    """That meshes are tested as their convex hulls, in words."""
+    if not links:
+        return []
+    named = ", ".join(links[:_LISTED]) + (", ..." if len(links) > _LISTED else "")
+    install = "pip install 'urdfctl[moveit]' brings FCL, which tests the meshes"
+    return [f"meshes are tested for collisions as their convex hulls, which touch more often ({named}): {install}"]
 
 
 def _check(options: GeneratorOptions) -> None:

@@ -107,7 +107,7 @@ class Linkage(NamedTuple):
     """The links of a robot from the root outwards, for planning.
 
     `pairs` are those that need no test for collisions, each with the reason. `hulls` are the links whose meshes were
-    tested as convex hulls. `rest` are the positions at which its joints start.
+    tested as convex hulls, for want of FCL. `rest` are the positions at which its joints start.
     """
 
     links: tuple[LinkFacts, ...]

@@ -1,17 +1,21 @@
 """Which links of a robot can touch each other: poses within the limits are sampled in MuJoCo, and contacts counted.
 
 MuJoCo is an engine of the smoke test already, has wheels for the usual platforms, and tests all pairs of a pose in C.
-It takes the convex hull of a mesh, which contains the mesh: a pair that never touches as hulls never touches.
+It takes the convex hull of a mesh, which contains the mesh: a pair that never touches as hulls never touches. Those
+that do are tested again as the surfaces that they are, as MoveIt tests them, if FCL is installed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from itertools import chain
+from random import Random
 from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.model.robot import Robot
 from urdfctl.smoke.engines.engine import installed
+from urdfctl.smoke.engines.surfaces import Surfaces, read_surface, tests_surfaces
 from urdfctl.smoke.engines.urdf import engine_urdf
 from urdfctl.smoke.robot import Hinge, Mechanism, mechanism_of
 from urdfctl.startup.records import NamedTuple
@@ -63,12 +67,12 @@ def touching_links(
     meeting.build(reasons)
     reasons.update(dict.fromkeys(meeting.at_rest(), DEFAULT))
     meeting.build(reasons)
-    counts = meeting.sampled(samples, seed)
-    for pair, count in counts.items():
-        if pair not in reasons and (count == 0 or count >= _ALWAYS * samples):
-            reasons[pair] = ALWAYS if count else NEVER
-    hulls = tuple(link for link in solid if any(mesh.name == "mesh" for mesh in _shapes(robot, link)))
-    return mechanism, TouchingLinks(tuple((*pair, reasons[pair]) for pair in counts if pair in reasons), hulls)
+    never, always = meeting.sampled(samples, seed)
+    reasons.update({pair: NEVER for pair in never if pair not in reasons})
+    reasons.update({pair: ALWAYS for pair in always if pair not in reasons})
+    hulls = () if tests_surfaces() else tuple(link for link in solid if _has_mesh(robot, link))
+    pairs = tuple((*pair, reasons[pair]) for pair in _all_pairs(solid) if pair in reasons)
+    return mechanism, TouchingLinks(pairs, hulls)
 
 
 def adjacent_pairs(mechanism: Mechanism, solid: Sequence[str]) -> list[LinkPair]:
@@ -85,12 +89,16 @@ def adjacent_pairs(mechanism: Mechanism, solid: Sequence[str]) -> list[LinkPair]
     return [pair for pair in _all_pairs(solid) if pair[1] in near[pair[0]]]
 
 
-def _shapes(robot: Robot, link: str) -> Iterator[Any]:
-    for each in robot.links:
-        if each.name == link:
-            for collision in each.tag.named("collision"):
-                for geometry in collision.named("geometry"):
-                    yield from geometry.children
+def _has_mesh(robot: Robot, name: str) -> bool:
+    shapes = (
+        shape
+        for link in robot.links
+        if link.name == name
+        for collision in link.tag.named("collision")
+        for geometry in collision.named("geometry")
+        for shape in geometry.children
+    )
+    return any(shape.name == "mesh" for shape in shapes)
 
 
 def _all_pairs(names: Sequence[str]) -> Iterator[LinkPair]:
@@ -126,35 +134,55 @@ class _Meeting:
             for shape in spec.geoms:
                 shape.contype = shape.conaffinity = 1
             for mesh in spec.meshes:
-                read_mesh(mesh)
+                if not (tests_surfaces() and read_surface(mesh)):
+                    read_mesh(mesh)
             for link, other in untested:
                 spec.add_exclude(bodyname1=link, bodyname2=other)
             self._model = spec.compile()
         except (ValueError, AttributeError) as error:
             raise Untestable(f"MuJoCo rejects the robot: {' '.join(str(error).split())}") from None
         self._data = library.MjData(self._model)
+        self._surfaces = Surfaces(library, self._model) if tests_surfaces() else None
         self._at = {hinge.name: int(self._model.joint(hinge.name).qposadr[0]) for hinge in self._moving}
         self._body = {self._model.body(name).id: name for name in self._solid}
 
     def at_rest(self) -> set[LinkPair]:
         """Return the pairs that touch with each joint at 0, or in the middle of its range if 0 is out of reach."""
         positions = {hinge.name: _usual(hinge) for hinge in self._moving}
-        return self._touching(positions) | self._welded()
+        return self._touching(positions, frozenset()) | self._welded()
 
-    def sampled(self, samples: int, seed: int) -> dict[LinkPair, int]:
-        """Return in how many of the poses each pair of links touches."""
-        from random import Random
-
+    def sampled(self, samples: int, seed: int) -> tuple[list[LinkPair], list[LinkPair]]:
+        """Return the pairs of links that touch in none of the poses, and those that touch in nearly all of them."""
         chance = Random(seed)  # noqa: S311 (it samples poses)
+        simple = [*self._simple_poses()]
+        total = len(simple) + samples
+        most_apart = total - _ALWAYS * total
         counts = dict.fromkeys(_all_pairs(self._solid), 0)
-        for n in range(samples):
-            ends = n % _AT_LIMITS == 0
-            draw = chance.choice if ends else lambda span: chance.uniform(*span)
-            for pair in self._touching({hinge.name: draw(hinge.span) for hinge in self._moving}):
+        known: set[LinkPair] = set()
+        for n, pose in enumerate(chain(simple, (self._drawn(chance, n) for n in range(samples))), 1):
+            for pair in self._touching(pose, known):
                 counts[pair] += 1
-        return counts
+                if n - counts[pair] > most_apart:
+                    known.add(pair)  # it touches at times: whether it does again makes no difference
+        never = [pair for pair, count in counts.items() if not count]
+        return never, [pair for pair, count in counts.items() if count and total - count <= most_apart]
 
-    def _touching(self, positions: Mapping[str, float]) -> set[LinkPair]:
+    def _drawn(self, chance: Random, number: int) -> dict[str, float]:
+        if number % _AT_LIMITS == 0:
+            return {hinge.name: chance.choice(hinge.span) for hinge in self._moving}
+        return {hinge.name: chance.uniform(*hinge.span) for hinge in self._moving}
+
+    def _simple_poses(self) -> Iterator[dict[str, float]]:
+        """The poses that people name: where each joint starts, and with one joint or all at a limit."""
+        usual = {hinge.name: _usual(hinge) for hinge in self._moving}
+        yield {**usual, **self._mechanism.start()}
+        for end in (0, 1):
+            yield {hinge.name: hinge.span[end] for hinge in self._moving}
+            yield from ({**usual, hinge.name: hinge.span[end]} for hinge in self._moving)
+            yield {**usual, **{hinge.name: hinge.span[end] for hinge in self._moving if hinge.type == "prismatic"}}
+
+    def _touching(self, positions: Mapping[str, float], known: Collection[LinkPair]) -> set[LinkPair]:
+        """The pairs that touch in a pose, without those that are known already."""
         library, model, data = self._library, self._model, self._data
         for hinge in self._moving:
             position = positions[hinge.name]
@@ -164,10 +192,21 @@ class _Meeting:
         library.mj_kinematics(model, data)
         library.mj_comPos(model, data)
         library.mj_collision(model, data)
+        found: set[LinkPair] = set()
         if not data.ncon:
-            return set()
-        bodies = model.geom_bodyid[data.contact.geom].tolist()
-        return {self._pair(self._body[one], self._body[other]) for one, other in bodies}
+            return found
+        shapes = data.contact.geom
+        links = model.geom_bodyid[shapes].tolist()
+        met = {(*shape, *link) for shape, link in zip(shapes.tolist(), links, strict=True)}
+        for one, other, link, second in sorted(met):
+            pair = self._pair(self._body[link], self._body[second])
+            if pair not in found and pair not in known and self._touch(one, other):
+                found.add(pair)
+        return found
+
+    def _touch(self, one: int, other: int) -> bool:
+        """Whether two shapes touch whose hulls do."""
+        return self._surfaces is None or self._surfaces.meet(self._data, one, other)
 
     def _welded(self) -> set[LinkPair]:
         """The pairs that touch and cannot move against each other, which MuJoCo does not look at."""
@@ -180,7 +219,7 @@ class _Meeting:
             for pair in ((one, other) for n, one in enumerate(group) for other in group[n + 1 :]):
                 bodies = [int(model.geom_bodyid[shape]) for shape in pair]
                 apart = bodies[0] == bodies[1] or library.mj_geomDistance(model, data, *pair, 1.0, None) > 0
-                if not apart:
+                if not apart and self._touch(*pair):
                     found.add(self._pair(*(self._body[body] for body in bodies)))
         return found
 

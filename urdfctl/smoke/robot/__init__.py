@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from urdfctl.smoke.robot.collada import triangles_of_collada
 from urdfctl.smoke.robot.description import hinges_of, mechanism_of, numbers_of, origin_of
 from urdfctl.smoke.robot.loads import GRAVITY, gravity_load, moved_inertias, sampled_poses, worst_loads
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
@@ -38,6 +39,7 @@ __all__ = [
     "rest_pose_of",
     "sampled_poses",
     "shapes_of",
+    "triangles_of_collada",
     "wheels_of",
     "with_rims",
     "worst_loads",

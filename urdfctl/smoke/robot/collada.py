@@ -32,6 +32,30 @@ def corners_of_collada(data: bytes) -> list[Vector]:
     return [(x * meter, y * meter, z * meter) for x, y, z in points] if len(points) <= _MOST_POINTS else []
 
 
+def triangles_of_collada(data: bytes) -> tuple[list[Vector], list[tuple[int, int, int]]]:
+    """Return the corners of all meshes in the scene of a COLLADA file, in m, and those of each triangle.
+
+    Returns none under the conditions of `corners_of_collada`, or if its faces cannot be read.
+    """
+    points = corners_of_collada(data)
+    if not points:
+        return [], []
+    try:
+        scene, before = _Scene(data), 0
+        faces: list[tuple[int, int, int]] = []
+        for mesh, _ in scene.shown():
+            count, starts = 0, {}
+            for vertices in mesh.iterfind("mesh/vertices"):
+                starts[vertices.get("id", "")] = before + count
+                count += sum(1 for _ in _positions_of(vertices, scene.by_id))
+            faces += _faces(mesh, starts)
+            before += count
+    except (ET.ParseError, ValueError, IndexError):
+        return [], []
+    fitting = all(0 <= corner < len(points) for face in faces for corner in face)
+    return (points, faces) if fitting and before == len(points) else ([], [])
+
+
 def shows_too_many_nodes(data: bytes) -> bool:
     """Return whether the scene of a COLLADA file is deeper or shows more nodes than that of any mesh."""
     try:
@@ -87,7 +111,12 @@ class _Scene:
 
 
 def _positions(geometry: ET.Element, by_id: Mapping[str, ET.Element]) -> Iterator[Vector]:
-    for given in geometry.iterfind("mesh/vertices/input[@semantic='POSITION']"):
+    for vertices in geometry.iterfind("mesh/vertices"):
+        yield from _positions_of(vertices, by_id)
+
+
+def _positions_of(vertices: ET.Element, by_id: Mapping[str, ET.Element]) -> Iterator[Vector]:
+    for given in vertices.iterfind("input[@semantic='POSITION']"):
         source = by_id.get(given.get("source", "").lstrip("#"))
         array = source.find("float_array") if source is not None else None
         if source is None or array is None:
@@ -97,6 +126,35 @@ def _positions(geometry: ET.Element, by_id: Mapping[str, ET.Element]) -> Iterato
         values = _numbers(array)
         for n in range(0, len(values) - 2, max(3, stride)):
             yield values[n], values[n + 1], values[n + 2]
+
+
+def _faces(geometry: ET.Element, starts: Mapping[str, int]) -> Iterator[tuple[int, int, int]]:
+    """The triangles of a mesh; a polygon is a fan of them. starts: where the corners of its vertices begin."""
+    for kind in ("triangles", "polylist", "polygons"):
+        for part in geometry.iterfind(f"mesh/{kind}"):
+            inputs = part.findall("input")
+            step = 1 + max((int(one.get("offset", "0")) for one in inputs), default=0)
+            corner = next((one for one in inputs if one.get("semantic") == "VERTEX"), None)
+            if corner is None:
+                continue
+            offset, start = int(corner.get("offset", "0")), starts.get(corner.get("source", "").lstrip("#"), 0)
+            for row, sizes in _rows(part, kind, step):
+                used, at = [int(word) + start for word in row[offset::step]], 0
+                for size in sizes or [len(used)]:
+                    yield from ((used[at], used[at + n], used[at + n + 1]) for n in range(1, size - 1))
+                    at += size
+
+
+def _rows(part: ET.Element, kind: str, step: int) -> Iterator[tuple[list[str], list[int]]]:
+    """The indices of the faces of a part, and how many corners each has; one face if that is not said."""
+    for listed in part.iterfind("p"):
+        row = (listed.text or "").split()
+        if kind == "polylist":
+            yield row, [int(word) for word in (part.findtext("vcount") or "").split()]
+        elif kind == "triangles":
+            yield row, [3] * (len(row) // step // 3)
+        else:
+            yield row, []
 
 
 def _numbers(element: ET.Element) -> list[float]:

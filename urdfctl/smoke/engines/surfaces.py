@@ -1,0 +1,87 @@
+"""The collision geometry of a robot as MoveIt tests it: meshes as the surfaces that they are, in FCL.
+
+MuJoCo collides the convex hulls of meshes, and finds those that touch in a fraction of the time. Only these are tested
+here, because meshes can only touch where their hulls do.
+"""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from typing import Any
+
+from urdfctl.source.disk.files import first_bytes
+
+_MOST_BYTES = 20 << 20
+
+
+def tests_surfaces() -> bool:
+    """Return whether FCL is installed."""
+    return find_spec("fcl") is not None
+
+
+class Surfaces:
+    """The shapes of a compiled model of MuJoCo, in FCL."""
+
+    def __init__(self, library: Any, model: Any) -> None:
+        import fcl
+
+        self._library, self._model, self._fcl = library, model, fcl
+        self._meshes: dict[int, Any] = {}
+        self._objects = [self._object(shape) for shape in range(model.ngeom)]
+
+    def meet(self, data: Any, one: int, other: int) -> bool:
+        """Return whether two shapes touch, given that their hulls do."""
+        mesh = self._library.mjtGeom.mjGEOM_MESH
+        if mesh not in (self._model.geom_type[one], self._model.geom_type[other]):
+            return True
+        both = self._objects[one], self._objects[other]
+        if None in both:
+            return True
+        for shape, placed in zip((one, other), both, strict=True):
+            turn, place = data.geom_xmat[shape].reshape(3, 3), data.geom_xpos[shape]
+            placed.setTransform(self._fcl.Transform(turn, place))
+        return bool(self._fcl.collide(*both, self._fcl.CollisionRequest(), self._fcl.CollisionResult()))
+
+    def _object(self, shape: int) -> Any:
+        """A shape in FCL; None for one of a kind that a URDF does not have."""
+        kinds, size = self._library.mjtGeom, self._model.geom_size[shape].tolist()
+        kind = self._model.geom_type[shape]
+        if kind == kinds.mjGEOM_MESH:
+            made = self._mesh(int(self._model.geom_dataid[shape]))
+        elif kind == kinds.mjGEOM_BOX:
+            made = self._fcl.Box(*(2 * half for half in size))
+        elif kind == kinds.mjGEOM_SPHERE:
+            made = self._fcl.Sphere(size[0])
+        elif kind == kinds.mjGEOM_CYLINDER:
+            made = self._fcl.Cylinder(size[0], 2 * size[1])
+        else:
+            return None
+        return self._fcl.CollisionObject(made, self._fcl.Transform())
+
+    def _mesh(self, number: int) -> Any:
+        if number not in self._meshes:
+            model = self._model
+            first, count = int(model.mesh_vertadr[number]), int(model.mesh_vertnum[number])
+            start, triangles = int(model.mesh_faceadr[number]), int(model.mesh_facenum[number])
+            made = self._fcl.BVHModel()
+            made.beginModel(count, triangles)
+            corners = model.mesh_vert[first : first + count].astype(float)
+            made.addSubModel(corners, model.mesh_face[start : start + triangles])
+            made.endModel()
+            self._meshes[number] = made
+        return self._meshes[number]
+
+
+def read_surface(mesh: Any) -> bool:
+    """Give MuJoCo the triangles of a mesh that it cannot read; return whether it now has them."""
+    from urdfctl.smoke.robot import triangles_of_collada
+
+    if not mesh.file.lower().endswith(".dae"):
+        return False
+    points, faces = triangles_of_collada(first_bytes(mesh.file, _MOST_BYTES))
+    if not faces:
+        return False
+    mesh.uservert = [part for point in points for part in point]
+    mesh.userface = [corner for face in faces for corner in face]
+    mesh.file = ""
+    return True
