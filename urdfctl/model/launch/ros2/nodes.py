@@ -103,7 +103,7 @@ class Nodes:
         parsed = spawner_arguments(words, complete=complete)
         files = [*parsed.values("-p", "--param-file"), *self._files(term.keywords.get("parameters"))]
         at = term.keywords["arguments"].at if "arguments" in term.keywords else term.at
-        return self._spawn_with(parsed, program, at, self._namespace(term), files, run)
+        return self._spawn_with(parsed, program, at, self._namespace(term), files=files, run=run)
 
     def _spawn_with(
         self,
@@ -157,7 +157,9 @@ class Nodes:
         parsed = parsed._replace(manager=parsed.manager or manager)
         paths = [word for file_list in file_lists for word in self._words(_as_list(file_list))[0] if word.text]
         program = Word("spawner", term.at)
-        spawn = self._spawn_with(parsed, program, term.at, self.texts.scope.namespace, paths, _Run(sure, held))
+        spawn = self._spawn_with(
+            parsed, program, term.at, self.texts.scope.namespace, files=paths, run=_Run(sure, held)
+        )
         (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
 
     def moveit(self, term: Called, *, sure: bool, held: bool) -> None:
@@ -201,7 +203,7 @@ class Nodes:
             program, parsed = command
             parsed = parsed._replace(complete=parsed.complete and complete)
             files = list(parsed.values("-p", "--param-file"))
-            spawn = self._spawn_with(parsed, program, term.at, "", files, _Run(sure, held, after))
+            spawn = self._spawn_with(parsed, program, term.at, "", files=files, run=_Run(sure, held, after))
             (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
         return words
 
