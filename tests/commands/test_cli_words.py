@@ -216,3 +216,11 @@ def test_arguments_are_told_from_paths_as_xacro_does() -> None:
 def test_codes_come_apart_at_commas_in_any_case() -> None:
     assert codes(["uc2, UC301 ,", "UC4"]) == ("UC2", "UC301", "UC4")
     assert codes(()) == ()
+
+
+def test_changed_options_differ_only_in_what_is_given() -> None:
+    options = plain_options(command_named("gen-all").options, ["arm.urdf", "--distro", "jazzy"])
+    assert options is not None
+    changed = options.changed(rate=500)
+    assert {**changed.values(), "rate": None} == options.values()
+    assert (changed.values()["rate"], type(changed)) == (500, type(options))

@@ -173,3 +173,13 @@ def test_hardware_that_the_robot_already_names_is_not_changed_without_a_word(
     words = ("--type", "trajectory", "--distro", "jazzy", "--hardware", "mock", "--force")
     done = command("gen-all", "arm.urdf", *words, "-o", "made")
     assert ("--hardware mock does not change the plugin of <ros2_control> 'own'" in done.stderr) is expected
+
+
+@pytest.mark.parametrize(("effort", "status"), [("50", 0), ("2", 1)])
+def test_a_package_that_does_not_move_as_commanded_is_not_written(effort: str, status: int, folder: Folder) -> None:
+    heavy = GOOD.replace('effort="50"', f'effort="{effort}"').replace('xyz="0 0 0.1"', 'xyz="0.2 0 0"')
+    folder.write({"arm.urdf": heavy})
+    done = command(*"gen-all arm.urdf --type trajectory --distro jazzy --simulator gz -o made".split())
+    assert (done.returncode, (folder.path / "made").exists()) == (status, status == 0)
+    assert ("UC915 joint 'shoulder' needs 3.92 N m to hold the robot" in done.stderr) == bool(status)
+    assert ("this robot would not move as commanded" in done.stderr) == bool(status)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
-    from typing_extensions import dataclass_transform
+    from typing_extensions import Self, dataclass_transform
 else:
 
     def dataclass_transform(**_: object) -> Callable[[type], type]:
@@ -185,6 +185,10 @@ class Options:
     def values(self) -> dict[str, Any]:
         """Return the value of each option by its name."""
         return {name: getattr(self, name) for name in self.declared}
+
+    def changed(self, **given: Any) -> Self:
+        """Return the same options but for some values."""
+        return type(self)(**{**self.values(), **given})
 
     @classmethod
     def plain_words(cls, given: Sequence[str]) -> Sequence[str]:

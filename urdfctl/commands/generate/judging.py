@@ -1,4 +1,5 @@
-"""Judge the package that gen-all makes before it is written: by lint and by the smoke test without an engine."""
+"""Judge the package that gen-all makes before it is written: by lint and by the smoke test, with an engine if one is
+installed."""
 
 from __future__ import annotations
 
@@ -12,8 +13,12 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.generate.options import File
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.lint.job import Work, run_on_targets
-from urdfctl.lint.serialising import outcome_from_json, outcome_to_json
 from urdfctl.load.target import Target
+from urdfctl.smoke.checked_robot import CheckedRobot
+from urdfctl.smoke.engines import installed
+from urdfctl.smoke.ranking import causes_first
+from urdfctl.smoke.results import RobotResult
+from urdfctl.smoke.run import SmokeRequest, judge, load, move
 from urdfctl.startup.records import NamedTuple
 
 _ROBOT, _CONTROL, _CONTROLLERS = "urdf/robot.urdf.xacro", "urdf/control.xacro", ".yaml"
@@ -37,22 +42,34 @@ class Judgement(NamedTuple):
     fatal: what keeps the robot or a controller from starting.
     gains: the findings about gains.
     others: what keeps something from moving as it should.
+    checked: the robot with the plan of its motion; None if it is not known.
     """
 
     fatal: tuple[Diagnostic, ...] = ()
     gains: tuple[Diagnostic, ...] = ()
     others: tuple[Diagnostic, ...] = ()
+    checked: CheckedRobot | None = None
+
+    @property
+    def refusal(self) -> str:
+        """Why the package should not be written, or nothing."""
+        if self.fatal:
+            return "would not start"
+        fails = any(one.severity is Severity.ERROR for one in (*self.gains, *self.others))
+        return "would not move as commanded" if fails else ""
 
     def lines(self) -> Iterator[str]:
         """Yield a line for each finding, with its place if that is in a file of the user."""
-        for finding in (*self.fatal, *self.gains, *self.others):
+        told = [*self.fatal, *self.gains]
+        told += [one for one in self.others if self.refusal or one.severity is Severity.ERROR]
+        for finding in causes_first(told):
             own = os.path.basename(finding.at.file).startswith(_BESIDE)
             place = "" if own else f"{os.path.relpath(finding.at.file)}:{finding.at.line}: "
             yield f"{place}{finding.code} {finding.message}"
 
 
 def judged(made: list[File], robot: RobotFacts, settings: Settings, *, repaired: bool = False) -> Judgement:
-    """Return what is wrong with the files of a package for a robot; nothing if that cannot be known.
+    """Return what is wrong with the files of a package for a robot at rest; nothing if that cannot be known.
 
     repaired: whether the package has a copy of the robot that differs from it.
     """
@@ -66,11 +83,28 @@ def judged(made: list[File], robot: RobotFacts, settings: Settings, *, repaired:
     [result] = run_on_targets(judge_work, [target], settings, details=[{"texts": texts}])
     if not isinstance(result, dict):
         return Judgement()
-    found = [one for one in outcome_from_json(result["outcome"]).diagnostics if one.severity is not Severity.INFO]
+    checked = CheckedRobot.from_json(result)
+    return _judgement(checked.result)._replace(checked=checked)
+
+
+def with_motion(judgement: Judgement, settings: Settings) -> Judgement:
+    """Return a judgement with what an engine finds when the controllers move; the same if no engine is installed."""
+    if judgement.checked is None or judgement.fatal or not installed():
+        return judgement
+    [result] = move([judgement.checked], _request(), settings)
+    return _judgement(result)
+
+
+def _request() -> SmokeRequest:
+    return SmokeRequest(engines=installed()[:1], instead=installed()[1:])
+
+
+def _judgement(result: RobotResult) -> Judgement:
+    found = [one for one in result.linted.outcome.diagnostics if one.severity is not Severity.INFO]
     return Judgement(
         fatal=tuple(one for one in found if one.code in _FATAL),
         gains=tuple(one for one in found if one.code in _GAINS),
-        others=tuple(one for one in found if one.code not in (*_FATAL, *_GAINS) and one.severity is Severity.ERROR),
+        others=tuple(one for one in found if one.code not in (*_FATAL, *_GAINS)),
     )
 
 
@@ -102,15 +136,7 @@ def _beside(path: str, name: str) -> str:
 
 
 def judge_work(work: Work) -> dict[str, Any]:
-    """Return the findings about a robot whose files are in memory, in a worker."""
-    from urdfctl.lint.selection import Selection
-    from urdfctl.lint.target import lint_target
-    from urdfctl.smoke.statics import check_statically
-
+    """Return a robot whose files are in memory after the checks without an engine, in a worker."""
     texts: Mapping[str, str] = work.details["texts"]
     loader = work.loader.with_overlay({os.path.realpath(path): text.encode() for path, text in texts.items()})
-    return {
-        "outcome": outcome_to_json(
-            check_statically(lint_target(loader, work.target, Selection())).result.linted.outcome
-        )
-    }
+    return judge(load(loader, work.target), loader, _request()).to_json()

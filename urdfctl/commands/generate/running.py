@@ -7,11 +7,10 @@ import re
 import shlex
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.commands.declaring import Option
-from urdfctl.commands.generate.judging import RATES, Judgement, judged
+from urdfctl.commands.generate.judging import RATES, Judgement, judged, with_motion
 from urdfctl.commands.generate.measuring import measure_links, measure_work
 from urdfctl.commands.generate.model_check import loaded_model
 from urdfctl.commands.generate.options import GenerateOptions
@@ -166,12 +165,12 @@ def _judged(made: Made, options: GenerateOptions, settings: Settings, make: Call
     asked = settings._replace(distro=made.options.distro, simulator=made.options.simulator)
     judgement = judged(made.files, made.robot or NO_ROBOT, asked, repaired=options.fix_inertia)
     for rate in RATES if judgement.gains and not judgement.fatal and options.rate is None else ():
-        faster = make(replace(options, rate=rate))
+        faster = make(options.changed(rate=rate))
         tried = judged(faster.files, faster.robot or NO_ROBOT, asked, repaired=options.fix_inertia)
         if not tried.gains:
             made, judgement = faster._replace(notices=made.notices), tried
             break
-    return made._replace(judgement=judgement)
+    return made._replace(judgement=with_motion(judgement, asked))
 
 
 def _delivered(options: GenerateOptions, made: Made) -> int:
@@ -180,8 +179,8 @@ def _delivered(options: GenerateOptions, made: Made) -> int:
     if not options.check:
         print_messages(made.notices)
     print_messages(tuple(made.judgement.lines()))
-    if made.judgement.fatal and output and not options.force:
-        print_message(f"nothing was written, because this robot would not start: {_remedy(made)}")
+    if made.judgement.refusal and output and not options.force:
+        print_message(f"nothing was written, because this robot {made.judgement.refusal}: {_remedy(made)}")
         return 1
     if made.proposal and not options.check:
         print_message(made.proposal)
