@@ -18,6 +18,7 @@ from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
+from urdfctl.rules.smoke.joint_moves_wrong_way import joint_moves_wrong_way
 from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
@@ -67,6 +68,7 @@ _MEASURED = frozenset(
         engines_disagree,
         joint_does_not_follow,
         joint_leaves_limits,
+        joint_moves_wrong_way,
         joint_oscillates,
         joint_too_fast,
         joints_oscillate_together,

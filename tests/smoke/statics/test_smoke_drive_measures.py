@@ -129,3 +129,18 @@ def test_an_eccentric_wheel_is_not_one_of_another_radius(off: str, expected: int
     assert [
         "off its middle" in message for message in found(tmp_path, ROVER.replace(old, new, 1), WHEELS % "base")
     ] == [True] * expected
+
+
+@pytest.mark.parametrize(("off", "expected"), [("0", 0), ("0.03", 1)])
+def test_an_eccentric_wheel_that_rolls_along_is_found_too(off: str, expected: int, tmp_path: Path) -> None:
+    yaml = controllers("tricycle_controller/TricycleController", TRICYCLE_YAML.format(0.8))
+    wheels = TRICYCLE.split('<link name="l_link">')
+    urdf = '<link name="l_link">'.join([wheels[0], wheels[1].replace("<origin rpy", f'<origin xyz="{off} 0 0" rpy', 1)])
+    assert ["wheel 'l'" in message for message in found(tmp_path, urdf, yaml)] == [True] * expected
+
+
+@pytest.mark.parametrize(("factor", "expected"), [("1.0", 0), ("0.0", 1)])
+def test_a_radius_that_is_multiplied_by_0_is_told(factor: str, expected: int, tmp_path: Path) -> None:
+    yaml = (WHEELS % "base").rstrip() + f"\n        left_wheel_radius_multiplier: {factor}\n"
+    told = ["left_wheel_radius_multiplier of 0 m" in message for message in found(tmp_path, ROVER, yaml)]
+    assert told == [True] * expected

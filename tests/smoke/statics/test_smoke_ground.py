@@ -49,6 +49,20 @@ def test_a_robot_that_leans_by_a_fifth_of_a_radian_has_not_tipped_over() -> None
         assert [code for code in codes if code == "UC931"] == expected
 
 
+def test_a_robot_that_leans_names_the_parts_that_are_mounted_too_high() -> None:
+    wheel = Hinge("l", "continuous", parent="base", child="wheel", pose=Pose((0.0, 0.0, 0.0)), axis=(0.0, 1.0, 0.0))
+    task = ControllerTask("base", MotionFamily.DIFFERENTIAL, ("l",), "velocity", drive=Drive(("l",), radius=0.05))
+    caster = Hinge("c", "fixed", parent="base", child="caster", pose=Pose((0.2, 0.0, 0.05)), axis=(0.0, 0.0, 1.0))
+    bodies = {"base": LinkBody("base", 5.0, centre=(0.1, 0.1, 0.1)), "wheel": LinkBody("wheel", 0.1)}
+    robot = Mechanism("base", {**bodies, "caster": LinkBody("caster", 0.1)}, (wheel, caster))
+    ball = (Shape("sphere", Pose(), (0.05,)), Shape("sphere", Pose((0.0, 0.2, 0.0)), (0.05,)))
+    known = Shapes({"wheel": ball, "caster": (Shape("sphere", Pose((0.0, 0.1, 0.0)), (0.05,)),)})
+    messages = [one.message for one in ground_troubles(robot, known, [task]) if one.code == "UC986"]
+    [message] = messages
+    assert message.startswith("the robot leans by 14 degrees at rest: the robot stands on 'caster'; ")
+    assert message.endswith("'caster' is 0.05 m higher than the lowest part of the robot")
+
+
 def test_a_box_touches_the_ground_with_the_four_corners_of_its_lower_side() -> None:
     """They are given from the centre of mass."""
     box = Shapes({"base": (Shape("box", Pose((0.0, 0.0, 0.1)), (0.4, 0.2, 0.1)),)})

@@ -72,3 +72,12 @@ def test_a_wheel_that_moves_its_share_of_the_robot_bears_higher_gains() -> None:
     assert list(loop_troubles(heavy, [task], 1000.0)) == []
     assert needs_grip(heavy, task, 1000.0)
     assert not needs_grip(heavy, task._replace(gains=(PidGains(p=2.0),)), 1000.0)
+
+
+def test_a_position_loop_that_commands_velocities_is_judged_as_a_trajectory_is() -> None:
+    task = ControllerTask("mover", MotionFamily.POSITION_PID, ("turn",), "velocity", (PidGains(p=250.0),))
+    [trouble] = velocity_loop_troubles(turning(), [task], 1 / PERIOD)
+    assert trouble.code == "UC916"
+    assert "p of joint 'turn' is 250" in trouble.message
+    task = task._replace(gains=(PidGains(p=20.0),))
+    assert list(velocity_loop_troubles(turning(), [task], 1 / PERIOD)) == []

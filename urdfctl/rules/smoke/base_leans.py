@@ -25,9 +25,15 @@ from urdfctl.rules.smoke.wheel_off_the_ground import standing_on
     ],
     good=[{"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"}],
 )
-def base_leans(degrees: float, on: Sequence[str]) -> str:
+def base_leans(degrees: float, on: Sequence[str], high: Sequence[str] = (), height: str = "") -> str:
     """Base that leans at rest.
 
     A caster is mounted too high or too low, or it is missing: sensors look up or down, and wheels lose their grip.
     """
-    return f"the robot leans by {degrees:.0f} degrees at rest{standing_on(on)}"
+    names = " and ".join(f"'{name}'" for name in high[:2])
+    higher = (
+        f"; {names} {'are' if len(high) > 1 else 'is'} {height} m higher than the lowest part of the robot"
+        if high
+        else ""
+    )
+    return f"the robot leans by {degrees:.0f} degrees at rest{standing_on(on)}{higher}"

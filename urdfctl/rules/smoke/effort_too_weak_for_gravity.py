@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from urdfctl.fault import Severity, fault
 from urdfctl.rules.smoke.common import GAINS, LIFT
+from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
+from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
+from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
 
 
 @fault(
@@ -11,6 +14,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT
     severity=Severity.ERROR,
     runtime="misbehaves",
     authority="gazebo_ros_control and gz_ros2_control clamp efforts to the joint's limit",
+    explains=(joint_does_not_follow, joint_leaves_limits, joint_oscillates),
     options=["--distro=jazzy"],
     bad=[
         {

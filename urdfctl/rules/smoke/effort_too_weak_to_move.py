@@ -5,6 +5,7 @@ from __future__ import annotations
 from urdfctl.fault import Severity, fault
 from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
+from urdfctl.rules.smoke.joint_moves_wrong_way import joint_moves_wrong_way
 
 
 @fault(
@@ -13,7 +14,7 @@ from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
     runtime="misbehaves",
     authority="a mass m reaches the distance s in t seconds with at least the force 2 m s / t²; "
     "gz_ros2_control clamps efforts to the joint's limit",
-    explains=(joint_does_not_follow,),
+    explains=(joint_does_not_follow, joint_moves_wrong_way),
     options=["--distro=jazzy"],
     bad=[
         {

@@ -39,6 +39,7 @@ from urdfctl.rules.smoke.joint_moves_wrong_way import joint_moves_wrong_way
 from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
 from urdfctl.rules.smoke.joint_resists_its_motor import joint_resists_its_motor
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
+from urdfctl.rules.smoke.joint_too_slow import joint_too_slow
 from urdfctl.rules.smoke.joint_without_range import joint_without_range
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
 from urdfctl.rules.smoke.length_in_millimetres import length_in_millimetres
@@ -152,4 +153,5 @@ FAULTS: tuple[Fault, ...] = (
     continuous_with_limits,
     inertia_too_large,
     controllers_share_a_joint,
+    joint_too_slow,
 )

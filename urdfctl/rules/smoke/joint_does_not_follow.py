@@ -14,10 +14,10 @@ from urdfctl.rules.smoke.common import GAINS, LIFT
     options=["--distro=jazzy"],
     bad=[
         {
-            "robot.urdf": LIFT.replace(
-                '<joint name="lift" type="prismatic">', '«<joint name="lift" type="prismatic">»'
-            ).replace('effort="500"', 'effort="30"'),
-            "controllers.yaml": GAINS % "mover",
+            "robot.urdf": LIFT.replace('<joint name="lift" type="prismatic">', '«<joint name="lift" type="prismatic">»')
+            .replace('<axis xyz="0 0 1"/>', '<axis xyz="1 0 0"/>')
+            .replace('velocity="1"/>', 'velocity="1"/><dynamics friction="40"/>'),
+            "controllers.yaml": (GAINS % "mover").replace("p: 4000.0", "p: 200.0"),
         },
     ],
     good=[{"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"}],

@@ -7,6 +7,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT
 from urdfctl.rules.smoke.does_not_drive_forward import does_not_drive_forward
 from urdfctl.rules.smoke.does_not_turn_left import does_not_turn_left
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
+from urdfctl.rules.smoke.joint_moves_wrong_way import joint_moves_wrong_way
 
 
 @fault(
@@ -18,6 +19,7 @@ from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
         joint_does_not_follow,
         does_not_drive_forward,
         does_not_turn_left,
+        joint_moves_wrong_way,
     ),
     options=["--distro=jazzy"],
     bad=[

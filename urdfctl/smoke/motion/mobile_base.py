@@ -30,7 +30,8 @@ def drive_base(simulation: RobotSimulation, task: ControllerTask) -> MotionOutco
     """Return what a base does when its controller drives it forward and turns it left."""
     mechanism, plan = simulation.mechanism, simulation.plan
     drive = with_measured_wheels(mechanism, task.drive or Drive())
-    if not drive.radius or (drive.left and not drive.separation) or (drive.steered and not drive.wheelbase):
+    turns = drive.separation if drive.left else drive.wheelbase if drive.steered else 1.0
+    if not turns or not all(map(drive.radius_of, drive.wheels)):
         return MotionOutcome(why_not="not simulated: the radius or separation of its wheels is unknown")
     slipping = SLIPPING if plan.engine == "mujoco" else 0.0
     hinges = simulation.hinges

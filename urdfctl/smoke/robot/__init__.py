@@ -6,7 +6,7 @@ from urdfctl.smoke.robot.collada import triangles_of_collada
 from urdfctl.smoke.robot.description import hinges_of, mechanism_of, numbers_of, origin_of
 from urdfctl.smoke.robot.loads import GRAVITY, gravity_load, moved_inertias, sampled_poses, worst_loads
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
-from urdfctl.smoke.robot.rest_pose import TIPPED, TOUCHING, RestPose, carried_by, rest_pose_of
+from urdfctl.smoke.robot.rest_pose import TIPPED, TOUCHING, RestPose, carried_by, heights_of, rest_pose_of
 from urdfctl.smoke.robot.shapes import Shape, Shapes, corners_of, is_endless, shapes_of, with_rims
 from urdfctl.smoke.robot.wheels import GRIPS, LATERAL, LEVEL, SLIDES, Wheel, friction_of, is_wheel, wheels_of
 
@@ -29,6 +29,7 @@ __all__ = [
     "corners_of",
     "friction_of",
     "gravity_load",
+    "heights_of",
     "hinges_of",
     "is_endless",
     "is_wheel",

@@ -72,6 +72,17 @@ def rest_pose_of(mechanism: Mechanism, shapes: Shapes) -> RestPose | None:
     return RestPose(turn, heights, contacts)
 
 
+def heights_of(mechanism: Mechanism, shapes: Shapes) -> dict[str, float]:
+    """Return how far the lowest point of each link is above that of the robot, as it was built, in m."""
+    poses, down = mechanism.poses(mechanism.start()), (0.0, 0.0, -1.0)
+    reach = {
+        name: max(_reach(shape, poses[name], down) for shape in shapes.known[name])
+        for name in mechanism.bodies
+        if shapes.known.get(name)
+    }
+    return {name: max(reach.values()) - its for name, its in reach.items()}
+
+
 def _lowest(shape: Shape, pose: Pose, down: Vector) -> list[Vector]:
     """The points of a shape that touch the ground; `down` is the way down."""
     reach = _reach(shape, pose, down)

@@ -27,10 +27,15 @@ def _radii(mechanism: Mechanism, task: ControllerTask, drive: Drive) -> Iterator
     real = {
         name: mechanism.bodies[hinge.child].radius for name in given if (hinge := mechanism.hinge(name)) is not None
     }
-    eccentric = dict(_eccentric(mechanism, real))
+    along = {wheel.hinge.name: mechanism.bodies[wheel.hinge.child].radius for wheel in _rolling_along(mechanism, drive)}
+    eccentric = dict(_eccentric(mechanism, {**along, **real}))
     for name, body in eccentric.items():
         yield trouble_of(wheel_eccentric, f"link:{body.name}", task.controller, (), joint=name, off=body.off)
     real = {name: radius for name, radius in real.items() if name not in eccentric}
+    for side, scale in (("left", drive.left_scale), ("right", drive.right_scale)):
+        of_side = [real[name] or 0.0 for name in getattr(drive, side) if scale == 0 and name in real]
+        if any(of_side):
+            yield measure_differs(task, f"wheel radius times {side}_wheel_radius_multiplier", 0.0, of_side[0])
     wrong = [name for name, radius in real.items() if radius and differ(given[name], radius)]
     if wrong and len({round(real[name] or 0.0, 4) for name in wrong}) == 1 and len(wrong) == len(real):
         yield measure_differs(task, "wheel radius", given[wrong[0]], real[wrong[0]] or 0.0)
@@ -46,6 +51,25 @@ def _eccentric(mechanism: Mechanism, radii: Mapping[str, float | None]) -> Itera
         body = mechanism.bodies[hinge.child] if hinge else None
         if body and radius and body.off > MOST_ECCENTRIC * (radius - body.off):
             yield name, body
+
+
+def _rolling_along(mechanism: Mechanism, drive: Drive) -> list[Wheel]:
+    """The wheels on the ground that nothing drives."""
+    wheels = wheels_of(mechanism, [hinge.name for hinge in mechanism.movable], drive.base)
+    round_ones = [wheel for wheel in wheels if is_wheel(mechanism, wheel) and _is_round(wheel, mechanism)]
+    bottoms = [wheel.place[2] - (mechanism.bodies[wheel.hinge.child].radius or 0.0) for wheel in round_ones]
+    ground = min(bottoms, default=0.0)
+    return [
+        wheel
+        for wheel, bottom in zip(round_ones, bottoms, strict=True)
+        if bottom - ground <= 2 * (LEVEL + mechanism.bodies[wheel.hinge.child].off)
+    ]
+
+
+def _is_round(wheel: Wheel, mechanism: Mechanism) -> bool:
+    """Whether a link turns roughly about its middle, as no link of an arm does."""
+    body = mechanism.bodies[wheel.hinge.child]
+    return body.off < ((body.radius or 0.0) - body.off) / 2
 
 
 def _apart(mechanism: Mechanism, task: ControllerTask, drive: Drive) -> Iterator[Trouble]:

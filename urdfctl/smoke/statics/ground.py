@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.model.geometry import Vector
 from urdfctl.rules.smoke.base_leans import base_leans
@@ -12,7 +12,7 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.rules.smoke.wheels_slip import wheels_slip
 from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
-from urdfctl.smoke.robot import GRAVITY, TIPPED, TOUCHING, Mechanism, Shapes, friction_of, rest_pose_of
+from urdfctl.smoke.robot import GRAVITY, TIPPED, TOUCHING, Mechanism, Shapes, friction_of, heights_of, rest_pose_of
 from urdfctl.smoke.statics.efforts import TIME
 from urdfctl.smoke.tasks import ControllerTask, speed_of
 
@@ -46,9 +46,17 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Contro
         yield _lifted(hinge.name, wheels[hinge.name], tuple(at_rest.contacts))
     if at_rest.tilt > MOST_LEANING and not lifted:
         on = tuple(name for name in at_rest.contacts if name not in {hinge.child for hinge in hinges})
-        yield trouble_of(base_leans, ROBOT, None, (), degrees=math.degrees(at_rest.tilt), on=on)
+        high, height = _highest(heights_of(mechanism, shapes), at_rest.contacts)
+        fields = {"on": on, "high": high, "height": f"{height:.2g}"}
+        yield trouble_of(base_leans, ROBOT, None, (), degrees=math.degrees(at_rest.tilt), **fields)
     if not lifted:
         yield from traction_troubles(mechanism, at_rest.contacts, tasks)
+
+
+def _highest(heights: Mapping[str, float], on: Iterable[str]) -> tuple[tuple[str, ...], float]:
+    """The links of those on which a robot leans that are mounted highest, and how high above the lowest part, in m."""
+    height = max(heights[name] for name in on)
+    return tuple(name for name in on if heights[name] > height - TOUCHING), height
 
 
 def _lifted(joint: str, controller: str, on: Sequence[str]) -> Trouble:

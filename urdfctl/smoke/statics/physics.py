@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.rules.smoke.initial_position_beyond_limits import initial_position_beyond_limits
 from urdfctl.rules.smoke.joint_held_still import joint_held_still
+from urdfctl.rules.smoke.joint_too_slow import joint_too_slow
 from urdfctl.rules.smoke.joint_without_range import joint_without_range
 from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
 from urdfctl.rules.urdf.inertia_out_of_proportion import size_of
@@ -31,6 +32,8 @@ LEAST_MASS = 0.01
 """Lighter links are not judged by their inertia, in kg."""
 LEAST_RANGE = 0.01
 """The range of a command should be at least this fraction of the joint's own range."""
+MOST_SECONDS = 120.0
+"""A joint should cross its range, or turn around, in this time, in s."""
 BEYOND = 0.02
 """A mimic joint may be asked to exceed its limits by this fraction of its range."""
 
@@ -113,6 +116,7 @@ def _limits(mechanism: Mechanism, task: ControllerTask) -> Iterator[Trouble]:
             )
         elif hinge.moves:
             yield from _ranges(hinge, task)
+            yield from _slow(hinge, task)
 
 
 def _ranges(hinge: Hinge, task: ControllerTask) -> Iterator[Trouble]:
@@ -130,6 +134,17 @@ def _ranges(hinge: Hinge, task: ControllerTask) -> Iterator[Trouble]:
         fields = {"joint": hinge.name, "interface": task.interface, "low": low, "high": high}
         given = {"least": whole[0], "most": whole[1]}
         yield trouble_of(command_range_too_small, f"joint:{hinge.name}", task.controller, (), **fields, **given)
+
+
+def _slow(hinge: Hinge, task: ControllerTask) -> Iterator[Trouble]:
+    """The velocity limit against the range of a joint, or against a whole turn."""
+    low, high = hinge.span
+    way = 2 * math.pi if hinge.type == "continuous" else min(high - low, 2 * math.pi)
+    if not hinge.velocity or hinge.name in task.driven_joints or way / hinge.velocity <= MOST_SECONDS:
+        return
+    fields = {"joint": hinge.name, "limit": f"{hinge.velocity:g}", "unit": hinge.unit}
+    seconds = f"{way / hinge.velocity:.0f}"
+    yield trouble_of(joint_too_slow, f"joint:{hinge.name}", task.controller, (), **fields, seconds=seconds)
 
 
 def _both(limit: float | None) -> tuple[float, float] | None:

@@ -12,6 +12,7 @@ from urdfctl.smoke.robot import Mechanism
 from urdfctl.smoke.statics.gain_faults import gain_fault
 from urdfctl.smoke.tasks import ControllerTask, MotionFamily, PidGains
 
+_HOLDING = (MotionFamily.TRAJECTORY, MotionFamily.POSITION_PID)
 MOST_GROWTH = 1.0003
 """The spectral radius up to which a loop counts as stable: slower growth is not visible."""
 
@@ -19,7 +20,7 @@ MOST_GROWTH = 1.0003
 def velocity_loop_troubles(mechanism: Mechanism, tasks: Sequence[ControllerTask], rate: float) -> Iterator[Trouble]:
     """Yield the loops from positions to velocities that never come to rest, or command nothing."""
     for task in tasks:
-        if task.family is not MotionFamily.TRAJECTORY or task.interface != "velocity" or task.through:
+        if task.family not in _HOLDING or task.interface != "velocity" or task.through:
             continue
         for name, gain in zip(task.joints, task.gains, strict=False):
             hinge = mechanism.hinge(name)
