@@ -9,7 +9,7 @@ generated twice, with other seeds, in the folder `moveit_of_urdfctl` of its tree
 - which groups, end effectors and controllers of theirs are found: those that move the same joints;
 - on how many pairs of links, of those on which both runs agree, theirs agrees, and each pair on which it does not;
 - the processor time of one run;
-- whether lint and gen-check are quiet, smoke passes, and a second run changes nothing.
+- whether lint has no error in the package, gen-check is quiet, smoke passes, and a second run changes nothing.
 """
 
 from __future__ import annotations
@@ -166,7 +166,8 @@ def compared(tool: Tool, out: Path, samples: int) -> dict[str, Any]:
     robot = tool.robot
     shutil.rmtree(out, ignore_errors=True)
     began = resource.getrusage(resource.RUSAGE_CHILDREN)
-    made = [tool.generate(out / str(seed) / f"{robot['name']}_planned", seed, samples) for seed in _SEEDS]
+    packages = [out / f"{robot['name']}_planned_{seed}" for seed in _SEEDS]
+    made = [tool.generate(package, seed, samples) for package, seed in zip(packages, _SEEDS, strict=True)]
     ended = resource.getrusage(resource.RUSAGE_CHILDREN)
     seconds = (ended.ru_utime + ended.ru_stime - began.ru_utime - began.ru_stime) / len(_SEEDS)
     if any(one.returncode for one in made):
@@ -174,7 +175,6 @@ def compared(tool: Tool, out: Path, samples: int) -> dict[str, Any]:
         return {"refused": said[-1] if said else "?", "seconds": round(seconds, 1)}
     tree = Tree(tool.run("expand", robot["description"], *robot.get("arguments", ())).stdout)
     theirs = semantic_in(tool.expanded(robot["semantic"]), tree)
-    packages = [out / str(seed) / f"{robot['name']}_planned" for seed in _SEEDS]
     ours = [semantic_in(next(one.glob("config/*.srdf")).read_text(), tree) for one in packages]
     config = (tool.folder / robot.get("controllers", robot["semantic"])).parent
     mine = controllers_in(packages[0] / "config", tree)
@@ -250,7 +250,7 @@ def checks(tool: Tool, package: Path, samples: int) -> dict[str, str]:
     fresh = tool.run("gen-check", tool.near(package))
     again = tool.generate(package, _SEEDS[0], samples)
     after = {path: path.read_bytes() for path in package.rglob("*") if path.is_file()}
-    errors = [line for line in lint.stdout.splitlines() if " error " in line]
+    errors = [line for line in lint.stdout.splitlines() if " error " in line and line.startswith(tool.near(package))]
     return {
         "lint": "quiet" if not errors else errors[0],
         "smoke": (smoke.stdout.strip().splitlines() or [smoke.stderr.strip()])[-1] if smoke.returncode else "passes",

@@ -108,7 +108,15 @@ def test_a_chain_ends_at_its_hand_and_the_hand_is_its_end_effector(written: Fold
 
 
 @pytest.mark.parametrize(
-    ("distro", "simulator"), [("humble", "gz"), ("jazzy", "none"), ("kilted", "none"), ("rolling", "gz")]
+    ("distro", "simulator"),
+    [
+        ("noetic", "none"),
+        ("noetic", "gazebo-classic"),
+        ("humble", "gz"),
+        ("jazzy", "none"),
+        ("kilted", "none"),
+        ("rolling", "gz"),
+    ],
 )
 def test_what_is_written_has_no_errors_and_is_up_to_date_at_once(folder: Folder, distro: str, simulator: str) -> None:
     folder.write({"six.urdf": arm()})
@@ -116,9 +124,28 @@ def test_what_is_written_has_no_errors_and_is_up_to_date_at_once(folder: Folder,
     assert command(*words).returncode == 0
     before = texts_in(folder)
     assert command("lint", "out", "--fail-on", "warning").returncode == 0
+    [started] = Path("out/launch").glob("moveit.launch*")
+    assert command("lint", str(started), "--fail-on", "warning").returncode == 0
     assert command(*words).returncode == 0
     assert command("gen-check", "out") == (0, "", "")
     assert texts_in(folder) == before
+
+
+def test_in_noetic_the_robot_moves_without_hardware_or_in_its_simulator(folder: Folder) -> None:
+    folder.write({"six.urdf": arm()})
+    words = ("gen-moveit", "six.urdf", "--distro", "noetic", "--samples", "10", "-o", "out")
+    assert command(*words).returncode == 0
+    launch = Path("out/launch/moveit.launch").read_text()
+    assert 'unless="$(arg fake)"' in launch
+    fakes = yaml.safe_load(Path("out/config/fake_controllers.yaml").read_text())
+    assert [one["joints"] for one in fakes["controller_list"]] == [[name for name, _, _ in ROW], ["left_finger_joint"]]
+    assert fakes["initial"] == [{"group": "arm", "pose": "home"}, {"group": "gripper", "pose": "open"}]
+    real = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["controller_list"]
+    assert [one["action_ns"] for one in real] == ["follow_joint_trajectory", "gripper_cmd"]
+    pilz = yaml.safe_load(Path("out/config/pilz_industrial_motion_planner_planning.yaml").read_text())
+    assert pilz["planning_plugin"] == "pilz_industrial_motion_planner::CommandPlanner"
+    assert command(*words, "--force", "--simulator", "gazebo-classic").returncode == 0
+    assert "fake" not in Path("out/launch/moveit.launch").read_text()
 
 
 def test_gen_all_writes_the_same_files_beside_its_own(written: Folder) -> None:
@@ -225,7 +252,10 @@ def test_without_fcl_meshes_are_hulls_which_is_said_and_with_it_nothing_is(
             ("--type", "velocity"),
             "no controller of the robot is one that MoveIt uses: it needs --type trajectory or gripper",
         ),
-        (("--distro", "noetic"), "MoveIt's configuration is written for ROS 2 from humble on, not for noetic"),
+        (
+            ("--distro", "melodic"),
+            "melodic has not the MoveIt that is written for; use noetic, humble or a later distro",
+        ),
     ],
 )
 def test_what_is_asked_wrongly_is_one_line_and_writes_nothing(

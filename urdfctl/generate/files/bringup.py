@@ -137,6 +137,11 @@ def launch_name(options: GeneratorOptions) -> str:
     return f"control.{FORMS[options.form] if options.ros == 2 else 'launch'}"  # noqa: PLR2004
 
 
+def planning_launch_name(options: GeneratorOptions) -> str:
+    """Return the name of the launch file that starts MoveIt."""
+    return "moveit.launch.py" if options.ros == 2 else "moveit.launch"  # noqa: PLR2004
+
+
 def plain_name(path: str | None) -> str | None:
     """Return the name of a file that is written under another than its usual one; None for one with odd characters."""
     name = os.path.basename(path or "")

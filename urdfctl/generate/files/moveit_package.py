@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from urdfctl.catalog.distros import since
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.parameters import GeneratedController
-from urdfctl.generate.files.bringup import FORMS, launch_name
+from urdfctl.generate.files.bringup import FORMS, launch_name, planning_launch_name
 from urdfctl.generate.files.moveit import usable_by_moveit
 from urdfctl.generate.files.planning_groups import LinkTree, PlanningGroup, planning_groups
 from urdfctl.generate.files.semantic import SemanticPart, semantic_parts, semantic_text, with_own_parts
@@ -20,18 +20,19 @@ from urdfctl.generate.text.templates import Templates
 _RAMP = 2.0
 """The acceleration of a joint in parts of its greatest velocity, per second."""
 _LISTED = 4
+_OF_FAKES = ("joint_state_publisher", "moveit_fake_controller_manager")
 _LISTS_SINCE = "jazzy"
-_LAUNCH = "moveit.launch.py"
 _YAML = ("ompl_planning", "pilz_industrial_motion_planner_planning", "pilz_cartesian_limits", "kinematics")
 
 
 def moveit_dependencies(options: GeneratorOptions) -> list[str]:
     """Return the packages that are required to plan."""
-    names = (
-        "moveit_configs_utils moveit_kinematics moveit_planners_ompl moveit_ros_move_group moveit_ros_visualization "
-        "moveit_simple_controller_manager pilz_industrial_motion_planner rviz2 tf2_ros"
-    )
-    return [*names.split(), *(["moveit_planners_stomp"] if options.distro in since(_LISTS_SINCE) else [])]
+    names = "moveit_kinematics moveit_planners_ompl moveit_ros_move_group moveit_ros_visualization "
+    names += "moveit_simple_controller_manager pilz_industrial_motion_planner tf2_ros "
+    if options.ros == 1:
+        return [*names.split(), "rviz", *(() if options.simulated else _OF_FAKES)]
+    stomp = ["moveit_planners_stomp"] if options.distro in since(_LISTS_SINCE) else []
+    return [*names.split(), "moveit_configs_utils", "rviz2", *stomp]
 
 
 def moveit_files(
@@ -63,9 +64,12 @@ def moveit_files(
     values.update(semantic=semantic, robot=name)
     files = [File(semantic, semantic_text(name, xml_command, parts))]
     settings = [*_YAML, "joint_limits", *(["stomp_planning"] if values["lists"] else [])]
+    settings += ["fake_controllers"] if options.ros == 1 and not options.simulated else []
     files += [File(f"config/{one}.yaml", templates.render(f"moveit/{one}.yaml", **values)) for one in settings]
     files.append(File("config/moveit.rviz", templates.render("moveit/moveit.rviz", **values)))
-    files.append(File(f"launch/{_LAUNCH}", templates.render("launch/moveit.launch.py", **values)))
+    launch = planning_launch_name(options)
+    values["command"] = xml_command if options.ros == 1 else options.command
+    files.append(File(f"launch/{launch}", templates.render(f"launch/{launch}", **values)))
     return files, notes
 
 
@@ -79,10 +83,10 @@ def _about_hulls(links: Sequence[str]) -> list[str]:
 
 
 def _check(options: GeneratorOptions) -> None:
-    if options.ros == 1:
-        raise UserError(f"MoveIt's configuration is written for ROS 2 from humble on, not for {options.distro}")
-    if options.distro not in since("humble"):
-        raise UserError(f"{options.distro} has no moveit_configs_utils; use humble or a later distro")
+    if options.distro not in (*since("humble"), "noetic"):
+        raise UserError(
+            f"{options.distro} has not the MoveIt that is written for; use noetic, humble or a later distro"
+        )
     if options.form not in FORMS:
         raise UserError(f"--form must be one of {', '.join(FORMS)}, not '{options.form}'")
     if options.namespace:
@@ -112,7 +116,8 @@ def _values(
         "root": "world" if needs_world(robot, options) else LinkTree(linkage.links).root,
         "virtual": bool(virtual),
         "package": options.package or "my_robot_control",
-        "file": _LAUNCH,
+        "file": planning_launch_name(options),
+        "ros": options.ros,
         "control": launch_name(options),
         "source": "PythonLaunchDescriptionSource" if options.form == "python" else "AnyLaunchDescriptionSource",
         "simulated": options.simulated,

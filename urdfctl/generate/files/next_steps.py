@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from urdfctl.generate.controllers.parameters import GeneratedController
-from urdfctl.generate.files.bringup import launch_name
+from urdfctl.generate.files.bringup import launch_name, planning_launch_name
 from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.facts import JointFacts
 
@@ -27,7 +27,7 @@ def steps_after(
         return
     launch = os.path.basename(output) if command == "gen-launch" else launch_name(options)
     if options.moveit:
-        launch = "moveit.launch.py"
+        launch = planning_launch_name(options)
     if command != "gen-controllers":
         build = "colcon build --packages-select" if options.ros == 2 else "catkin build"  # noqa: PLR2004
         setup = "install/setup.bash" if options.ros == 2 else "devel/setup.bash"  # noqa: PLR2004
