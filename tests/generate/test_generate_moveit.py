@@ -131,6 +131,54 @@ def test_what_is_written_has_no_errors_and_is_up_to_date_at_once(folder: Folder,
     assert texts_in(folder) == before
 
 
+def on_a_lift(*more: str) -> str:
+    """Return the arm on a link that slides, beside a head and `more`."""
+    limit = '<limit lower="0" upper="0.4" effort="90" velocity="1"/>'
+    head = f"""<link name="foot">{INERTIAL}</link><link name="head">{INERTIAL}</link>
+  <joint name="torso_lift" type="prismatic"><parent link="foot"/><child link="base_link"/>
+    <axis xyz="0 0 1"/>{limit}</joint>
+  <joint name="head_pan" type="revolute"><parent link="base_link"/><child link="head"/>
+    <axis xyz="0 0 1"/>{limit}</joint>"""
+    return arm().replace("</robot>", "".join((head, *more, "</robot>")))
+
+
+def test_an_arm_on_a_lift_is_a_group_alone_and_with_it(folder: Folder) -> None:
+    folder.write({"six.urdf": on_a_lift()})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    chains = {one.get("name"): dict(one[0].attrib) for one in semantic(folder).findall("group")}
+    assert chains["arm"] == {"base_link": "base_link", "tip_link": "hand"}
+    assert chains["arm_with_torso"] == {"base_link": "foot", "tip_link": "hand"}
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
+
+
+def test_two_arms_on_a_lift_are_no_groups_with_it(folder: Folder) -> None:
+    links = [f'<link name="l{n}">{INERTIAL}</link>' for n in range(5)]
+    joints = [
+        f"""<joint name="other_{n}" type="revolute"><parent link="{f"l{n - 1}" if n else "base_link"}"/>
+        <child link="l{n}"/><axis xyz="0 {n % 2} {1 - n % 2}"/>
+        <limit lower="-1" upper="1" effort="9" velocity="1"/></joint>"""
+        for n in range(5)
+    ]
+    folder.write({"six.urdf": on_a_lift(*links, *joints)})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    assert not [one.get("name") for one in semantic(folder).findall("group") if "_with_" in (one.get("name") or "")]
+
+
+def test_a_package_does_not_hide_that_of_the_robot_which_it_includes(folder: Folder) -> None:
+    manifest = '<package format="3"><name>six</name><version>1.0.0</version><description>d</description></package>'
+    folder.write({"src/six/urdf/six.urdf": arm(), "src/six/package.xml": manifest})
+    words = ("gen-moveit", "src/six/urdf/six.urdf", "--distro", "jazzy", "--samples", "1")
+    ran = command(*words, "-o", "src/more/six")
+    said = "'src/more/six' would be a second package 'six' beside the robot's own"
+    assert (ran.returncode, ran.stderr.splitlines()[-1]) == (
+        2,
+        f"urdfctl: {said}: write to another folder, or name it with --package",
+    )
+    assert not Path("src/more").exists()
+    assert command(*words, "-o", "src/six_moveit").returncode == 0
+    assert command(*words, "-o", "src/more/six", "--package", "six_plans").returncode == 0
+
+
 def test_in_noetic_the_robot_moves_without_hardware_or_in_its_simulator(folder: Folder) -> None:
     folder.write({"six.urdf": arm()})
     words = ("gen-moveit", "six.urdf", "--distro", "noetic", "--samples", "10", "-o", "out")

@@ -26,7 +26,7 @@ from urdfctl.generate.everything import Order, files
 from urdfctl.generate.files.again import words_of_generated_file
 from urdfctl.generate.files.bringup import plain_name
 from urdfctl.generate.files.next_steps import steps_after
-from urdfctl.generate.files.package import around_package, nested_in
+from urdfctl.generate.files.package import around_package, check_other_package, nested_in
 from urdfctl.generate.files.writing import Writing, deliver
 from urdfctl.generate.options import File, GeneratorOptions, Roles
 from urdfctl.generate.request.choice import chosen, stuck
@@ -339,7 +339,9 @@ def _package(options: GenerateOptions, robot: RobotFacts | None) -> str | None:
         return robot.package if robot else None
     manifest = os.path.join(options.output, "package.xml")
     folder = os.path.basename(os.path.abspath(options.output))
-    return package_name(manifest) or re.sub(r"[^a-z0-9_]+", "_", folder.lower()).strip("_") or "my_robot_control"
+    name = package_name(manifest) or re.sub(r"[^a-z0-9_]+", "_", folder.lower()).strip("_") or "my_robot_control"
+    check_other_package(name, options.output, robot or NO_ROBOT)
+    return name
 
 
 def _included(output: str | None, robot: RobotFacts | None) -> str:

@@ -6,8 +6,10 @@ import os
 import re
 from collections.abc import Sequence
 
+from urdfctl.errors import UserError
 from urdfctl.generate.files.again import words_of_generated_file
 from urdfctl.generate.options import File
+from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.output.links import check_output
 from urdfctl.source.disk.files import named_bytes
 from urdfctl.source.disk.gate import exists
@@ -41,6 +43,16 @@ def nested_in(output: str) -> str:
         return ""
     beside = os.path.relpath(os.path.join(os.path.dirname(around), os.path.basename(folder)))
     return f"'{output}' is in the package '{os.path.basename(around)}', where colcon finds no packages: use -o {beside}"
+
+
+def check_other_package(name: str, output: str, robot: RobotFacts) -> None:
+    """UserError if a new package has the name of the robot's, which it includes: it would hide that one."""
+    if robot.package != name or robot.file is None or robot.package_path is None:
+        return
+    own = os.path.abspath(robot.file).removesuffix(robot.package_path.replace("/", os.sep)).rstrip(os.sep)
+    if os.path.realpath(own) != os.path.realpath(output):
+        why = f"'{output}' would be a second package '{name}' beside the robot's own"
+        raise UserError(f"{why}: write to another folder, or name it with --package")
 
 
 def _for_manifest(text: str, own: str) -> str:

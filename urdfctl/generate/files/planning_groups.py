@@ -13,6 +13,8 @@ from urdfctl.startup.records import NamedTuple
 
 _TIPS = ("tool0", "tcp", "tool", "tip", "end_effector", "ee", "flange", "grasp", "hand")
 """Words of the names of links at which a chain ends, the best first."""
+_ARM, _SHORT = 5, 3
+"""An arm has at least this many joints; a chain that carries one has at most this many."""
 _TOOL = re.compile(r"gripper|finger|hand|jaw|claw", re.IGNORECASE)
 _GIVEN = re.compile(r"([^=:,]+)=([^=:,]+):([^=:,]+)")
 _LISTED = re.compile(r"([^=:]+)=([^=:]+)")
@@ -80,7 +82,11 @@ def planning_groups(
     for name in names:
         if names.count(name) > 1:
             raise UserError(f"two groups are named '{name}'")
-    return tuple(_joined(groups, tree))
+    standing = [(arm, below) for arm, below in _standing(groups, tree) if f"{arm}_with_{below}" not in names]
+    joined = {group.name: group for group in _joined(groups, tree)}
+    known = {group.joints for group in groups}
+    whole = [_whole(joined[arm], joined[below]) for arm, below in standing]
+    return (*joined.values(), *(group for group in whole if group.joints not in known))
 
 
 def _proposed(controller: GeneratedController, tree: LinkTree) -> PlanningGroup:
@@ -105,6 +111,21 @@ def _ends_of(joints: Sequence[str], tree: LinkTree) -> tuple[str, str] | None:
     base, tip = tree.of_joint[first].parent, tree.of_joint[last].name
     moving = tree.moving(base, tip)
     return (base, tip) if moving is not None and sorted(moving) == sorted(joints) else None
+
+
+def _standing(groups: Sequence[PlanningGroup], tree: LinkTree) -> Iterator[tuple[str, str]]:
+    """The arms that stand on a short chain of their own, such as a torso that lifts one, each with that chain."""
+    for below in groups:
+        if not below.tip or len(below.joints) > _SHORT:
+            continue
+        welded = tree.welded(below.tip)
+        on_it = [group for group in groups if group.base in welded and len(group.joints) >= _ARM]
+        if len(on_it) == 1:
+            yield on_it[0].name, below.name
+
+
+def _whole(arm: PlanningGroup, below: PlanningGroup) -> PlanningGroup:
+    return PlanningGroup(f"{arm.name}_with_{below.name}", (*below.joints, *arm.joints), below.base, arm.tip)
 
 
 def _asked(text: str, tree: LinkTree) -> PlanningGroup:
