@@ -24,11 +24,13 @@ class DoctorReport(NamedTuple):
     """What is wrong in a running system, causes before consequences, and what is fine.
 
     launch: the launch file that was taken for the one that was started, or the description; empty if none was found.
+    robots: of the files, that it was compared with.
     """
 
     launch: str
     ailments: tuple[Ailment, ...]
     fine: tuple[str, ...]
+    robots: tuple[Pair, ...] = ()
 
 
 def doctor(recording: Recording, pairs: Sequence[Pair], settings: Settings, log: Log = Log()) -> DoctorReport:  # noqa: B008 (immutable)
@@ -37,17 +39,19 @@ def doctor(recording: Recording, pairs: Sequence[Pair], settings: Settings, log:
     pairs: the robots of the files, each with its result. log: what failed, as the system printed it.
     Raises UserError if the files have no robot that fits.
     """
-    expected = _expected(recording, pairs, settings)
+    robots = _started(recording, pairs)
+    expected = _expected(robots, settings)
     exam = Examination(recording, tuple(expected), log)
     found = [ailment for check in CHECKS for ailment in check(exam)]
     once = {(one.code, one.message): one for one in reversed(found)}
     ailments = tuple(one for one in found if once.get((one.code, one.message)) is one)
     ordered = sorted(ailments, key=lambda one: -one.severity.weight)
-    return DoctorReport(expected[0].launch or expected[0].robot, tuple(ordered), tuple(_fine(exam, ailments)))
+    launch = expected[0].launch or expected[0].robot
+    return DoctorReport(launch, tuple(ordered), tuple(_fine(exam, ailments)), tuple(robots))
 
 
-def _expected(recording: Recording, pairs: Sequence[Pair], settings: Settings) -> list[Expectation]:
-    """What the launch file starts that fits the recording best."""
+def _started(recording: Recording, pairs: Sequence[Pair]) -> list[Pair]:
+    """The robots of the launch file that fits the recording best."""
     groups: dict[str, list[Pair]] = {}
     for target, result in pairs:
         if result.links:
@@ -55,7 +59,11 @@ def _expected(recording: Recording, pairs: Sequence[Pair], settings: Settings) -
     if not groups:
         raise UserError("no robot here: run doctor in the folder of the package that was started, or name its files")
     best = max(groups, key=lambda launch: _fit(recording, groups[launch]))
-    chosen = groups[best] if best else groups[best][:1]
+    return groups[best] if best else groups[best][:1]
+
+
+def _expected(chosen: Sequence[Pair], settings: Settings) -> list[Expectation]:
+    """What the files say of each robot that is started."""
     roots = [os.path.dirname(os.path.abspath(result.path)) for _, result in chosen]
     details = [{"roots": roots[:1]}] * len(chosen)
     answers = run_on_targets(expectation_work, [target for target, _ in chosen], settings, details=details)

@@ -42,12 +42,14 @@ class _Wired:
         wires = [pair for pair, edge in self.expected.items() if edge.kind in _OF_HARDWARE]
         self.exported = {end for pair in wires for end in pair}
         self.references: set[str] = set()
+        self.lists_states = False
         self.live: dict[str, GraphNode] = {}
         self.wires: dict[tuple[str, str], Edge] = {}
 
     def add(self, manager: RecordedManager) -> None:
         """Add what a manager lists."""
         names = {name.partition("/")[0] for one in manager.controllers for name in one.commands}
+        self.lists_states = self.lists_states or any(one.states for one in manager.controllers)
         for controller in manager.controllers:
             self._controller(manager, controller, is_commanded=controller.name in names)
         for component in manager.hardware:
@@ -155,9 +157,10 @@ class _Wired:
                 yield edge._replace(active=ends <= active, rules=())
 
     def _is_difference(self, pair: tuple[str, str], edge: Edge) -> bool:
-        """Whether an edge that only one side has is one: a broadcaster may read more than the files show."""
+        """Whether an edge that only one side has is one: a broadcaster may read more than the files show, and not
+        every recording lists what is read."""
         if edge.kind == "reads":
-            return pair in self.expected and pair[0] in self.live
+            return self.lists_states and pair in self.expected and pair[0] in self.live
         if edge.kind == "measures":
             return False
         return bool(self.live) and edge.kind in ("claims", *_OF_HARDWARE)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
@@ -21,6 +22,11 @@ from urdfctl.smoke.results import ControllerResult, RobotResult, Verdict
 from urdfctl.startup.records import NamedTuple
 from urdfctl.view.html import part_values
 from urdfctl.view.job import Portrait
+
+if TYPE_CHECKING:
+    from urdfctl.doctor.examination import Ailment
+    from urdfctl.doctor.recording import Recording
+    from urdfctl.doctor.run import DoctorReport
 
 _ORDER = (Verdict.FAILED, Verdict.WARNED, Verdict.SKIPPED, Verdict.PASSED)
 
@@ -40,7 +46,18 @@ class RunFacts(NamedTuple):
 def lint_page(report: Report, portraits: Sequence[tuple[TargetResult, Portrait]], facts: RunFacts) -> str:
     """Return the page of a lint run."""
     robots = [_robot(_title(result), _how(result), portrait, report.findings) for result, portrait in portraits]
-    return _page("Lint", _counted(report.findings) or "no findings", robots, report.findings, facts)
+    return _page("Lint", _counted(report.findings) or "no findings", robots, _findings(report.findings, facts), facts)
+
+
+def doctor_page(report: DoctorReport, recording: Recording, portraits: Sequence[Portrait], facts: RunFacts) -> str:
+    """Return the page of a running system: what is wrong in it, what is really wired, and its robots."""
+    robots = [
+        _robot(_title(result), f"as recorded, beside {shown(report.launch)}", _live(portrait, recording), ())
+        for (_, result), portrait in zip(report.robots, portraits, strict=True)
+    ]
+    ailments = [_ailment(one, facts.folder) for one in report.ailments]
+    outcome = _counted(report.ailments) or f"nothing differs from {shown(report.launch)}"
+    return _page("Running system", outcome, robots, ailments, facts, fine=report.fine)
 
 
 def smoke_page(
@@ -53,40 +70,43 @@ def smoke_page(
         for smoked, portrait in ordered
     ]
     found = _counted(report.found.findings)
-    return _page(
-        kind, f"{found}; {summary(report)}" if found else summary(report), robots, report.found.findings, facts
-    )
+    outcome = f"{found}; {summary(report)}" if found else summary(report)
+    return _page(kind, outcome, robots, _findings(report.found.findings, facts), facts)
 
 
 def _page(
-    kind: str, outcome: str, robots: list[dict[str, Any]], findings: Sequence[Diagnostic], facts: RunFacts
+    kind: str,
+    outcome: str,
+    robots: list[dict[str, Any]],
+    findings: Sequence[dict[str, Any]],
+    facts: RunFacts,
+    *,
+    fine: Sequence[str] = (),
 ) -> str:
-    ordered = sorted(findings, key=lambda finding: (-finding.severity.weight, finding.order))
+    """The page; findings: the worst first. fine: what is said beside them, as it is as it should be."""
+    counts = Counter(one["severity"] for one in findings)
     return page(
         "run",
         title=f"{kind}: {visible(outcome)}",
         kind=kind,
         outcome=visible(outcome),
-        worst=max(findings, key=lambda finding: finding.severity.weight).severity.value if findings else "passed",
+        worst=findings[0]["severity"] if findings else "passed",
         facts=facts,
         robots=robots,
-        findings=[_finding(relative(finding), _link(finding.at.file, facts.folder)) for finding in ordered],
-        severities=[(severity.value, count) for severity in Severity if (count := _count(findings, severity))],
-        codes=sorted({finding.code for finding in findings}),
-        files=sorted({relative(finding).at.file for finding in findings}),
+        findings=findings,
+        fine=[visible(each) for each in fine],
+        severities=[(one.value, counts[one.value]) for one in Severity if counts[one.value]],
+        codes=sorted({one["code"] for one in findings}),
+        files=sorted({one["file"] for one in findings if one["file"]}),
         styles={"drawing.css": STYLE},
         in_3d=any(robot["scene"] for robot in robots),
         **part_values(),
     )
 
 
-def _counted(findings: Sequence[Diagnostic]) -> str:
-    counts = [(severity, _count(findings, severity)) for severity in Severity]
+def _counted(findings: Sequence[Diagnostic | Ailment]) -> str:
+    counts = [(severity, sum(finding.severity is severity for finding in findings)) for severity in Severity]
     return ", ".join(f"{count} {_plural(severity, count)}" for severity, count in counts if count)
-
-
-def _count(findings: Sequence[Diagnostic], severity: Severity) -> int:
-    return sum(finding.severity is severity for finding in findings)
 
 
 def _link(path: str, folder: str) -> str:
@@ -136,6 +156,34 @@ def _robot(title: str, facts: str, portrait: Portrait, findings: Sequence[Diagno
         "counts": [],
         "charts": [],
     }
+
+
+def _live(portrait: Portrait, recording: Recording) -> Portrait:
+    """A portrait with what is really wired in the place of what the files wire."""
+    from urdfctl.doctor.wiring import live_graph
+
+    return portrait._replace(graph=live_graph(portrait.graph, recording) if portrait.graph is not None else None)
+
+
+def _ailment(ailment: Ailment, folder: str) -> dict[str, Any]:
+    file = ailment.at.rsplit(":", 2)[0]
+    return {
+        "code": ailment.code,
+        "name": ailment.name,
+        "severity": ailment.severity.value,
+        "message": visible(ailment.message),
+        "at": shown(ailment.at) if ailment.at else "only in the running system",
+        "file": shown(file) if file else "",
+        "link": _link(file, folder) if file else "",
+        "notes": [(visible(note), "") for note in ailment.notes],
+        **dict.fromkeys(("before", "marked", "after", "fix"), ""),
+        "also": 0,
+    }
+
+
+def _findings(findings: Sequence[Diagnostic], facts: RunFacts) -> list[dict[str, Any]]:
+    ordered = sorted(findings, key=lambda finding: (-finding.severity.weight, finding.order))
+    return [_finding(relative(finding), _link(finding.at.file, facts.folder)) for finding in ordered]
 
 
 def _finding(finding: Diagnostic, link: str) -> dict[str, Any]:

@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from datetime import datetime, timezone
 from itertools import groupby
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Severity
@@ -17,11 +17,15 @@ from urdfctl.lint.results import Report, TargetResult
 from urdfctl.load.target import Target
 from urdfctl.output.printing import print_message
 from urdfctl.output.writing import write_file
-from urdfctl.page.run import RunFacts, lint_page, smoke_page
+from urdfctl.page.run import RunFacts, doctor_page, lint_page, smoke_page
 from urdfctl.report.common import is_robot
 from urdfctl.smoke.reports import SmokeReport
 from urdfctl.smoke.results import RobotResult
 from urdfctl.view.job import Portrait, portraits
+
+if TYPE_CHECKING:
+    from urdfctl.doctor.recording import Recording
+    from urdfctl.doctor.run import DoctorReport
 
 MOST_ROBOTS = 12
 """A page shows at most this many robots of a lint run, those with most errors; the findings of all are in it."""
@@ -62,6 +66,15 @@ def write_smoke_page(
     for settings, group in groupby(pairs, key=lambda pair: pair[0][0]):
         shown += _with_portraits([(target, smoked) for (_, target), smoked in group], settings, watch)
     write_file(path, smoke_page(report, shown, _facts(began, path), kind), force=True)
+
+
+def write_doctor_page(
+    path: str, report: DoctorReport, recording: Recording, settings: Settings, *, began: float, watch: Watch
+) -> None:
+    """Write the page of a running system; began: when the question began, as time.monotonic() tells it."""
+    targets = [target for target, _ in report.robots]
+    drawn = list(watch(portraits(targets, settings), len(targets), "drawing"))
+    write_file(path, doctor_page(report, recording, drawn, _facts(began, path)), force=True)
 
 
 def write_film(path: str, pairs: Sequence[tuple[tuple[Settings, Target], RobotResult]], *, watch: Watch) -> None:

@@ -6,6 +6,7 @@ import time
 
 from urdfctl.commands.declaring import CHECKED_FOR, LIMITS, OUTPUT, Command, Reads, argument, option
 from urdfctl.commands.options import TEXT_OR_JSON, TargetOptions
+from urdfctl.commands.progress import with_progress
 from urdfctl.commands.robot_targets import robots_of
 from urdfctl.commands.words import configured, output_of, settings_from, split_arguments
 from urdfctl.config.file import Config
@@ -60,6 +61,12 @@ class DoctorOptions(TargetOptions):
     private: bool = option(
         OUTPUT, "Record private parameters too: serial numbers, names of hosts and users, passwords.", "--private"
     )
+    report: str | None = option(
+        OUTPUT,
+        "Write a page with what is wrong, what is really wired, and the robot.",
+        metavar="FILE.html",
+        reads=Reads.TARGET,
+    )
     output_format: str = option(
         OUTPUT,
         "Output format: text or json. FORMAT=FILE writes a file.",
@@ -83,11 +90,15 @@ def run_doctor(options: DoctorOptions) -> int:
 
 
 class _Wanted(NamedTuple):
-    """What the words and the configuration say. output: the format, and the file for it if it is not printed."""
+    """What the words and the configuration say.
+
+    output: the format, and the file for it if it is not printed. began: when, as time.monotonic() tells it.
+    """
 
     config: Config
     settings: Settings
     output: tuple[str, str | None]
+    began: float
 
 
 def _wanted(options: DoctorOptions) -> _Wanted:
@@ -95,18 +106,22 @@ def _wanted(options: DoctorOptions) -> _Wanted:
     output = output_of(options.output_format, TEXT_OR_JSON)
     config = configured(options.folders, options)
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator, named=options.folders)
-    return _Wanted(config, settings, output)
+    return _Wanted(config, settings, output, time.monotonic())
 
 
 def _examined(wanted: _Wanted, options: DoctorOptions, recording: Recording, told: str = "") -> tuple[str, int]:
     """Write what is wrong, if it differs from what was told; return it, and the exit status."""
     _, arguments = split_arguments(options.words)
-    config, settings, (output, file) = wanted
+    config, settings, (output, file), began = wanted
     if not (options.distro or config.distro):
         settings = settings._replace(distro=recording.distro)
     log = read_log(options.log, settings.distro) if options.log else Log()
     given = [f"{name}:={value}" for name, value in arguments.items()]
     report = doctor(recording, robots_of([*options.folders, *given], config, settings), settings, log)
+    if options.report is not None:
+        from urdfctl.page.writing import write_doctor_page
+
+        write_doctor_page(options.report, report, recording, settings, began=began, watch=with_progress)
     text = json_of(report) if output == "json" else text_of(report)
     if file is not None:
         write_file(file, text, force=True)
