@@ -11,7 +11,7 @@ import pytest
 from folder import Folder
 from typer.testing import CliRunner, Result
 
-from urdfctl import __version__
+from urdfctl import REPOSITORY, __version__
 from urdfctl.commands.app import app
 from urdfctl.errors import UserError
 
@@ -89,7 +89,7 @@ def test_an_unknown_text_has_status_1_and_can_be_reported() -> None:
     ran = command("foo bar baz")
     assert ran.exit_code == 1
     assert ran.stdout.startswith("urdfctl does not know this message:\nfoo bar baz\n\nTo have it explained, report it")
-    assert "repository of urdfctl" in " ".join(ran.stdout.split())
+    assert f"{REPOSITORY}/issues" in ran.stdout
 
 
 @pytest.mark.parametrize(

@@ -210,7 +210,8 @@ def test_what_would_be_inserted_is_shown_and_checked_and_inserted_once(folder: F
     assert command(*words).returncode == 0
     once = (folder.path / "x.xacro").read_text()
     assert once.startswith("<robot><link name='a'/>\n")
-    assert command(*words) == command(*words, "--check") == (0, "", "")
+    assert command(*words) == (0, "", "urdfctl: 'x.xacro' has it already; nothing was written\n")
+    assert command(*words, "--check") == (0, "", "")
     assert (folder.path / "x.xacro").read_text() == once
 
 

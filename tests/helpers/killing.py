@@ -89,17 +89,19 @@ def _in_place() -> None:
 def _package() -> None:
     from urdfctl.generate.files.writing import Writing, deliver
     from urdfctl.generate.options import File
+    from urdfctl.output.answer import CommandAnswer
 
     writing = Writing("src/made", force=True, diff=False, check=False, into=None)
-    deliver([File(name, "2") for name in ("config/c.yaml", "package.xml")], writing, many=True)
+    deliver([File(name, "2") for name in ("config/c.yaml", "package.xml")], writing, CommandAnswer(), many=True)
 
 
 def _one_file() -> None:
     from urdfctl.generate.files.writing import Writing, deliver
     from urdfctl.generate.options import File
+    from urdfctl.output.answer import CommandAnswer
 
     writing = Writing("config/deep/c.yaml", force=True, diff=False, check=False, into=None)
-    deliver([File("c.yaml", "2")], writing, many=False)
+    deliver([File("c.yaml", "2")], writing, CommandAnswer(), many=False)
 
 
 _SOME = {"a": b"1", "deep/b": b"1", "gone": b"1"}

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import gc
+import json
 import os
 from collections.abc import Sequence
 from contextlib import closing
 
 from urdfctl.catalog.distros import ALL, MAINTAINED, ROS2, SIMULATORS
+from urdfctl.commands.answering import AnswerOptions, answered
 from urdfctl.commands.declaring import CHECKED_FOR, CONTROLLERS, OTHER, OUTPUT, Command, Reads, argument, option
 from urdfctl.commands.options import ReadingOptions
 from urdfctl.commands.progress import with_progress
@@ -24,14 +26,18 @@ from urdfctl.migrate.step import EntryKind
 from urdfctl.migrate.steps import STEPS
 from urdfctl.migrate.writing import write_changes, write_copy
 from urdfctl.names import did_you_mean
+from urdfctl.output.answer import CommandAnswer, FileState
+from urdfctl.output.change import Change
 from urdfctl.output.journal import restore_unfinished
 from urdfctl.output.links import check_output
 from urdfctl.output.patch import patch
-from urdfctl.output.printing import print_bytes, print_message, print_messages, print_text
+from urdfctl.output.printing import print_bytes
 from urdfctl.output.writing import encoded
+from urdfctl.report.common import shown
 from urdfctl.run.git import has_changes
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.workspaces.packages import package_around, package_folders
+from urdfctl.startup.records import NamedTuple
 
 REPORT = "MIGRATION.md"
 _LAUNCH_FORMS = ("py", "xml")
@@ -42,7 +48,7 @@ _OBJECTS = 50_000
 _TARGETS = [distro for distro in MAINTAINED if distro != "noetic"]
 
 
-class MigrateOptions(ReadingOptions):
+class MigrateOptions(ReadingOptions, AnswerOptions):
     """Migrate packages to another ROS distro: from one ROS 2 distro to a later one, from Gazebo Classic to gz, from
     ROS 1 to ROS 2. Shows a diff and writes nothing, unless --in-place or -o is given.
 
@@ -109,17 +115,21 @@ class MigrateOptions(ReadingOptions):
 
 def run_migrate(options: MigrateOptions) -> int:
     """Migrate packages, or show how, and return the exit status."""
+    return answered("migrate", options, lambda answer: _migrate(options, answer))
+
+
+def _migrate(options: MigrateOptions, answer: CommandAnswer) -> int:
     migration = migration_of(options)
     if options.list_changes:
         from urdfctl.migrate.table import table
 
-        print_text(table(STEPS, migration))
+        answer.text(table(STEPS, migration))
         return 0
     gc.set_threshold(_OBJECTS)
     paths = options.paths or [os.curdir]
     if sum([options.diff, options.in_place, options.output is not None]) > 1:
         raise UserError("--diff, --in-place and -o exclude each other")
-    print_messages(restore_unfinished())
+    answer.messages(restore_unfinished())
     with closing(Scratch(paths)) as scratch:
         _check_destination(options, [scratch.real(folder) for folder in scratch.folders])
         real = [scratch.real(folder) for folder in scratch.folders]
@@ -129,7 +139,7 @@ def run_migrate(options: MigrateOptions) -> int:
                 f"no package in {where}: migrate needs a package.xml, which says what ROS builds and installs"
             )
         result = migrate(scratch, migration, settings_in(scratch, options), Lint(scratch, with_progress), STEPS)
-        return _finish(result, scratch, options, migration)
+        return _finish(result, scratch, options, migration, answer)
 
 
 def settings_in(scratch: Scratch, options: MigrateOptions) -> Settings:
@@ -210,41 +220,78 @@ def _check_destination(options: MigrateOptions, folders: Sequence[str]) -> None:
         raise UserError(f"'{dirty[0]}' has changes that are not committed; commit them, or use --force")
 
 
-def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, migration: MigrationOptions) -> int:
+class _Written(NamedTuple):
+    """What is written of a migration, and where to: the folder that paths are relative to, the report, its commands."""
+
+    base: str
+    report: tuple[str, bytes] | None
+    proof: Sequence[str]
+
+
+def _finish(
+    result: Migration, scratch: Scratch, options: MigrateOptions, migration: MigrationOptions, answer: CommandAnswer
+) -> int:
     """Write the result where the user wants it, and return the exit status."""
-    base = os.path.commonpath([scratch.real(folder) for folder in scratch.folders])
     is_written = options.in_place or options.output is not None
-    path = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
-    check_output(path)
-    is_new = path is not None and (bool(options.report) or not exists(path))
-    is_reported = path is not None and bool(result.changes or (is_new and result.lines))
-    render = as_json if path and path.endswith(".json") else as_markdown
-    shown = commands_for(scratch, result.changes, migration.target, base)
-    text = encoded(render(result.lines, migration.source, migration.target, base, shown)) if is_reported else b""
-    report = (path, text) if path is not None and is_reported else None
-    if report is not None and os.path.isdir(report[0]):
-        raise UserError(f"'{report[0]}' is a folder")
+    made = _reported(result, scratch, options, migration)
     if options.output is not None:
-        problems = write_copy(scratch, base, options.output, report)
+        problems = write_copy(scratch, made.base, options.output, made.report)
     elif options.in_place:
-        problems = write_changes(result.changes, report)
+        problems = write_changes(result.changes, made.report)
     else:
-        print_bytes(patch(result.changes))
-        problems = write_changes((), report)
-    for problem in problems:
-        print_message(problem)
+        _show(result.changes, answer)
+        problems = write_changes((), made.report)
+    answer.messages(problems)
     if problems:
         return 2
+    text = as_json(result.lines, migration.source, migration.target, made.base, made.proof)
+    answer.add(migration=json.loads(text))
+    _keep_written(result.changes if is_written else (), made, options.output, answer)
     counts = {kind: sum(line.kind is kind for line in result.lines) for kind in EntryKind}
     verb = "changed" if is_written else "would change"
     files = f"{len(result.changes)} file{'s' * (len(result.changes) != 1)}"
     decided = counts[EntryKind.DECIDED]
-    print_message(
+    answer.message(
         f"{verb} {files}: {counts[EntryKind.DONE]} applied, {decided} choice{'s' * (decided != 1)} made, "
-        f"{counts[EntryKind.FOR_YOU]} left to you{f' (see {path})' if is_reported else ''}"
+        f"{counts[EntryKind.FOR_YOU]} left to you{f' (see {made.report[0]})' if made.report else ''}"
     )
     is_failed = options.fail_on == "left" and counts[EntryKind.FOR_YOU] > 0
     return int(is_failed or (bool(result.changes) and not is_written))
+
+
+def _reported(result: Migration, scratch: Scratch, options: MigrateOptions, migration: MigrationOptions) -> _Written:
+    """The report of a migration, if there is one to write. UserError if it cannot be written there."""
+    base = os.path.commonpath([scratch.real(folder) for folder in scratch.folders])
+    is_written = options.in_place or options.output is not None
+    path = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
+    check_output(path)
+    proof = commands_for(scratch, result.changes, migration.target, base)
+    is_new = path is not None and (bool(options.report) or not exists(path))
+    if path is None or not (result.changes or (is_new and result.lines)):
+        return _Written(base, None, proof)
+    if os.path.isdir(path):
+        raise UserError(f"'{path}' is a folder")
+    render = as_json if path.endswith(".json") else as_markdown
+    text = render(result.lines, migration.source, migration.target, base, proof)
+    return _Written(base, (path, encoded(text)), proof)
+
+
+def _show(changes: Sequence[Change], answer: CommandAnswer) -> None:
+    """Print the changes as a patch, or keep those of each file."""
+    if not answer.is_kept:
+        print_bytes(patch(changes))
+        return
+    for change in changes:
+        answer.out_of_date(shown(change.file), patch([change]).decode("utf-8", "surrogateescape"))
+
+
+def _keep_written(changes: Sequence[Change], made: _Written, output: str | None, answer: CommandAnswer) -> None:
+    """Keep which files were written, in place or in a copy."""
+    for change in changes:
+        path = os.path.join(output, os.path.relpath(change.file, made.base)) if output else shown(change.file)
+        answer.file(path, FileState.WRITTEN)
+    if made.report is not None:
+        answer.file(made.report[0], FileState.WRITTEN)
 
 
 command = Command(MigrateOptions, run_migrate)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from urdfctl.commands.reach import is_in_workspace
@@ -115,6 +115,12 @@ def settings_to_check(config: Config, options: StartOptions, named: Sequence[str
     return settings_from(
         config, options, distro=options.distro, simulator=options.simulator, start=options.start, named=named
     )
+
+
+def contradictions(config: Config, distro: str | None) -> Iterator[str]:
+    """Yield that the command line names another distro than the configuration, if it does."""
+    if distro and config.distro and config.distro_from and distro != config.distro:
+        yield f"--distro {distro} is used, although {config.distro_from} says '{config.distro}'"
 
 
 def check_jobs(jobs: int) -> None:

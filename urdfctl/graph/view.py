@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from urdfctl.errors import UserError
 from urdfctl.graph.parts import Edge, Graph, GraphNode
-from urdfctl.names import did_you_mean
+from urdfctl.names import did_you_mean, nearest
 
 _ALIKE = ("joint", "command", "state")
 _NAMED = 3
@@ -18,11 +20,21 @@ def readable(graph: Graph) -> Graph:
     return collapsed(graph) if joints > _MOST_JOINTS else graph
 
 
+def _meant(name: str, known: Sequence[str]) -> str:
+    """The hint for an unknown name: a similar one, or one whose last part is similar, such as that of a topic."""
+    hint = did_you_mean(name, known)
+    if hint:
+        return hint
+    ends = {one.rpartition("/")[2]: one for one in known if "/" in one.strip("/")}
+    meant = nearest(name.rpartition("/")[2], ends)
+    return f"; did you mean '{ends[meant]}'?" if meant else ""
+
+
 def focused(graph: Graph, name: str) -> Graph:
     """Return the part of a graph that leads to a node with a name, or away from it. UserError if there is none."""
     found = {node.id for node in graph.nodes if name in (node.name, node.id, node.name.strip("/"))}
     if not found:
-        raise UserError(f"'{name}' is not in the graph{did_you_mean(name, [node.name for node in graph.nodes])}")
+        raise UserError(f"'{name}' is not in the graph{_meant(name, [node.name for node in graph.nodes])}")
     pairs = _ways(graph, found)
     kept = _reached(found, pairs) | _reached(found, [(target, source) for source, target in pairs])
     hubs = {node.id for node in graph.nodes if node.kind == "hardware"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from urdfctl.load.near_files import file_near
@@ -71,7 +71,20 @@ def read_launch(
         launch = launch._replace(references=references)
         launch = launch._replace(packages=named, package=package, misspelt=_misspelt(named, packages, path))
         reader.look_for_tags(launch.inline)
+        reader.problems += _slips_in(arguments, launch, reader)
     return LaunchFile(launch, files, tuple(reader.problems))
+
+
+def _slips_in(arguments: Mapping[str, str], launch: Launch, reader: _LaunchFileReader) -> Iterator[Problem]:
+    """The given arguments that the launch file does not declare, where another one was certainly meant: those of
+    included files can be given too."""
+    declared = {name for name, _ in launch.arguments}
+    for name in arguments:
+        meant = nearest(name, declared) if name not in declared else None
+        if meant is not None and meant not in arguments:
+            at = Place(reader.files.read(reader.path), 0)
+            message = f"argument '{name}' is given, but the launch file does not declare it; did you mean '{meant}'?"
+            yield Problem(ProblemKind.UNKNOWN_ARGUMENT, at, message, name)
 
 
 def _looked_around(reference: LaunchedFile) -> LaunchedFile:

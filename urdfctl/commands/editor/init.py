@@ -9,12 +9,14 @@ from collections.abc import Sequence
 
 from urdfctl import __version__
 from urdfctl.catalog.distros import ALL, SIMULATORS
+from urdfctl.commands.answering import AnswerOptions, answered
 from urdfctl.commands.declaring import EXIT, OTHER, OUTPUT, Command, argument, option
 from urdfctl.commands.editor.origin import Origin, origin
 from urdfctl.commands.generate.measuring import measure_work
 from urdfctl.commands.options import TargetOptions
 from urdfctl.commands.words import configured, settings_from
-from urdfctl.config.file import NAMES
+from urdfctl.config.file import NAMES, Config
+from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.generate.robot.job import measure_robot
@@ -22,10 +24,10 @@ from urdfctl.lint.merging import merge, outcomes_of
 from urdfctl.lint.planning import discovered
 from urdfctl.lint.run import LintRequest, lint
 from urdfctl.lint.selection import Selection
+from urdfctl.output.answer import CommandAnswer, FileState
 from urdfctl.output.change import Change
 from urdfctl.output.journal import restore_unfinished
 from urdfctl.output.links import check_output
-from urdfctl.output.printing import print_message, print_messages
 from urdfctl.output.writing import encoded, would_overwrite, write_file
 from urdfctl.output.writing_all import write_all
 from urdfctl.report.baseline import open_baseline
@@ -52,7 +54,7 @@ _ACTION = """      # The action does the same, uploads SARIF and compares with t
 """
 
 
-class InitOptions(TargetOptions):
+class InitOptions(TargetOptions, AnswerOptions):
     """Write an urdfctl.toml with the robots of a folder, its distro and its simulator.
 
     \b
@@ -68,6 +70,10 @@ class InitOptions(TargetOptions):
 
 def run_init(options: InitOptions) -> int:
     """Write the files of a project, and return the exit status."""
+    return answered("init", options, lambda answer: _init(options, answer))
+
+
+def _init(options: InitOptions, answer: CommandAnswer) -> int:
     folder = options.folder
     if not os.path.isdir(folder):
         raise UserError(f"folder '{folder}' does not exist")
@@ -75,35 +81,45 @@ def run_init(options: InitOptions) -> int:
     check_output(target, hook if options.pre_commit else None, workflow if options.workflow else None)
     if would_overwrite(target) and not options.force:
         raise UserError(f"'{target}' exists; --force overwrites it")
-    print_messages(restore_unfinished())
+    answer.messages(restore_unfinished())
     config = configured([folder], options)
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
+    robots = _robots_in(folder, config, settings)
+    distro = _common([facts.distro for facts in robots.values()])
+    simulator = _common([facts.simulator for facts in robots.values()])
+    if not answer.is_kept:
+        distro = options.distro or _asked("ROS distro", ALL, distro)
+        simulator = options.simulator or _asked("Simulator", SIMULATORS, simulator)
+    distro, simulator = options.distro or distro, options.simulator or simulator
+    text = _toml(folder, robots, distro, simulator)
+    write_file(target, text, force=options.force)
+    answer.file(target, FileState.WRITTEN)
+    answer.message(f"'{target}' written: {len(robots)} robot{'s' * (len(robots) > 1)}, {distro or 'distro not set'}")
+    if not distro:
+        answer.message(f"ROS distro is unknown; set it in '{target}', or use --distro")
+    if options.baseline:
+        _write_baseline(options, target, text, answer)
+    source = origin()
+    if source.lacks and (options.workflow or options.pre_commit):
+        answer.message(f"the workflow cannot install urdfctl before there is {source.lacks}")
+    _offer(hook, _hook(source), "--pre-commit", answer, wanted=options.pre_commit)
+    _offer(workflow, _workflow(source, distro), "--workflow", answer, wanted=options.workflow)
+    answer.next(f"urdfctl check {folder}")
+    return 0
+
+
+def _robots_in(folder: str, config: Config, settings: Settings) -> dict[str, RobotFacts]:
+    """The robots of a folder by the paths of their files. Raises UserError if there is none."""
     found = discovered([folder], config._replace(robots=()))
     paths = list(dict.fromkeys(path for path, _ in found.descriptions()))
     measured = [(path, measure_robot(path, {}, settings, measure_work)) for path in paths[:_MOST]]
     robots = {path: one.facts for path, one in measured if one.facts and one.facts.root}
     if not robots:
         raise UserError(f"no robot found in '{folder}'")
-    distro = options.distro or _asked("ROS distro", ALL, _common([facts.distro for facts in robots.values()]))
-    simulator = _common([facts.simulator for facts in robots.values()])
-    simulator = options.simulator or _asked("Simulator", SIMULATORS, simulator)
-    text = _toml(folder, robots, distro, simulator)
-    write_file(target, text, force=options.force)
-    print_message(f"'{target}' written: {len(robots)} robot{'s' * (len(robots) > 1)}, {distro or 'distro not set'}")
-    if not distro:
-        print_message(f"ROS distro is unknown; set it in '{target}', or use --distro")
-    if options.baseline:
-        _write_baseline(options, target, text)
-    source = origin()
-    if source.lacks and (options.workflow or options.pre_commit):
-        print_message(f"the workflow cannot install urdfctl before there is {source.lacks}")
-    _offer(hook, _hook(source), "--pre-commit", wanted=options.pre_commit)
-    _offer(workflow, _workflow(source, distro), "--workflow", wanted=options.workflow)
-    print_message(f"next: urdfctl check {folder}")
-    return 0
+    return robots
 
 
-def _write_baseline(options: InitOptions, target: str, text: str) -> None:
+def _write_baseline(options: InitOptions, target: str, text: str, answer: CommandAnswer) -> None:
     """Write what lint finds, and name the file in the configuration, which lint, smoke, check and editors read.
 
     text: the configuration without it.
@@ -116,7 +132,8 @@ def _write_baseline(options: InitOptions, target: str, text: str) -> None:
         merge(outcomes_of(run.results), Selection()), {file for result in run.results for file in result.files}
     )
     write_file(target, f'baseline = "{_BASELINE}"\n{text}', force=True)
-    print_message(
+    answer.file(path, FileState.WRITTEN)
+    answer.message(
         f"what '{path}' lists is hidden; urdfctl check --write-baseline {path} adds the smoke test's findings"
     )
 
@@ -169,23 +186,24 @@ def _text(value: str) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
-def _offer(path: str, text: str, option: str, *, wanted: bool | None) -> None:
+def _offer(path: str, text: str, option: str, answer: CommandAnswer, *, wanted: bool | None) -> None:
     """Write a file if it is wanted; else say how to get it. An existing file is left alone."""
     if wanted is False:
         return
     if would_overwrite(path):
-        print_message(f"'{path}' exists; add this to it if it is missing:\n{text}" if wanted else f"'{path}' exists")
+        answer.message(f"'{path}' exists; add this to it if it is missing:\n{text}" if wanted else f"'{path}' exists")
         return
-    if wanted is None and sys.stdin.isatty():
+    if wanted is None and sys.stdin.isatty() and not answer.is_kept:
         sys.stderr.write(f"Write '{path}'? [y/N] ")
         sys.stderr.flush()
         wanted = sys.stdin.readline().strip().lower() in ("y", "yes")
     if not wanted:
-        print_message(f"'{path}' is not written; {option} adds it")
+        answer.message(f"'{path}' is not written; {option} adds it")
         return
     for problem in write_all([Change(os.path.abspath(path), None, encoded(text))]):
         raise UserError(relative_message(problem))
-    print_message(f"'{path}' written")
+    answer.file(path, FileState.WRITTEN)
+    answer.message(f"'{path}' written")
 
 
 command = Command(InitOptions, run_init)

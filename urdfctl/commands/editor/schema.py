@@ -5,13 +5,16 @@ from __future__ import annotations
 import json
 import os
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.distros import ALL, generation
-from urdfctl.commands.declaring import CHECKED_FOR, OUTPUT, Command, Options, Reads, argument, option
+from urdfctl.commands.answering import AnswerOptions, answered
+from urdfctl.commands.declaring import CHECKED_FOR, OUTPUT, Command, Reads, argument, option
 from urdfctl.config.settings import Settings, validate_settings
 from urdfctl.errors import UserError
-from urdfctl.output.printing import print_text, visible
+from urdfctl.output.answer import CommandAnswer
+from urdfctl.output.printing import visible
 from urdfctl.report.common import shown
 from urdfctl.schemas.controllers import controllers_schema
 from urdfctl.schemas.robot import ros2_control_schema, urdf_schema
@@ -25,7 +28,7 @@ KINDS = ("controllers", "ros2_control", "urdf")
 _CONTROL = re.compile(rb"<ros2_control\b")
 
 
-class SchemaOptions(Options):
+class SchemaOptions(AnswerOptions):
     """Print a schema of controller files, <ros2_control> or URDF for your editor, or check files with it.
 
     \b
@@ -47,17 +50,27 @@ class SchemaOptions(Options):
 
 def run_schema(options: SchemaOptions) -> int:
     """Print a schema, or what does not fit it; return the exit status: 1 if anything does not fit."""
+    return answered("schema", options, lambda answer: _schema_or_faults(options, answer))
+
+
+def _schema_or_faults(options: SchemaOptions, answer: CommandAnswer) -> int:
     if options.kind is not None and options.kind not in KINDS:
         raise UserError(f"there is no schema of '{options.kind}'; known are {', '.join(KINDS)}")
     if not options.checked:
         if options.kind is None:
             raise UserError(f"name what the schema is of: {', '.join(KINDS)}; or a file with --check")
-        print_text(_schema(options.kind, options))
+        text = _schema(options.kind, options)
+        if answer.is_kept and options.kind == "controllers":
+            answer.add(schema=json.loads(text))
+        else:
+            answer.text(text)
         return 0
-    sources = [_source(path) for path in options.checked]
-    lines = [line for source in sources for line in _lines(source, options)]
-    print_text("".join(f"{visible(line)}\n" for line in lines))
-    return 1 if lines else 0
+    faults = [fault for path in options.checked for fault in _placed_faults(_source(path), options)]
+    answer.add(faults=faults)
+    if not answer.is_kept:
+        lines = (f"{at['file']}:{at['line']}:{at['column']}: {at['message']}" for at in faults)
+        answer.text("".join(f"{visible(line)}\n" for line in lines))
+    return 1 if faults else 0
 
 
 def _schema(kind: str, options: SchemaOptions) -> str:
@@ -83,12 +96,11 @@ def _source(path: str) -> SourceText:
         raise UserError(str(problem)) from None
 
 
-def _lines(source: SourceText, options: SchemaOptions) -> list[str]:
-    lines = []
+def _placed_faults(source: SourceText, options: SchemaOptions) -> Iterator[dict[str, Any]]:
+    """Yield what does not fit in a file, each with its place, as plain data."""
     for fault in _faults(source, options):
-        position = source.position(fault.at.start)
-        lines.append(f"{shown(source.path)}:{position.line}:{position.column}: {fault.message}")
-    return lines
+        at = source.position(fault.at.start)
+        yield {"file": shown(source.path), "line": at.line, "column": at.column, "message": fault.message}
 
 
 def _faults(source: SourceText, options: SchemaOptions) -> list[SchemaFault]:

@@ -11,11 +11,12 @@ from urdfctl.commands.find.lint import LintOptions, fail_on_of, request_of
 from urdfctl.commands.find.smoke import SmokeOptions, smoke_status, tested, with_progress_of_tests, write_smoke
 from urdfctl.commands.options import FORMAT
 from urdfctl.commands.progress import with_progress
-from urdfctl.commands.words import baseline_of, outputs_of
+from urdfctl.commands.words import baseline_of, contradictions, outputs_of
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint.judging import LintRun
 from urdfctl.lint.run import lint, report
 from urdfctl.output.links import check_output
+from urdfctl.output.printing import print_messages
 from urdfctl.output.writing import write_file
 from urdfctl.smoke.curves import curves_as_csv
 from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, report_of
@@ -41,6 +42,7 @@ def run_check(options: LintAndSmokeOptions) -> int:
     of_lint = LintOptions(**{**shared, "formats": ()})
     request = request_of(of_lint)
     baseline = baseline_of(of_lint, [request.config], request.selection, found_by="lint")
+    print_messages(contradictions(request.config, options.distro))
     run = lint(request, watch=with_progress)
     linted = report(run, request, fail_on=fail_on_of(of_lint, request), unknown=baseline and baseline.unknown)
     tests, smoked = (

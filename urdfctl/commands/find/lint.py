@@ -12,6 +12,7 @@ from urdfctl.commands.words import (
     check_jobs,
     codes,
     configured,
+    contradictions,
     outputs_of,
     settings_to_check,
     severity_named,
@@ -70,6 +71,7 @@ def run_lint(options: LintOptions) -> int:
     request = request_of(options)
     outputs = outputs_of(options.formats, options.output_file, FORMATS)
     fail_on = fail_on_of(options, request)
+    print_messages(contradictions(request.config, options.distro))
     baseline = baseline_of(options, [request.config], request.selection, found_by="lint")
     if options.report is not None:
         from urdfctl.output.links import check_output

@@ -9,6 +9,7 @@ import re
 from collections.abc import Sequence
 from typing import ClassVar
 
+from urdfctl.commands.answering import AnswerOptions
 from urdfctl.commands.declaring import CONTROLLERS, JOINTS, OTHER, OUTPUT, Reads, argument, option
 from urdfctl.commands.options import TargetOptions
 
@@ -31,12 +32,13 @@ _WITH_CONTROLLERS = (
     "gen-all",
     "gen-moveit",
 )
-_PACKAGES = ("gen-all", "gen-moveit")
+PACKAGES = ("gen-all", "gen-moveit")
+"""The commands that write a package."""
 _INSERTED = ("gen-transmissions", "gen-ros2-control", "gen-gazebo")
-_INSTALLED = ("gen-gazebo", "gen-launch", *_PACKAGES)
+_INSTALLED = ("gen-gazebo", "gen-launch", *PACKAGES)
 
 
-class GenerateOptions(TargetOptions):
+class GenerateOptions(TargetOptions, AnswerOptions):
     """Options of every generator, with the defaults of those that not every generator has."""
 
     command: ClassVar[str]
@@ -65,13 +67,13 @@ class GenerateOptions(TargetOptions):
         of=_INSERTED,
     )
     macro: bool = option(
-        OUTPUT, "Write a xacro macro and one call for each joint.", of=("gen-transmissions", *_PACKAGES)
+        OUTPUT, "Write a xacro macro and one call for each joint.", of=("gen-transmissions", *PACKAGES)
     )
     form: str | None = option(
         OUTPUT,
         "Form of a ROS 2 launch file: python, xml or yaml.",
         choices=("python", "xml", "yaml"),
-        of=("gen-launch", *_PACKAGES),
+        of=("gen-launch", *PACKAGES),
     )
     fix_inertia: bool = option(
         OUTPUT,
@@ -81,7 +83,7 @@ class GenerateOptions(TargetOptions):
     base: str | None = option(
         OTHER,
         "fixed or free: whether the robot is fixed to the world. Default: free with wheels or legs.",
-        of=("gen-launch", *_PACKAGES, "convert"),
+        of=("gen-launch", *PACKAGES, "convert"),
     )
     package: str | None = option(OUTPUT, "Package that will contain the files.", metavar="NAME", of=_INSTALLED)
     controllers: str | None = option(
@@ -96,14 +98,14 @@ class GenerateOptions(TargetOptions):
         "Hardware: gz, gazebo-classic, mock, mujoco, topic-based, or a plugin.",
         choices=_HARDWARE,
         is_open=True,
-        of=("gen-ros2-control", *_PACKAGES),
+        of=("gen-ros2-control", *PACKAGES),
     )
     interface: str | None = option(
         CONTROLLERS,
         "Command interface: position, velocity or effort; or NAME,NAME.",
         choices=_INTERFACES,
         is_open=True,
-        of=("gen-controllers", "gen-transmissions", "gen-launch", *_PACKAGES, "convert"),
+        of=("gen-controllers", "gen-transmissions", "gen-launch", *PACKAGES, "convert"),
     )
     types: tuple[str, ...] = option(CONTROLLERS, _TYPES, "--type", metavar="TYPE", of=_WITH_CONTROLLERS)
     controller: tuple[str, ...] = option(CONTROLLERS, _CONTROLLER, metavar="NAME=TYPE[:JOINTS]", of=_WITH_CONTROLLERS)
@@ -138,9 +140,9 @@ class GenerateOptions(TargetOptions):
         default=10_000,
         bounds=(1, 10_000_000),
         metavar="N",
-        of=_PACKAGES,
+        of=PACKAGES,
     )
-    seed: int = option(OTHER, "Seed of these poses.", default=0, bounds=(0, 2**31 - 1), metavar="N", of=_PACKAGES)
+    seed: int = option(OTHER, "Seed of these poses.", default=0, bounds=(0, 2**31 - 1), metavar="N", of=PACKAGES)
     namespace: str | None = option(
         CONTROLLERS, "Namespace of the robot.", metavar="NAME", of=(*_WITH_CONTROLLERS, "gen-gazebo")
     )

@@ -6,29 +6,29 @@ import os
 import re
 import shlex
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 from urdfctl.catalog.catalog import catalog_with
+from urdfctl.commands.answering import answered
 from urdfctl.commands.declaring import Option
-from urdfctl.commands.generate.judging import RATES, Judgement, judged, with_motion
+from urdfctl.commands.generate.delivering import Made, delivered
+from urdfctl.commands.generate.judging import RATES, judged, with_motion
 from urdfctl.commands.generate.measuring import measure_links, measure_work
 from urdfctl.commands.generate.model_check import loaded_model
-from urdfctl.commands.generate.options import GenerateOptions
-from urdfctl.commands.words import configured, settings_from, split_arguments
+from urdfctl.commands.generate.options import PACKAGES, GenerateOptions
+from urdfctl.commands.robot_targets import best_of, robots_of
+from urdfctl.commands.words import configured, contradictions, settings_from, split_arguments
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.discover.paths import check_description
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers.cautions import cautions
-from urdfctl.generate.controllers.parameters import GeneratedController
-from urdfctl.generate.controllers.wanted import needs_joints, with_requests
+from urdfctl.generate.controllers.wanted import needs_joints, way_out, with_requests
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.files.again import words_of_generated_file
 from urdfctl.generate.files.bringup import plain_name
-from urdfctl.generate.files.next_steps import steps_after
-from urdfctl.generate.files.package import around_package, check_other_package, nested_in
-from urdfctl.generate.files.writing import Writing, deliver
-from urdfctl.generate.options import File, GeneratorOptions, Roles
+from urdfctl.generate.files.package import check_other_package
+from urdfctl.generate.options import GeneratorOptions, Roles
 from urdfctl.generate.request.choice import chosen, stuck
 from urdfctl.generate.request.joint_list import joints_listed
 from urdfctl.generate.robot.distro import known_distro, made_for_newest, simulator_of
@@ -39,15 +39,16 @@ from urdfctl.generate.text.scalars import xacro_text
 from urdfctl.generate.text.templates import Templates, template_names
 from urdfctl.lint.planning import discovered
 from urdfctl.lint.results import Report
+from urdfctl.output.answer import CommandAnswer
 from urdfctl.output.journal import restore_unfinished
 from urdfctl.output.links import check_output
-from urdfctl.output.printing import print_message, print_messages, print_text
+from urdfctl.report.common import relative
+from urdfctl.report.json_report import finding
 from urdfctl.report.text import render
 from urdfctl.source.disk.files import MAX_BYTES, named_bytes
 from urdfctl.source.disk.gate import admit, admits
 from urdfctl.source.workspaces.packages import package_name
 from urdfctl.source.workspaces.workspace import workspace_of
-from urdfctl.startup.records import NamedTuple
 
 _LISTS = (".txt", ".csv", ".tsv", ".yaml", ".yml", ".json", ".list")
 _NOT_REPEATED = frozenset(
@@ -64,33 +65,47 @@ _NOT_REPEATED = frozenset(
         "simulator",
         "list_templates",
         "trust",
+        "output_format",
     }
 )
 _OWN_NAMES = ("robot.urdf.xacro", "control.xacro")
 _ANY_DISTRO = "rolling"
 """For what does not depend on the distro."""
-_PACKAGES = ("gen-all", "gen-moveit")
 _PARTS = ("gen-transmissions", "gen-ros2-control", "gen-gazebo")
 
 
 class UnreadableRobot(Exception):
-    """The robot cannot be read. The message contains its problems."""
+    """The robot cannot be read. The message contains its problems.
+
+    findings: these, as in the JSON of lint.
+    """
+
+    def __init__(self, text: str, findings: Sequence[dict[str, Any]] = ()) -> None:
+        super().__init__(text)
+        self.findings = list(findings)
 
 
 def run_generate(options: GenerateOptions) -> int:
     """Generate files; write, show or check them; and return the exit status."""
+    return answered(options.command, options, lambda answer: generate(options, answer))
+
+
+def generate(options: GenerateOptions, answer: CommandAnswer) -> int:
+    """Generate files, say in an answer what was made, and return the exit status."""
     check_output(options.output, options.into)
     if options.list_templates:
-        print_text("".join(f"{name}\n" for name in template_names(options.templates)))
+        answer.text("".join(f"{name}\n" for name in template_names(options.templates)))
         return 0
     if options.output and not (options.check or options.diff):
-        print_messages(restore_unfinished())
+        answer.messages(restore_unfinished())
     try:
         made = generated(options)
     except UnreadableRobot as error:
-        sys.stderr.write(str(error))
+        if not answer.is_kept:
+            sys.stderr.write(str(error))
+        answer.add(findings=error.findings)
         return 1
-    return _delivered(options, made)
+    return delivered(options, made, answer)
 
 
 def generated(options: GenerateOptions) -> Made:
@@ -101,6 +116,7 @@ def generated(options: GenerateOptions) -> Made:
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
     if command == "convert":
         settings = settings._replace(simulator="mujoco")
+    notices: tuple[str, ...] = () if options.check else tuple(contradictions(config, options.distro))
     robot, listed = _sources(options, settings, config)
     words = list(options.words)
     if robot and robot.file and not split_arguments(words)[0]:  # the generated files may hide it next time
@@ -108,7 +124,7 @@ def generated(options: GenerateOptions) -> Made:
     joints = chosen(robot, listed, options.joints, options.exclude)
     immovable = stuck(robot, joints) if robot and not (listed or options.joints) else ()
     left_out = f"left out because their limits allow no motion: {', '.join(immovable)}. Include them with --joint"
-    notices: tuple[str, ...] = (left_out,) if immovable else ()
+    notices += (left_out,) if immovable else ()
     if options.fix_inertia and robot and robot.file:
         notices += with_valid_inertia(_text(robot.file)).changes
     catalog, templates = catalog_with(settings.additions), Templates(options.templates)
@@ -128,9 +144,13 @@ def generated(options: GenerateOptions) -> Made:
             templates=templates,
             told=told,
         )
+        try:
+            made_files = files(command, order)
+        except UserError as error:
+            raise UserError(f"{error}{way_out(requested, proposal)}") from None
         return Made(
             options=requested,
-            files=files(command, order),
+            files=made_files,
             controllers=order.made_if_typed(),
             proposal=proposal,
             robot=robot,
@@ -173,56 +193,6 @@ def _judged(made: Made, options: GenerateOptions, settings: Settings, make: Call
     return made._replace(judgement=with_motion(judgement, asked))
 
 
-def _delivered(options: GenerateOptions, made: Made) -> int:
-    """Write, show or check what was made, and return the exit status."""
-    command, output, robot = options.command, options.output, made.robot
-    if not options.check:
-        print_messages(made.notices)
-    print_messages(tuple(made.judgement.lines()))
-    if made.judgement.refusal and output and not options.force:
-        print_message(f"nothing was written, because this robot {made.judgement.refusal}: {_remedy(made)}")
-        return 1
-    if made.proposal and not options.check:
-        print_message(made.proposal)
-    if command in _PACKAGES and robot and not robot.package and not made.options.robot_text:
-        print_message(f"'{robot.file}' is not in a package, so installed files cannot find it")
-    nested = nested_in(output) if command in _PACKAGES and output and not options.check else ""
-    if nested:
-        print_message(nested)
-    if command in _PACKAGES and robot and not options.check:
-        for caution in cautions(made.controllers, robot, made.options):
-            print_message(caution)
-    writing = Writing(output, options.force, options.diff, options.check, options.into)
-    steps = tuple(steps_after(command, made.controllers, made.options, output or ""))
-    files = made.files
-    if command in _PACKAGES and output:
-        files, to_add = around_package(files, output)
-        steps = (*to_add, *steps)
-    return deliver(files, writing, many=command in _PACKAGES, steps=steps)
-
-
-def _remedy(made: Made) -> str:
-    inertial = any("<inertia>" in finding.message for finding in made.judgement.fatal)
-    fix = ", add --fix-inertia for the nearest valid inertia in a copy" if inertial else ""
-    return f"correct what is named{fix}, or add --force"
-
-
-class Made(NamedTuple):
-    """Generated files with the options, controllers and robot that they are made from, and the proposal of controllers.
-
-    notices: what the user should know about the choices that were made.
-    judgement: what the smoke test says of a package.
-    """
-
-    options: GeneratorOptions
-    files: list[File]
-    controllers: tuple[GeneratedController, ...]
-    proposal: str
-    robot: RobotFacts | None
-    notices: tuple[str, ...]
-    judgement: Judgement = Judgement()
-
-
 def _no_joints(robot: RobotFacts | None) -> str:
     if robot is None:
         return "no joints: name a robot, a list of joints, or --joint NAME,NAME"
@@ -261,8 +231,19 @@ def _sources(
     else:
         measured = measure_robot(path, arguments, settings, measure_work)
     if measured.facts is None:
-        raise UnreadableRobot("\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n")
-    return measured.facts, listed
+        text = "\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n"
+        raise UnreadableRobot(text, [finding(relative(problem)) for problem in measured.problems])
+    facts = measured.facts
+    if known_distro(settings, facts) is None:
+        facts = facts._replace(distro=_started_for(path, arguments, settings, config))
+    return facts, listed
+
+
+def _started_for(path: str, arguments: Mapping[str, str], settings: Settings, config: Config) -> str | None:
+    """The distro that lint detects from what is started with the robot, which generators do not read."""
+    words = [path, *(f"{name}:={value}" for name, value in arguments.items())]
+    found = best_of(robots_of(words, config, settings))
+    return found[1].distro if found else None
 
 
 def _plans(options: GenerateOptions) -> bool:
@@ -272,7 +253,7 @@ def _plans(options: GenerateOptions) -> bool:
 def _is_part(path: str) -> bool:
     """Return whether a file was generated to be included by a robot."""
     made_by = (words_of_generated_file(path) or ("",))[0]
-    return made_by in _PARTS or (made_by in _PACKAGES and os.path.basename(path) == "control.xacro")
+    return made_by in _PARTS or (made_by in PACKAGES and os.path.basename(path) == "control.xacro")
 
 
 def _text(path: str) -> str:
@@ -325,7 +306,7 @@ def _requested(
         base=options.base,
         moveit=_plans(options),
         planning_groups=options.planning_groups,
-        output=options.output if options.command in _PACKAGES else None,
+        output=options.output if options.command in PACKAGES else None,
         launch=plain_name(options.output) if options.command == "gen-launch" else None,
         command=_repeatable_command(options, words, distro, simulator),
     )
@@ -335,7 +316,7 @@ def _package(options: GenerateOptions, robot: RobotFacts | None) -> str | None:
     """Return the package that the files will be in: the one that gen-all writes, or the robot's."""
     if options.package:
         return options.package
-    if options.command not in _PACKAGES or options.output is None:
+    if options.command not in PACKAGES or options.output is None:
         return robot.package if robot else None
     manifest = os.path.join(options.output, "package.xml")
     folder = os.path.basename(os.path.abspath(options.output))
@@ -359,7 +340,7 @@ def _copied(options: GenerateOptions, robot: RobotFacts | None) -> tuple[str, st
     With `--fix-inertia` it is a copy with the nearest valid inertia. UserError if that is not given in numbers there.
     """
     repairs = options.command == "gen-all" and options.fix_inertia
-    if options.command not in _PACKAGES or robot is None or robot.file is None or (robot.package and not repairs):
+    if options.command not in PACKAGES or robot is None or robot.file is None or (robot.package and not repairs):
         return None
     text = _text(robot.file)
     if repairs:

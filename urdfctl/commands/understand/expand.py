@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
+from urdfctl.commands.answering import AnswerOptions, answered
 from urdfctl.commands.declaring import OUTPUT, Command, Reads, argument, option
 from urdfctl.commands.options import ReadingOptions
 from urdfctl.commands.words import configured, settings_from, split_arguments
@@ -13,13 +14,15 @@ from urdfctl.errors import UserError
 from urdfctl.expand.job import ExpandedText, expand_file
 from urdfctl.lint.results import Report
 from urdfctl.names import nearest_path
+from urdfctl.output.answer import CommandAnswer, FileState
 from urdfctl.output.links import check_output
-from urdfctl.output.printing import print_text
 from urdfctl.output.writing import would_overwrite, write_file
+from urdfctl.report.common import relative
+from urdfctl.report.json_report import finding
 from urdfctl.report.text import render
 
 
-class ExpandOptions(ReadingOptions):
+class ExpandOptions(ReadingOptions, AnswerOptions):
     """Expand xacro without ROS, byte for byte as xacro does.
 
     \b
@@ -37,15 +40,21 @@ def run_expand(options: ExpandOptions) -> int:
 
     On an error, print the first problem to standard error; the status is 1.
     """
-    output, force = options.output, options.force
+    return answered("expand", options, lambda answer: _expand(options, answer))
+
+
+def _expand(options: ExpandOptions, answer: CommandAnswer) -> int:
     expanded = expansion(options)
-    sys.stderr.write(render(Report((), expanded.problems, quiet=True)))
+    answer.add(findings=[finding(relative(problem)) for problem in expanded.problems])
+    if not answer.is_kept:
+        sys.stderr.write(render(Report((), expanded.problems, quiet=True)))
     if expanded.text is None:
         return 3 if expanded.crashed else 1
-    if output is not None:
-        write_file(output, expanded.text, force=force)
+    if options.output is not None:
+        write_file(options.output, expanded.text, force=options.force)
+        answer.file(options.output, FileState.WRITTEN)
     else:
-        print_text(expanded.text)
+        answer.text(expanded.text)
     return 0
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from urdfctl.commands.answering import AnswerOptions, answered
 from urdfctl.commands.declaring import OUTPUT, Command, Reads, option
 from urdfctl.commands.options import StartOptions
 from urdfctl.commands.robot_targets import best_of, robots_of
 from urdfctl.commands.words import configured, settings_to_check
 from urdfctl.errors import UserError
+from urdfctl.output.answer import CommandAnswer, FileState
 from urdfctl.output.links import check_output
-from urdfctl.output.printing import print_message
 from urdfctl.output.writing import write_file
 from urdfctl.report.common import shown
 from urdfctl.view.html import html
@@ -16,7 +17,7 @@ from urdfctl.view.job import portraits
 from urdfctl.view.meshes import installed
 
 
-class ViewOptions(StartOptions):
+class ViewOptions(StartOptions, AnswerOptions):
     """Show the robot in 3-D, its joints coloured by how they are controlled: a page that needs no network.
 
     \b
@@ -36,6 +37,10 @@ class ViewOptions(StartOptions):
 
 def run_view(options: ViewOptions) -> int:
     """Write the page of a robot, and return the exit status 0."""
+    return answered("view", options, lambda answer: _view(options, answer))
+
+
+def _view(options: ViewOptions, answer: CommandAnswer) -> int:
     if options.image is not None and not installed():
         raise UserError("the libraries that draw pictures are not installed: pip install 'urdfctl[view]'")
     if options.image is not None and not options.image.lower().endswith(".png"):
@@ -52,21 +57,23 @@ def run_view(options: ViewOptions) -> int:
     target, result = found
     others = {other.path for _, other in pairs} - {result.path}
     if others:
-        print_message(f"showing {shown(result.path)}, one of {len(others) + 1} robots; name another to see that")
+        answer.message(f"showing {shown(result.path)}, one of {len(others) + 1} robots; name another to see that")
     [portrait] = portraits([target], settings, in_3d=True)
     if portrait.crashed:
         raise RuntimeError(portrait.failure)
     if portrait.scene is None:
         raise UserError(f"'{shown(result.path)}' cannot be shown: {portrait.failure or 'it has no links'}")
     for note in portrait.scene["notes"]:
-        print_message(note)
+        answer.message(note)
     if options.image is not None:
         from urdfctl.view.image import png
 
         write_file(options.image, png(portrait.scene), force=True)
+        answer.file(options.image, FileState.WRITTEN)
     if page is not None:
         distro = portrait.graph.distro if portrait.graph and result.controllers else ""
         write_file(page, html(portrait.scene, result.path, distro), force=True)
+        answer.file(page, FileState.WRITTEN)
     return 0
 
 

@@ -41,14 +41,23 @@ def proposed(robot: RobotFacts, joints: Sequence[JointFacts], options: Generator
     return tuple(_numbered(found))
 
 
+def with_interfaces(requests: Sequence[Request], interfaces: tuple[str, ...]) -> str:
+    """Return proposals as options of a command line, with interfaces for those that can command several of a joint."""
+    return shown(
+        [one._replace(interfaces=interfaces) if one.type == "trajectory" else one for one in requests],
+    )
+
+
 def shown(requests: Sequence[Request]) -> str:
     """Return requests as options of a command line."""
-    return " ".join(f"--controller {request.name}={request.type}" + _shown_joints(request) for request in requests)
+    return " ".join(f"--controller {_shown_one(request)}" for request in requests)
 
 
-def _shown_joints(request: Request) -> str:
-    text = ",".join(request.patterns)
-    return f":{text}" if text else ""
+def _shown_one(request: Request) -> str:
+    joints = f":{','.join(request.patterns)}" if request.patterns else ""
+    if not request.interfaces:
+        return f"{request.name}={request.type}{joints}"
+    return f"'{request.name}={request.type}[{','.join(request.interfaces)}]{joints}'"
 
 
 def _of_base(base: Base, options: GeneratorOptions, offered: Mapping[str, tuple[str, ...]]) -> Iterator[Request]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfctl.catalog.catalog import Catalog
-from urdfctl.generate.controllers.proposals import proposed, shown
+from urdfctl.generate.controllers.proposals import proposed, shown, with_interfaces
 from urdfctl.generate.controllers.recipes import kind_of
 from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.request.requests import of_list, requested
@@ -34,6 +34,15 @@ def with_requests(
     found = proposed(robot, joints, options)
     line = f"controllers proposed from the robot: {shown(found)}" if found else ""
     return options._replace(requests=found), line
+
+
+def way_out(options: GeneratorOptions, proposal: str) -> str:
+    """Return how to ask for the same if the proposed controllers cannot all command several interfaces of a joint."""
+    if not proposal or len(options.interfaces) < 2:  # noqa: PLR2004 (each controller commands one)
+        return ""
+    return (
+        f"; in place of --interface, name them where they fit: {with_interfaces(options.requests, options.interfaces)}"
+    )
 
 
 def needs_joints(options: GeneratorOptions, catalog: Catalog) -> bool:

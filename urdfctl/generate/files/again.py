@@ -11,7 +11,7 @@ from itertools import takewhile
 
 from urdfctl.discover.robots import check_readable
 from urdfctl.errors import UserError
-from urdfctl.output.printing import print_message
+from urdfctl.output.answer import CommandAnswer, FileState
 from urdfctl.source.disk.files import first_bytes, folders_upwards
 from urdfctl.source.disk.gate import admits, exists, reading_within, walk
 from urdfctl.source.workspaces.workspace import workspace_of
@@ -51,26 +51,49 @@ class GeneratedOrigin(NamedTuple):
         return (*self.words, "-o", os.path.relpath(self.path, self.home))
 
 
-def run_again(paths: Sequence[str], run_words: Callable[[Sequence[str]], int], *, update: bool) -> int:
+def run_again(
+    paths: Sequence[str],
+    generate: Callable[[Sequence[str], CommandAnswer], int],
+    answer: CommandAnswer,
+    *,
+    update: bool,
+) -> int:
     """Check or update the generated files among some files and folders, and return the exit status.
 
-    run_words: runs a command line and returns its exit status.
+    generate: runs the command line of a generator and returns its exit status.
     """
-    stale = False
-    origins = list(dict.fromkeys(_origins(paths or ["."])))
+    stale, start = False, os.getcwd()
+    origins = list(dict.fromkeys(_origins(paths or ["."], answer)))
     if not origins:
         raise UserError(f"no generated file was checked in {', '.join(paths or ['this folder'])}")
     for origin in origins:
+        made = CommandAnswer(is_kept=True)
         with reading_within([origin.workspace]), _working_in(origin.home):
             try:
-                status = run_words([*origin.command, "--force" if update else "--check"])
+                status = generate([*origin.command, "--force" if update else "--check"], made)
             except UserError as error:
                 raise UserError(f"'{os.path.relpath(origin.path)}' cannot be generated again: {error}") from None
         stale = stale or bool(status)
+        _tell(made, answer, origin, start)
     return int(stale)
 
 
-def _origins(paths: Sequence[str]) -> Iterator[GeneratedOrigin]:
+def _tell(made: CommandAnswer, answer: CommandAnswer, origin: GeneratedOrigin, start: str) -> None:
+    """Say what was found of a generated file, or of those of a package, with paths from the folder of the run."""
+    if not made.files:
+        answer.messages(f"{os.path.relpath(origin.path, start)}: {line}" for line in made.lines)
+    for path, file in made.files.items():
+        shown = os.path.relpath(os.path.join(origin.home, path), start)
+        if file["state"] == FileState.OUT_OF_DATE.value:
+            answer.out_of_date(shown)
+            continue
+        state = FileState(file["state"])
+        answer.file(shown, state)
+        if state is FileState.WRITTEN:
+            answer.message(f"'{shown}' written")
+
+
+def _origins(paths: Sequence[str], answer: CommandAnswer) -> Iterator[GeneratedOrigin]:
     for path in paths:
         if not os.path.exists(path):
             raise UserError(f"file or folder '{path}' does not exist")
@@ -80,8 +103,11 @@ def _origins(paths: Sequence[str]) -> Iterator[GeneratedOrigin]:
                 workspace = workspace_of(os.path.abspath(file))
                 with reading_within([workspace]):
                     origin = _origin(file, words, workspace)
-                if origin:
+                if isinstance(origin, GeneratedOrigin):
                     yield origin
+                elif file not in answer.files:
+                    answer.file(file, FileState.SKIPPED, reason=origin)
+                    answer.message(f"'{file}' is skipped: {origin}")
 
 
 def _files(path: str) -> Iterator[str]:
@@ -110,8 +136,8 @@ def words_of_generated_file(file: str) -> tuple[str, ...] | None:
     return None
 
 
-def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigin | None:
-    """Return how to generate a file again. None if that is not possible; the reason is printed."""
+def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigin | str:
+    """Return how to generate a file again, or why that is not possible."""
     first = takewhile(lambda word: word == "-" or not word.startswith("-"), words[1:])
     inputs = [word for word in first if ":=" not in word]
     forbidden = next((word for word in words if _FORBIDDEN.fullmatch(word)), None)
@@ -130,9 +156,7 @@ def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigi
         outside = [path for path in inputs if not any(admits(os.path.join(home, path)) for home in homes)]
         where = f"is outside the workspace '{workspace}'" if outside else "does not exist"
         why = f"its command sets {forbidden}" if forbidden else f"its input '{' '.join(outside or inputs)}' {where}"
-        why = "it was generated from standard input" if "-" in inputs else why
-        print_message(f"'{file}' is skipped: {why}")
-        return None
+        return "it was generated from standard input" if "-" in inputs else why
     if words[0] not in _PACKAGES:
         return GeneratedOrigin(os.path.abspath(file), words, os.path.abspath(home), workspace)
     return GeneratedOrigin(package, words, os.path.abspath(home), workspace)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import difflib
 import os
 import re
+import shlex
 from collections.abc import Sequence
 
 from urdfctl.errors import UserError
 from urdfctl.generate.options import File
+from urdfctl.output.answer import CommandAnswer, FileState
 from urdfctl.output.change import Change, bytes_of
 from urdfctl.output.links import check_output
-from urdfctl.output.printing import print_message, print_text
 from urdfctl.output.writing import encoded, would_overwrite, write_file
 from urdfctl.output.writing_all import write_all, write_folder
 from urdfctl.report.common import relative_message
@@ -29,13 +30,15 @@ class Writing(NamedTuple):
     into: str | None
 
 
-def deliver(files: Sequence[File], writing: Writing, *, many: bool, steps: Sequence[str] = ()) -> int:
+def deliver(
+    files: Sequence[File], writing: Writing, answer: CommandAnswer, *, many: bool, steps: Sequence[str] = ()
+) -> int:
     """Write, show or check the files, and return the exit status: 1 if a check finds a file out of date.
 
     steps: what to do after files were written, one line each.
     """
     if writing.into is not None:
-        return _insert(files[0], writing.into, writing)
+        return _insert(files[0], writing.into, writing, answer)
     if (writing.check or many) and writing.output is None:
         raise UserError(
             "-o FOLDER is missing; the package is written to it"
@@ -43,32 +46,39 @@ def deliver(files: Sequence[File], writing: Writing, *, many: bool, steps: Seque
             else "--check requires -o FILE, the file to check"
         )
     if writing.output is None:
-        print_text("".join(file.text for file in files))
+        answer.text("".join(file.text for file in files))
         return 0
     placed = [(os.path.join(writing.output, file.name) if many else writing.output, file.text) for file in files]
     check_output(*(path for path, _ in placed))
     stale = [(path, text) for path, text in placed if _text_of(path) != text]
+    for path in dict.fromkeys(path for path, _ in placed):
+        answer.file(path, FileState.UNCHANGED)
     if writing.diff or writing.check:
         for path, text in stale:
-            print_text(_diff(path, text) if writing.diff else f"{path} is out of date\n")
+            answer.out_of_date(path, _diff(path, text) if writing.diff else "")
         return int(bool(stale) and writing.check)
     in_the_way = [path for path, _ in stale if would_overwrite(path)]
     if in_the_way and not writing.force:
         raise UserError(f"'{in_the_way[0]}' exists; --force overwrites it, --diff shows what would change")
     _write(stale, writing.output, many=many)
+    for path, _ in stale:
+        answer.file(path, FileState.WRITTEN)
     if stale and (many or steps):
-        print_message(f"{len(stale)} file{'s' * (len(stale) > 1)} written to '{writing.output}'")
+        answer.message(f"{len(stale)} file{'s' * (len(stale) > 1)} written to '{writing.output}'")
         for step in steps:
-            print_message(f"next: {step}")
+            answer.next(step)
     return 0
 
 
-def _insert(file: File, path: str, writing: Writing) -> int:
+def _insert(file: File, path: str, writing: Writing, answer: CommandAnswer) -> int:
     """Insert the content of a generated file before the last `</robot>` of another file. Other bytes do not change."""
     before = named_bytes(path)
     line_end = "\r\n" if b"\r\n" in before else "\n"
     block = _block(file.text).replace("\n", line_end).encode("utf-8", "surrogateescape")
     if block in before:
+        answer.file(path, FileState.UNCHANGED)
+        if not (writing.check or writing.diff):
+            answer.message(f"'{path}' has it already; nothing was written")
         return 0
     plain = re.sub(rb"(?s)<!--.*?-->", lambda comment: b" " * len(comment[0]), before)
     at = plain.rfind(b"</robot>")
@@ -77,9 +87,13 @@ def _insert(file: File, path: str, writing: Writing) -> int:
     at = plain.rfind(b"\n", 0, at) + 1 if not plain[plain.rfind(b"\n", 0, at) + 1 : at].strip() else at
     text = (before[:at] + block + before[at:]).decode("utf-8", "surrogateescape")
     if writing.diff or writing.check:
-        print_text(_diff(path, text) if writing.diff else f"{path} is out of date\n")
+        answer.out_of_date(path, _diff(path, text) if writing.diff else "")
         return int(writing.check)
     write_file(path, text, force=True)
+    answer.file(path, FileState.WRITTEN)
+    first, added = plain.count(b"\n", 0, at) + 1, block.count(b"\n")
+    answer.message(f"{added} lines inserted into '{path}' from line {first} on")
+    answer.next(f"urdfctl lint {shlex.quote(path)}")
     return 0
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterator, Sequence
 
+from urdfctl import REPOSITORY
 from urdfctl.catalog.distros import in_words
 from urdfctl.logs.digest import Digest, KnownMessage, Unknown
 from urdfctl.logs.evidence import CheckedFolder, LikelyCause
@@ -18,10 +19,7 @@ _LONGEST = 240
 _MOST_OTHERS = 4
 _MOST_UNKNOWN = 5
 _MOST_FOUND = 3
-_REPORT = (
-    "To have it explained, report it with the ROS distro and the program that prints it: an issue in the repository of "
-    "urdfctl."
-)
+_REPORT = f"To have it explained, report it with the ROS distro and the program that prints it: {REPOSITORY}/issues"
 _HEADINGS = {
     "failure": "Failures",
     "consequence": "Consequences of a failure",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
@@ -12,7 +13,7 @@ from urdfctl.control.hardware.simulator_plugins import (
     started_simulator,
     written_plugins,
 )
-from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.insertions import appended_to_robot, controllers_path, host_element
 
@@ -87,5 +88,6 @@ def control_plugin_missing(project: Project) -> Iterator[Finding]:
                 f"add <gazebo>{element}<parameters>{path or '...'}</parameters></plugin></gazebo>", edits, doubt=_DOUBT
             )
         severity = Severity.ERROR if started_simulator(project) == simulator else None
-        yield Finding(control.hardware[-1].plugins[0].at, message, fix=fix, severity=severity)
+        way = f"to write it: urdfctl gen-gazebo --simulator {simulator} --into {shlex.quote(robot.at.source.path)}"
+        yield Finding(control.hardware[-1].plugins[0].at, message, notes=(Note(way),), fix=fix, severity=severity)
         return
