@@ -39,7 +39,7 @@ for (const box of document.querySelectorAll(".wired:not([data-ready])")) {
     show(text ? found.map(node => node.dataset.node) : null);
     if (found.length) found[0].scrollIntoView({ block: "nearest", inline: "nearest" });
   };
-  const area = box.querySelector(".wired-drawing"), natural = drawing.viewBox.baseVal, least = .55;
+  const area = box.querySelector(".wired-drawing"), natural = drawing.viewBox.baseVal;
   let scale = 1;
   const zoom = (wanted) => {
     const middle = [area.scrollLeft + area.clientWidth / 2, area.scrollTop + area.clientHeight / 2].map(at => at / scale);
@@ -48,8 +48,8 @@ for (const box of document.querySelectorAll(".wired:not([data-ready])")) {
     drawing.setAttribute("height", natural.height * scale);
     area.scrollTo(middle[0] * scale - area.clientWidth / 2, middle[1] * scale - area.clientHeight / 2);
   };
-  const fit = (smallest) => zoom(Math.min(1, Math.max(smallest, (area.clientWidth - 2) / natural.width)));
-  const zooms = { in: () => zoom(scale * 1.3), out: () => zoom(scale / 1.3), fit: () => fit(.1) };
+  const fit = () => zoom(Math.min(1, (area.clientWidth - 2) / natural.width));
+  const zooms = { in: () => zoom(scale * 1.3), out: () => zoom(scale / 1.3), fit };
   for (const button of box.querySelectorAll("[data-zoom]")) button.addEventListener("click", zooms[button.dataset.zoom]);
   area.addEventListener("wheel", event => {
     if (!event.ctrlKey) return;
@@ -59,7 +59,7 @@ for (const box of document.querySelectorAll(".wired:not([data-ready])")) {
   area.addEventListener("pointermove", event => {
     if (event.buttons === 1 && event.pointerType === "mouse") area.scrollBy(-event.movementX, -event.movementY);
   });
-  fit(least);
+  fit();
   area.scrollTo(0, 0);
   search.addEventListener("input", searched);
   for (const node of nodes) {

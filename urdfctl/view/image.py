@@ -23,13 +23,15 @@ _FINER = 2
 """The picture is drawn this many times larger, then reduced: its edges are smooth."""
 _FOCUS, _YAW, _PITCH, _AWAY = 2.1, 0.7, 0.4, 1.15
 """The camera, as the page has it: focal length, angles in rad, and distance in sizes of the robot."""
+_OUTLINE = 0.003
+"""The outline around what has an error is this part of the picture wide."""
 _SPACING = 0.7
 """Triangles are filled with points that are at most this many pixels apart."""
 _AT_ONCE = 500_000
 """Points that are drawn at the same time: each needs about 100 bytes."""
 _COLOURS = {
-    "position": (36, 96, 196), "velocity": (22, 121, 74), "effort": (154, 98, 0), "state": (122, 75, 194),
-    "mimic": (31, 138, 150), "none": (138, 146, 160), "error": (208, 43, 48), "missing": (217, 77, 191),
+    "position": (36, 96, 196), "velocity": (14, 124, 134), "effort": (125, 90, 60), "state": (122, 75, 194),
+    "mimic": (95, 127, 158), "none": (138, 146, 160), "error": (208, 43, 48), "missing": (217, 77, 191),
 }  # fmt: skip
 _GREY = (0.62, 0.65, 0.7)
 
@@ -38,11 +40,8 @@ def png(scene: Mapping[str, Any]) -> bytes:
     """Return the picture of a scene at its start, in the colours of the page, on a transparent ground."""
     import numpy as np
 
-    pieces = list(_pieces(scene))
-    triangles = np.concatenate([piece for piece, _ in pieces]) if pieces else np.zeros((0, 3, 3))
-    colours = np.concatenate([np.tile(colour, (len(piece), 1)) for piece, colour in pieces] or [np.zeros((0, 3))])
     width, height = WIDTH * _FINER, HEIGHT * _FINER
-    pixels = _drawn(triangles, colours, width, height) if len(triangles) else np.zeros((height, width, 4))
+    pixels = _outlined(list(_pieces(scene)), width, height)
     small = pixels.reshape(HEIGHT, _FINER, WIDTH, _FINER, 4).mean(axis=(1, 3))
     covered = np.maximum(small[..., 3:], 1e-9)
     small[..., :3] /= covered
@@ -65,17 +64,12 @@ class Film:
         import numpy as np
 
         pieces = list(_pieces(self.scene, positions, base))
-        triangles = np.concatenate([piece for piece, _ in pieces]) if pieces else np.zeros((0, 3, 3))
-        colours = np.concatenate([np.tile(colour, (len(piece), 1)) for piece, colour in pieces] or [np.zeros((0, 3))])
-        if self._bounds is None and len(triangles):
+        if self._bounds is None and pieces:
+            triangles = np.concatenate([piece for piece, _, _ in pieces])
             moves = np.array([minus(place, base.place) for place in (base.place, *self._places)])
             low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
             self._bounds = low + moves.min(axis=0), high + moves.max(axis=0)
-        drawn = (
-            _drawn(triangles, colours, self.width, self.height, self._bounds)
-            if len(triangles)
-            else np.zeros((self.height, self.width, 4))
-        )
+        drawn = _outlined(pieces, self.width, self.height, self._bounds)
         covered = drawn[..., 3:]
         pixels: Array = (np.clip(drawn[..., :3] * covered + 1 - covered, 0, 1) * 255).round().astype(np.uint8)
         return pixels
@@ -111,17 +105,19 @@ def _pose(numbers: Sequence[float]) -> Pose:
 
 def _pieces(
     scene: Mapping[str, Any], positions: Mapping[str, float] = MappingProxyType({}), base: Pose | None = None
-) -> Iterator[tuple[Array, Array]]:
-    """The triangles of each part in the frame of the root, and its colour."""
+) -> Iterator[tuple[Array, Array, bool]]:
+    """The triangles of each part in the frame of the root, its colour, and whether lint reports an error there."""
     import numpy as np
 
     poses, movers = poses_of(scene["joints"], positions, base), _movers(scene["joints"])
     for link, parts in scene["links"].items():
         for part in parts:
             pose = poses.get(link, base or Pose()).then(_pose(part["pose"]))
+            joint = movers.get(link)
             for corners, faces, own in _surfaces(part, scene["meshes"]):
                 placed = corners @ np.array(pose.turn).T + np.array(pose.place)
-                yield placed[faces], _tint(part, movers.get(link), part["colour"] or own or _GREY)
+                colour = _tint(part, joint, part["colour"] or own or _GREY)
+                yield placed[faces], colour, joint is not None and bool(joint["error"])
 
 
 def _movers(joints: Sequence[Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
@@ -138,10 +134,10 @@ def _movers(joints: Sequence[Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]
 def _tint(part: Mapping[str, Any], joint: Mapping[str, Any] | None, own: Sequence[float]) -> Array:
     import numpy as np
 
-    if part["shape"] != "missing" and joint is None:
-        return np.array(own[:3], float)
-    kind = "missing" if joint is None or part["shape"] == "missing" else "error" if joint["error"] else joint["control"]
     brightness = 0.3 * own[0] + 0.6 * own[1] + 0.1 * own[2]
+    if part["shape"] != "missing" and joint is None:  # half as strong: a red part must not look like a fault
+        return 0.45 * np.array(own[:3], float) + 0.55 * (0.25 + 0.6 * brightness)
+    kind = "missing" if joint is None or part["shape"] == "missing" else joint["control"]
     return 0.8 * np.array(_COLOURS[kind]) / 255 + 0.2 * brightness
 
 
@@ -169,6 +165,32 @@ def _surfaces(part: Mapping[str, Any], meshes: Sequence[Any]) -> Iterator[tuple[
 
 
 # -- drawing ---------------------------------------------------------------------------------------------------------
+
+
+def _outlined(
+    pieces: Sequence[tuple[Array, Array, bool]], width: int, height: int, bounds: tuple[Array, Array] | None = None
+) -> Array:
+    """The parts as `_drawn` gives them, those with an error in an outline. bounds: as there."""
+    import numpy as np
+
+    pieces = [piece for piece in pieces if len(piece[0])]
+    if not pieces:
+        return np.zeros((height, width, 4))
+    triangles = np.concatenate([piece for piece, _, _ in pieces])
+    colours = np.concatenate([np.tile(colour, (len(piece), 1)) for piece, colour, _ in pieces])
+    bounds = bounds or (triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1)))
+    pixels = _drawn(triangles, colours, width, height, bounds)
+    wrong = [piece for piece, _, is_wrong in pieces if is_wrong]
+    if wrong:
+        marked = np.concatenate(wrong)
+        covered = _drawn(marked, np.zeros((len(marked), 3)), width, height, bounds)[..., 3] > 0
+        around = covered.copy()
+        thick = max(2, round(_OUTLINE * min(width, height)))
+        for shift, axis in ((step, axis) for axis in (0, 1) for step in (-1, 1)):
+            for _ in range(thick):
+                around |= np.roll(around, shift, axis)
+        pixels[around & ~covered] = [*np.array(_COLOURS["error"]) / 255, 1.0]
+    return pixels
 
 
 def _drawn(

@@ -104,7 +104,7 @@ def scene_of(
 
 
 def tree_of(robot: Robot, links: Mapping[str, object]) -> tuple[list[Hinge], list[str]]:
-    """Return the joints in an order from the roots outwards, and the names of those that fit no tree."""
+    """Return the joints as the tree branches, each chain to its end, and the names of those that fit no tree."""
     by_parent: dict[str, list[Hinge]] = {}
     children: set[str] = set()
     names: set[str] = set()
@@ -118,10 +118,10 @@ def tree_of(robot: Robot, links: Mapping[str, object]) -> tuple[list[Hinge], lis
         else:
             left_out.append(hinge.name)
     ordered: list[Hinge] = []
-    pending = [name for name in links if name not in children]
-    for link in pending:  # grows while it is walked
-        ordered += by_parent.get(link, [])
-        pending += [hinge.child for hinge in by_parent.pop(link, [])]
+    pending = [hinge for name in links if name not in children for hinge in by_parent.pop(name, [])][::-1]
+    while pending:
+        ordered.append(pending.pop())
+        pending += reversed(by_parent.pop(ordered[-1].child, []))
     return ordered, [*left_out, *(hinge.name for rest in by_parent.values() for hinge in rest)]
 
 

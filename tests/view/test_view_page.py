@@ -1,0 +1,87 @@
+"""What the picture in 3-D shows in a browser: status as outline and badge, ground, axes, and joints that are found."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from chromium import browser, needs_browser
+from folder import CHECKOUT
+from generating import command
+
+STYLE = CHECKOUT / "templates/pages"
+PIXELS = """((wanted) => {
+  const view = document.querySelector(".robot-view").robot, gl = view.gl, { width: w, height: h } = view.canvas;
+  const all = new Uint8Array(4 * w * h); gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, all);
+  let count = 0;
+  for (let n = 0; n < all.length; n += 4) count += wanted.every((part, m) => Math.abs(part - all[n + m]) < 12) ? 1 : 0;
+  return count;
+})"""
+SEARCH = """(() => {
+  const search = document.querySelector(".robot-search");
+  search.value = "ELB"; search.dispatchEvent(new Event("input"));
+})()"""
+ERROR = [0xD0, 0x2B, 0x30]
+
+
+def colours(name: str) -> set[str]:
+    """The colours of the rules that set variables with a prefix, of both schemes."""
+    text = "".join((STYLE / file).read_text("utf-8") for file in ("robot.css", "style.css"))
+    return {found.lower() for found in re.findall(rf"--{name}[a-z-]*: (#[0-9a-fA-F]{{6}})", text)}
+
+
+def test_no_way_of_control_has_the_colour_of_a_status() -> None:
+    kinds = colours("by-")
+    assert len(kinds) >= 10
+    for status in ("good", "bad", "warned", "error"):
+        assert kinds & colours(status) == set(), status
+
+
+@needs_browser
+def test_an_error_is_an_outline_and_a_badge_that_leads_to_its_findings(tmp_path: Path) -> None:
+    page_file = tmp_path / "robot.html"
+    assert command("view", str(CHECKOUT / "samples/broken/my_robot"), "-o", str(page_file)).returncode == 0
+    with browser() as started:
+        page = started.page()
+        page.open(page_file)
+        outline = page.run(f"{PIXELS}({ERROR})")
+        assert 100 < outline < 5000, "an outline, and no surface"
+        assert page.run("document.querySelector('.robot-canvas .badge').textContent") == "1"
+        page.run("document.querySelector('.robot-canvas .badge').click()")
+        assert page.run("document.querySelector('.robot-joints li.chosen details').open")
+        assert page.run(f"{PIXELS}({ERROR})") == 0, "what is chosen has its own outline"
+        assert page.refused == []
+
+
+@needs_browser
+def test_joints_are_found_by_name_and_their_frames_are_drawn_on_demand(tmp_path: Path) -> None:
+    page_file = tmp_path / "robot.html"
+    assert command("view", str(CHECKOUT / "samples/picker"), "-o", str(page_file)).returncode == 0
+    red = f"{PIXELS}([0xE5, 0x48, 0x4D])"
+    with browser() as started:
+        page = started.page()
+        page.open(page_file)
+        assert "a square is" in page.run("document.querySelector('.ground-step').textContent")
+        before = page.run(red)
+        page.run("document.querySelector('.joint-frames').click()")
+        assert page.run(red) > before
+        names = "[...document.querySelectorAll('.robot-joints li:not([hidden])')].map(one => one.dataset.joint)"
+        joints = page.run(names)
+        assert joints[joints.index("turn") :][:4] == ["turn", "shoulder", "elbow", "wrist"], "as the tree branches"
+        page.run(SEARCH)
+        assert page.run(names) == ["elbow"]
+
+
+@needs_browser
+def test_the_whole_graph_is_seen_on_a_desk_and_on_a_telephone(tmp_path: Path) -> None:
+    page_file = tmp_path / "run.html"
+    command("lint", str(CHECKOUT / "samples/picker"), "--report", str(page_file))
+    cut = """[...document.querySelectorAll(".wired-drawing")].map(one => one.scrollWidth - one.clientWidth)
+      .concat(document.documentElement.scrollWidth - innerWidth)"""
+    with browser() as started:
+        for width, height in ((1400, 900), (390, 844)):
+            page = started.page()
+            size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500}
+            started.ask("Emulation.setDeviceMetricsOverride", size, page.session)
+            page.open(page_file)
+            assert max(page.run(cut)) <= 0, width
