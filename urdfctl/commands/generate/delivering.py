@@ -71,7 +71,7 @@ def _remarks(options: GenerateOptions, made: Made) -> Iterator[str]:
 def _remedy(made: Made) -> str:
     inertial = any("<inertia>" in finding.message for finding in made.judgement.fatal)
     fix = ", add --fix-inertia for the nearest valid inertia in a copy" if inertial else ""
-    if made.robot and made.robot.components:
+    if made.judgement.fatal and made.robot and made.robot.components:
         return (
             "it has a <ros2_control> already. Name a file of the robot without it, or write only what is missing, by "
             "gen-controllers and gen-launch; --force writes the package all the same"
