@@ -1,9 +1,10 @@
-"""Required gains of a controller that are missing, and the consequence."""
+"""The gains of controllers: which are missing, with the consequence, and what each closed loop has."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from enum import Enum
+from math import inf
 
 from urdfctl.catalog.distros import generation
 from urdfctl.catalog.entries import ControllerType, ParameterEntry
@@ -33,6 +34,27 @@ class MissingGain(NamedTuple):
     element: str | None
     """The joint that the gain is for; None if the controller has only one."""
     fate: Fate
+
+
+class GainLoop(NamedTuple):
+    """The gains of one closed loop of a controller."""
+
+    prefix: str
+    """What all its parameters begin with: `gains.elbow.`."""
+    element: str | None
+    """The joint that the loop is for; None if the controller has only one."""
+    p: float
+    i: float
+    d: float
+    forward: float
+    """The gain on the command itself, which moves the joint without an error."""
+    clamp: float
+    """How much the integral part may contribute at most; infinite if nothing limits it."""
+
+    @property
+    def integral(self) -> float:
+        """The gain i, as far as the clamp lets it act."""
+        return self.i if self.clamp else 0.0
 
 
 def missing_gains(kind: ControllerType, given: Mapping[str, object]) -> Iterator[MissingGain]:
@@ -71,3 +93,45 @@ def _fate(parameter: ParameterEntry) -> Fate | None:
 def _element(name: str, kind: ControllerType) -> str | None:
     matched = matching(name, kind.parameters)
     return matched[1] if matched else None
+
+
+def loops_of(kind: ControllerType, given: Mapping[str, object]) -> Iterator[GainLoop]:
+    """Yield the closed loops of a controller of which at least one gain is given and all values are known numbers."""
+    values = Values(kind, given)
+    for pattern in kind.parameters:
+        if pattern.endswith(".p") and f"{pattern[:-1]}i" in kind.parameters:
+            for name in expanded(pattern, values):
+                prefix = name[:-1]
+                gains = {gain: _number(values, prefix + gain) for gain in "pid"}
+                p, i, d = gains.values()
+                forward, clamp = _forward(kind, values, prefix), _clamp(values, prefix)
+                is_given = any(values.is_given(prefix + gain) for gain in gains)
+                if is_given and None not in (p, i, d, forward, clamp):
+                    yield GainLoop(prefix, _element(name, kind), p=p, i=i, d=d, forward=forward, clamp=clamp)  # type: ignore[arg-type]
+
+
+def _forward(kind: ControllerType, values: Values, prefix: str) -> float | None:
+    element = _element(f"{prefix}p", kind)
+    names = [f"{prefix}ff_velocity_scale", f"{prefix}feedforward_gain", f"velocity_ff.{element}"]
+    return next((_number(values, name) for name in names if matching(name, kind.parameters)), 0.0)
+
+
+def _clamp(values: Values, prefix: str) -> float | None:
+    """The larger of the two bounds, without their signs."""
+    bounds = [_first(values, prefix, (name, "i_clamp")) for name in ("i_clamp_max", "i_clamp_min")]
+    return None if None in bounds else max(abs(bound) for bound in bounds if bound is not None)
+
+
+def _first(values: Values, prefix: str, names: tuple[str, ...]) -> float | None:
+    """The first of some parameters that is given, or else the first with a default; infinite if none has one."""
+    whole = [prefix + name for name in names]
+    chosen = [name for name in whole if values.is_given(name)] or [
+        name for name in whole if values.get(name) is not None
+    ]
+    return _number(values, chosen[0]) if chosen else inf
+
+
+def _number(values: Values, name: str) -> float | None:
+    value = values.get(name, 0.0)
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return float(value) if is_number else 0.0 if value is None else None  # type: ignore[arg-type]

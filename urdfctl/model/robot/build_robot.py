@@ -190,6 +190,7 @@ def _transmission(element: dom.Element, parent: str) -> Transmission:
         actuators=tuple(actuators),
         others=tuple(others),
         parent=parent,
+        tag=Tag(element),
     )
 
 
@@ -203,6 +204,7 @@ def _end(element: dom.Element) -> TransmissionEnd:
         reductions=texts_of(element, "mechanicalReduction"),
         offsets=texts_of(element, "offset"),
         others=tuple(Tag(child) for child in element.elements() if child.tagName not in _READ_OF_AN_END),
+        tag=Tag(element),
     )
 
 

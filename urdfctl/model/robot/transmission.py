@@ -14,6 +14,7 @@ class TransmissionEnd(NamedTuple):
     interfaces, reductions, offsets: all `<hardwareInterface>`, `<mechanicalReduction>` and `<offset>` elements,
         including empty ones.
     others: child elements that no reader uses.
+    tag: the element with its attributes.
     """
 
     name: str | None
@@ -23,6 +24,7 @@ class TransmissionEnd(NamedTuple):
     reductions: tuple[ElementText, ...]
     offsets: tuple[ElementText, ...]
     others: tuple[Tag, ...]
+    tag: Tag
 
     @property
     def named_interfaces(self) -> tuple[ElementText, ...]:
@@ -41,6 +43,7 @@ class Transmission(NamedTuple):
     type_attribute: the attribute `type`, which the PR2 form uses.
     others: the remaining child elements.
     parent: name of the parent element; ros_control reads only children of the root element.
+    tag: the element with its attributes.
     """
 
     name: str | None
@@ -51,6 +54,7 @@ class Transmission(NamedTuple):
     actuators: tuple[Actuator, ...]
     others: tuple[Tag, ...]
     parent: str
+    tag: Tag
 
     @property
     def is_pr2(self) -> bool:

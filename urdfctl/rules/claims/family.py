@@ -16,6 +16,7 @@ from urdfctl.rules.claims.gains_missing import gains_missing
 from urdfctl.rules.claims.gazebo_gains_given import gazebo_gains_given
 from urdfctl.rules.claims.hardware_interface_not_in_gazebo import hardware_interface_not_in_gazebo
 from urdfctl.rules.claims.hardware_not_active import hardware_not_active
+from urdfctl.rules.claims.integral_without_clamp import integral_without_clamp
 from urdfctl.rules.claims.interface_claimed_twice import interface_claimed_twice
 from urdfctl.rules.claims.joint_in_another_interface import joint_in_another_interface
 from urdfctl.rules.claims.joint_limits_incomplete import joint_limits_incomplete
@@ -23,6 +24,7 @@ from urdfctl.rules.claims.joint_not_commanded import joint_not_commanded
 from urdfctl.rules.claims.joint_states_not_published import joint_states_not_published
 from urdfctl.rules.claims.joint_states_published_twice import joint_states_published_twice
 from urdfctl.rules.claims.joint_without_transmission import joint_without_transmission
+from urdfctl.rules.claims.loop_without_error_gain import loop_without_error_gain
 from urdfctl.rules.claims.mapped_interface_not_exported import mapped_interface_not_exported
 from urdfctl.rules.claims.nothing_to_claim import nothing_to_claim
 from urdfctl.rules.claims.sensor_frame_not_a_link import sensor_frame_not_a_link
@@ -57,4 +59,6 @@ FAULTS: tuple[Fault, ...] = (
     state_of_other_data_type,
     command_overridden_in_simulator,
     claimed_name_empty,
+    integral_without_clamp,
+    loop_without_error_gain,
 )

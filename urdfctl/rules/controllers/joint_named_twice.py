@@ -27,6 +27,17 @@ from urdfctl.rules.controllers.parameters import is_ros1
                   joints: [shoulder, elbow, «elbow»]
             """
         },
+        {
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                base:
+                  type: diff_drive_controller/DiffDriveController
+                  left_wheel: shoulder
+                  right_wheel: «shoulder»
+                  pose_covariance_diagonal: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]
+                  twist_covariance_diagonal: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]
+            """
+        },
     ],
     good=[
         {
@@ -42,6 +53,7 @@ def joint_named_twice(project: Project) -> Iterator[Finding]:
     """Joint named twice in a ROS 1 controller.
 
     The controller is loaded and expects one command per name. It writes both commands to the joint; the last one wins.
+    A wheel that is on both sides of a drive moves the robot in no way that its odometry says.
     """
     return in_each_distro(project, _twice)
 
@@ -49,9 +61,9 @@ def joint_named_twice(project: Project) -> Iterator[Finding]:
 def _twice(reader: Reader) -> Iterator[Finding]:
     if not is_ros1(reader):
         return
-    first: dict[tuple[str | None, str], Named] = {}
+    first: dict[str, Named] = {}
     for joint in named(reader):
-        earlier = first.setdefault((joint.claim.parameter, joint.name), joint)
+        earlier = first.setdefault(joint.name, joint)
         if earlier is not joint:
             notes = (Note("first named here", earlier.at),)
             message = f"controller '{reader.name}' names joint '{joint.name}' twice"

@@ -71,6 +71,16 @@ from urdfctl.rules.controllers.parameters import (
             """,
         },
         {
+            "options": "--distro=noetic",
+            "controllers.yaml": """
+                states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+                arm:
+                  type: position_controllers/JointTrajectoryController
+                  joints: [shoulder, elbow]
+                  «constraints»: 0.1
+            """,
+        },
+        {
             "controllers.yaml": """
                 controller_manager:
                   ros__parameters:
@@ -199,7 +209,8 @@ def _why(project: Project, reader: Reader, parameter: Parameter, right: str | No
     if alike and not (reader.type and reader.type.open):
         return f"; did you mean {' or '.join(repr(name) for name in alike[:2])}?"
     is_open = reader.type is not None and reader.type.open
-    may_be_of_others = is_ros1(reader) and "." not in parameter.name
+    is_map = any(name.startswith(f"{parameter.name}.") for name in reader.known)
+    may_be_of_others = is_ros1(reader) and "." not in parameter.name and not is_map
     return None if is_open or may_be_of_others or is_another(reader) else "; it is ignored"
 
 

@@ -35,6 +35,17 @@ from urdfctl.source.span import SourceSpan
             """,
         },
         {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware type="«system»"><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    <state_interface name="position"/>
+                  </joint>
+                </ros2_control>
+            """,
+        },
+        {
             "options": "--distro=jazzy",
             "robot.urdf": """
                 <ros2_control name="arm" type="system" is_asnc="«true»" rwrate="«100»" thread_prioriti="«50»">
@@ -122,6 +133,7 @@ def _elements(control: Ros2Control) -> Iterator[tuple[Tag, str]]:
     """The elements whose attributes the parser reads by name, each with its key in ATTRIBUTES."""
     yield control.tag, "ros2_control"
     for hardware in control.hardware:
+        yield hardware.tag, "hardware"
         yield from ((parameter.tag, "param") for parameter in hardware.parameters)
     for part in control.parts:
         yield part.tag, part.kind

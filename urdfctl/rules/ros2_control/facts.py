@@ -61,6 +61,7 @@ ATTRIBUTES: dict[str, dict[str, tuple[str, ...]]] = {
     "interface": {"name": ROS2, "data_type": since("jazzy"), "size": since("jazzy")},
     "gpio interface": {"name": ROS2, "data_type": ROS2, "size": ROS2},
     "param": _NAMED,
+    "hardware": {},
 }
 """The attributes that the parser reads, by element, each with the distros that read it."""
 

@@ -25,6 +25,7 @@ from urdfctl.rules.transmissions.transmission_name_twice import transmission_nam
 from urdfctl.rules.transmissions.transmission_not_in_root import transmission_not_in_root
 from urdfctl.rules.transmissions.transmission_of_two_joints_in_gazebo import transmission_of_two_joints_in_gazebo
 from urdfctl.rules.transmissions.transmission_offset_unusable import transmission_offset_unusable
+from urdfctl.rules.transmissions.transmission_part_not_read import transmission_part_not_read
 from urdfctl.rules.transmissions.transmission_role_invalid import transmission_role_invalid
 from urdfctl.rules.transmissions.transmission_type_unknown import transmission_type_unknown
 from urdfctl.rules.transmissions.transmission_without_actuator import transmission_without_actuator
@@ -59,4 +60,5 @@ FAULTS: tuple[Fault, ...] = (
     mimic_joint_in_transmission,
     mechanical_reduction_unusable,
     hardware_interface_prefix_too_early,
+    transmission_part_not_read,
 )

@@ -11,9 +11,8 @@ from urdfctl.rules.urdf.grammar import ATTRIBUTES, ELEMENTS, read_tags
 _NAMES = frozenset(name for children in ELEMENTS.values() for name in children) - {
     "ros2_control",
     "transmission",
-    "gazebo",
 }
-"""The elements that urdfdom reads somewhere. The last three have rules of their own."""
+"""The elements that urdfdom or Gazebo reads somewhere. The last two have rules of their own."""
 _UNUSED = frozenset({("collision", "material")})
 """What is often there, and whose loss changes nothing."""
 _TOOL = """
@@ -50,6 +49,7 @@ _TOOL = """
                 "",
             )
         },
+        {"robot.urdf": _TOOL % ("«<gazebo>»<mu1>1</mu1></gazebo>", "«<gazebo>»<mu1>1</mu1></gazebo>", "")},
         {"robot.urdf": _TOOL % ("", '«<damping value="1"/>»«<effort>»5</effort>«<velocity>»5</velocity>', "")},
     ],
     good=[
