@@ -34,7 +34,7 @@ from urdfctl.smoke.pairing import with_joined
 from urdfctl.smoke.ranking import causes_first
 from urdfctl.smoke.reports import SmokeReport, report_of
 from urdfctl.smoke.results import RobotResult
-from urdfctl.smoke.statics import check_statically
+from urdfctl.smoke.statics import check_statically, with_mock_hardware
 from urdfctl.smoke.tasks import MOTION, TaskFile, misfits
 from urdfctl.startup.records import NamedTuple
 
@@ -54,6 +54,7 @@ class SmokeRequest(NamedTuple):
     tasks: the user's own tasks as plain data (see `TaskFile`), or None.
     arguments: given to each description, as names with values.
     controllers: files that each robot reads besides its own.
+    mocked: whether mock hardware is taken in the place of a driver that cannot be started, or is not in the files.
     shard: the share of the targets to test; all if None.
     parallel: how many workers run at the same time; one for each processor if None.
     """
@@ -67,6 +68,7 @@ class SmokeRequest(NamedTuple):
     tasks: Any = None
     arguments: Arguments = ()
     controllers: tuple[str, ...] = ()
+    mocked: bool = False
     shard: Shard | None = None
     parallel: int | None = None
 
@@ -203,7 +205,9 @@ def judge(seen: LintedTarget, loader: Loader, request: SmokeRequest) -> CheckedR
     packages = loader.reading(seen.result.path)[1]
     given = TaskFile.from_json(request.tasks) if request.tasks else None
     find_mesh = partial(mesh_path, packages=packages, robot_file=seen.result.path)
-    static_check = check_statically(seen, request.only, find_mesh, given)
+    mocked = with_mock_hardware(seen) if request.mocked else None
+    static_check = check_statically(mocked or seen, request.only, find_mesh, given)
+    static_check = static_check._replace(mocked=mocked is not None)
     motion_plan = None
     if request.engines:
         from urdfctl.smoke.robot_motion import plan_of

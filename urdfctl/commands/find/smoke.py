@@ -44,6 +44,7 @@ INTERRUPTED = 130
 MAX_DURATION = 60.0
 """Seconds of simulation for one controller."""
 
+_MOCK = "mock"
 _REAL = "ros2"
 """The engine that is no physics engine: the controller manager of a sourced ROS 2."""
 
@@ -66,6 +67,12 @@ class SmokeOptions(CheckOptions, ReportOptions, command="smoke"):
         "Physics engine: auto, pybullet, mujoco, both, or none to move nothing; ros2: the real controller manager.",
         default="auto",
         choices=(*CHOICES, _REAL),
+    )
+    hardware: str | None = option(
+        CHECKED_FOR,
+        "mock: test with mock hardware where the robot's driver is not in the files, or cannot be started.",
+        choices=(_MOCK,),
+        of=("smoke",),
     )
     tasks: str | None = option(
         CHECKED_FOR,
@@ -162,6 +169,7 @@ def _request(options: SmokeOptions) -> SmokeRequest:
         live=_is_terminal() if options.progress is None else options.progress,
         arguments=tuple(split_arguments(options.paths)[1].items()),
         controllers=options.controllers,
+        mocked=options.hardware == _MOCK,
         shard=shard_of(options.shard),
         parallel=options.jobs or None,
     )
@@ -189,6 +197,8 @@ def _validate(options: SmokeOptions) -> None:
     check_jobs(options.jobs)
     if not 0 < options.duration <= MAX_DURATION:
         raise UserError(f"--duration must be a number of seconds up to {MAX_DURATION:g}, not {options.duration:g}")
+    if options.hardware not in (None, _MOCK):
+        raise UserError(f"unknown hardware '{options.hardware}'; known is {_MOCK}")
     if options.report == "":
         raise UserError("--report requires the name of a file")
     check_output(options.report)

@@ -7,6 +7,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
 from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
+from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 
 
 @fault(
@@ -14,7 +15,7 @@ from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
     severity=Severity.ERROR,
     runtime="misbehaves",
     authority="gazebo_ros_control and gz_ros2_control clamp efforts to the joint's limit",
-    explains=(joint_does_not_follow, joint_leaves_limits, joint_oscillates),
+    explains=(joint_does_not_follow, joint_leaves_limits, joint_oscillates, joint_too_fast),
     options=["--distro=jazzy"],
     bad=[
         {

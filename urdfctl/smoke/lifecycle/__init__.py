@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from urdfctl.smoke.lifecycle.controller_manager import NOT_MOVED, ControllerLifecycle, RobotLifecycle
-from urdfctl.smoke.lifecycle.lint_errors import place_of
+from urdfctl.smoke.lifecycle.lint_errors import place_of, stops_hardware
 from urdfctl.smoke.lifecycle.possible_distros import lifecycle_of, result_without_motion
 
-__all__ = ["NOT_MOVED", "ControllerLifecycle", "RobotLifecycle", "lifecycle_of", "place_of", "result_without_motion"]
+__all__ = [
+    "NOT_MOVED",
+    "ControllerLifecycle",
+    "RobotLifecycle",
+    "lifecycle_of",
+    "place_of",
+    "result_without_motion",
+    "stops_hardware",
+]

@@ -3,5 +3,6 @@
 from __future__ import annotations
 
 from urdfctl.smoke.statics.check import StaticCheck, as_not_started, check_statically, with_troubles
+from urdfctl.smoke.statics.unknown_parts import with_mock_hardware
 
-__all__ = ["StaticCheck", "as_not_started", "check_statically", "with_troubles"]
+__all__ = ["StaticCheck", "as_not_started", "check_statically", "with_mock_hardware", "with_troubles"]

@@ -11,8 +11,6 @@ from urdfctl.lint.target import LintedTarget
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.model.stage import Stage
-from urdfctl.names import enumerated
-from urdfctl.report.common import shown
 from urdfctl.rules import fault_of, stage_of
 from urdfctl.rules.reading.rule_crashed import rule_crashed
 from urdfctl.rules.smoke.loose_robot_tips_over import loose_robot_tips_over
@@ -45,6 +43,7 @@ from urdfctl.smoke.statics.simulators import in_simulation
 from urdfctl.smoke.statics.stability import loop_troubles, needs_grip
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
+from urdfctl.smoke.statics.unknown_parts import MOCKED, why_unknown
 from urdfctl.smoke.statics.velocity_loops import velocity_loop_troubles
 from urdfctl.smoke.statics.written_limits import written_limit_troubles
 from urdfctl.smoke.tasks import ControllerTask, MotionFamily, TaskFile, tasks_of, with_inferred_drives
@@ -52,10 +51,6 @@ from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 _GAINS = ("p", "i", "d")
-UNKNOWN_ROBOT = "not simulated: the robot is not known, or some of its parts are not"
-"""Why a controller does not move if no engine can move it, and nothing says what is missing."""
-NO_ROBOT = "not simulated: the launch file starts no known robot: urdfctl smoke ROBOT --controllers {}"
-NO_PACKAGES = "not simulated: the robot needs {}, not here: clone {} beside it, or --package-path FOLDER"
 RATES = {1: 1000.0, 2: 100.0}
 """The default update rate by generation of ROS, in Hz: gazebo_ros_control updates at each step of 1 ms, the controller
 manager of ROS 2 at its own default."""
@@ -77,6 +72,7 @@ class StaticCheck(NamedTuple):
     part_of: the link of another file that the description hangs on: it is not a robot then.
     given: the user's own tasks.
     support: what a robot rests on that nothing fixes to the world.
+    mocked: whether mock hardware is in the place of its driver.
     """
 
     seen: LintedTarget
@@ -89,6 +85,7 @@ class StaticCheck(NamedTuple):
     part_of: str = ""
     given: TaskFile | None = None
     support: Support = Support()
+    mocked: bool = False
 
     def wants(self, name: str | None) -> bool:
         """Return whether a controller was asked for. Findings of no controller are always reported."""
@@ -98,9 +95,11 @@ class StaticCheck(NamedTuple):
     def results(self) -> tuple[ControllerResult, ...]:
         """The results of the controllers, as far as they are known."""
         results = (result_without_motion(each) for each in self.lifecycle.controllers if self.wants(each.name))
-        unknown = _why_unknown(self.seen) if self.mechanism is None else NOT_MOVED
+        unknown = why_unknown(self.seen) if self.mechanism is None else NOT_MOVED
         known = (each._replace(reason=unknown) if each.reason == NOT_MOVED else each for each in results)
         results = (with_troubles(result, self.troubles) for result in known)
+        if self.mocked:
+            results = (result._replace(untested={**result.untested, **MOCKED}) for result in results)
         return tuple(as_not_started(result) if result.name in self.not_started else result for result in results)
 
     @property
@@ -139,18 +138,6 @@ class StaticCheck(NamedTuple):
         crashes = [finding for finding in of_lint if finding.code == rule_crashed.code]
         outcome = Outcome([*crashes, *diagnostics], [], linted.outcome.crashed)
         return RobotResult(linted._replace(outcome=outcome), self.results, self.lifecycle.distro, part_of=self.part_of)
-
-
-def _why_unknown(seen: LintedTarget) -> str:
-    """Why no engine can move a robot: what of it is missing."""
-    packages, robot = seen.result.missing_packages, seen.project.robot
-    if packages and (robot is None or not seen.project.complete):
-        names = enumerated([f"'{name}'" for name in packages], "and")
-        which = f"package{'s' if len(packages) > 1 else ''} {names}"
-        return NO_PACKAGES.format(which, "them" if len(packages) > 1 else "it")
-    if robot is None and seen.project.launch is not None and seen.result.controllers:
-        return NO_ROBOT.format(" ".join(map(shown, seen.result.controllers)))
-    return UNKNOWN_ROBOT
 
 
 def _subjects_of(troubles: Iterable[Trouble]) -> set[str]:

@@ -1,0 +1,77 @@
+"""A robot of which parts are unknown names what is missing, and is tested with mock hardware if only its driver is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from folder import Folder
+from generating import command
+
+from urdfctl.rules.smoke.common import LIFT
+
+CONTROL = LIFT[LIFT.index("<ros2_control") : LIFT.index("</ros2_control>") + len("</ros2_control>")]
+XACRO = LIFT.replace('<robot name="lift">', '<robot name="lift" xmlns:xacro="http://www.ros.org/wiki/xacro">{}')
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    update_rate: 500
+    mover: {type: joint_trajectory_controller/JointTrajectoryController}
+mover:
+  ros__parameters:
+    joints: [%s]
+    command_interfaces: [effort]
+    state_interfaces: [position, velocity]
+    gains: {lift: {p: 4000.0, i: 100.0, d: 400.0}}
+"""
+DRIVER = '<xacro:include filename="$(find lift_driver)/urdf/driver.xacro"/>'
+SMOKE = "smoke robot.urdf.xacro --controllers controllers.yaml --distro jazzy --engine none".split()
+
+
+def robot(folder: Folder, include: str = DRIVER, *, joint: str = "lift", without: str = CONTROL) -> None:
+    folder.write(
+        {"robot.urdf.xacro": XACRO.format(include).replace(without, ""), "controllers.yaml": CONTROLLERS % joint}
+    )
+
+
+@pytest.mark.parametrize(
+    ("include", "expected"),
+    [
+        (DRIVER, "the robot needs package 'lift_driver', not here: clone it beside it, or --package-path FOLDER"),
+        (
+            '<xacro:include filename="$(arg file)"/>',
+            "needs argument 'file': urdfctl smoke robot.urdf.xacro file:=VALUE",
+        ),
+    ],
+)
+def test_what_is_missing_is_named_with_what_adds_it(include: str, expected: str, folder: Folder) -> None:
+    robot(folder, include)
+    assert expected in command(*SMOKE).stdout
+
+
+def test_mock_hardware_takes_the_place_of_a_driver_that_is_not_in_the_files(folder: Folder) -> None:
+    robot(folder)
+    plain, mocked = command(*SMOKE).stdout, command(*SMOKE, "--hardware", "mock", "--format", "json").stdout
+    assert "or --hardware mock, if only the driver is in there" in plain
+    assert "no physics engine was used" in mocked
+    assert "driver (mock hardware)" in mocked
+
+
+def test_mock_hardware_takes_the_place_of_hardware_that_cannot_be_started(folder: Folder) -> None:
+    broken = XACRO.format("").replace("mock_components/GenericSystem", "fake_components/GenericSystem")
+    folder.write({"robot.urdf.xacro": broken, "controllers.yaml": CONTROLLERS % "lift"})
+    plain, mocked = command(*SMOKE), command(*SMOKE, "--hardware", "mock")
+    assert (plain.returncode, mocked.returncode) == (1, 0), mocked.stdout
+
+
+def test_joints_that_are_missing_too_are_not_mocked(folder: Folder) -> None:
+    robot(folder, joint="gripper")
+    told = command(*SMOKE, "--hardware", "mock").stdout
+    assert "needs package 'lift_driver'" in told
+    assert "mock" not in told
+
+
+def test_other_hardware_than_mock_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = command(*SMOKE, "--hardware", "real")
+    assert (done.returncode, "unknown hardware 'real'; known is mock" in done.stderr) == (2, True)

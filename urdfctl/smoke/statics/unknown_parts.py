@@ -1,0 +1,82 @@
+"""What of a robot is not known, how to add it, and the test of a robot of which only the driver is missing."""
+
+from __future__ import annotations
+
+from urdfctl.lint.target import LintedTarget
+from urdfctl.model.project import Project
+from urdfctl.names import enumerated
+from urdfctl.report.common import shown
+from urdfctl.smoke.lifecycle import stops_hardware
+from urdfctl.smoke.robot import mechanism_of
+from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.xacro.expanded import HARMLESS
+
+UNKNOWN_ROBOT = "not simulated: the robot is not known, or some of its parts are not"
+"""Why a controller does not move if no engine can move it, and nothing says what is missing."""
+NO_ROBOT = "not simulated: the launch file starts no known robot: urdfctl smoke ROBOT --controllers {}"
+NO_PACKAGES = "not simulated: the robot needs {}, not here: clone {} beside it, or --package-path FOLDER"
+NO_ARGUMENT = "not simulated: the robot needs {}: urdfctl smoke {} {}"
+NO_PART = "not simulated: some parts of the robot are not known: {}:{}: {}"
+OR_MOCK = "; or --hardware mock, if only the driver is in there"
+MOCKED = {"driver (mock hardware)": "mock hardware was taken in its place"}
+"""What is not tested of controllers whose driver is not in the files."""
+_PACKAGES = (ProblemKind.PACKAGE_ABSENT, ProblemKind.PACKAGE_NOT_FOUND)
+_ARGUMENTS = (ProblemKind.ARGUMENTS_NEEDED, ProblemKind.UNDEFINED_ARGUMENT)
+
+
+def why_unknown(seen: LintedTarget) -> str:
+    """Return why no engine can move a robot: the package, argument or file that is missing, and what adds it."""
+    project = seen.project
+    incomplete = project.robot is None or not project.complete
+    problems = [problem for problem in project.problems if problem.kind not in HARMLESS] if incomplete else []
+    packages = {problem.subject for problem in problems if problem.kind in _PACKAGES and problem.subject}
+    packages |= set(seen.result.missing_packages) if incomplete else set()
+    if packages:
+        names = enumerated([f"'{name}'" for name in sorted(packages)], "and")
+        which = f"package{'s' if len(packages) > 1 else ''} {names}"
+        needs = NO_PACKAGES.format(which, "them" if len(packages) > 1 else "it")
+        return needs + (OR_MOCK if is_only_the_driver_missing(project) else "")
+    if project.robot is None and project.launch is not None and seen.result.controllers:
+        return NO_ROBOT.format(" ".join(map(shown, seen.result.controllers)))
+    return _why_of(problems, seen.result.path)
+
+
+def _why_of(problems: list[Problem], path: str) -> str:
+    needed = [problem.subject for problem in problems if problem.kind in _ARGUMENTS and problem.subject]
+    arguments = list(dict.fromkeys(name.strip() for names in needed for name in names.split(",")))
+    if arguments:
+        names = enumerated([f"'{name}'" for name in arguments], "and")
+        given = " ".join(f"{name}:=VALUE" for name in arguments)
+        return NO_ARGUMENT.format(f"argument{'s' if len(arguments) > 1 else ''} {names}", shown(path), given)
+    if problems:
+        first = problems[0]
+        return NO_PART.format(shown(first.at.source.path), first.at.source.position(first.at.start)[0], first.message)
+    return UNKNOWN_ROBOT
+
+
+def is_only_the_driver_missing(project: Project) -> bool:
+    """Return whether the links and joints of a robot are whole although some parts are unknown, but not its hardware.
+
+    They are if they form one tree, and have the joints that the controllers name.
+    """
+    robot = project.robot
+    if project.complete or project.library or robot is None or robot.ros2_controls or mechanism_of(robot) is None:
+        return False
+    controllers = project.controllers.controllers if project.controllers else ()
+    listed = [each.parameters.value("joints") for each in controllers]
+    named = {name for value in listed if value for name, _ in value.strings}
+    return named <= set(robot.joint_names)
+
+
+def with_mock_hardware(seen: LintedTarget) -> LintedTarget | None:
+    """Return a target as it is with mock hardware in the place of its driver; None if that is not what it lacks."""
+    stopped = [one for one in seen.result.outcome.diagnostics if stops_hardware(one)]
+    driverless = is_only_the_driver_missing(seen.project)
+    if not stopped and not driverless:
+        return None
+    kept = [one for one in seen.result.outcome.diagnostics if one not in stopped]
+    outcome = seen.result.outcome._replace(diagnostics=kept)
+    return seen._replace(
+        result=seen.result._replace(outcome=outcome),
+        project=seen.project._replace(complete=True) if driverless else seen.project,
+    )
