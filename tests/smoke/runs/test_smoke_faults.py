@@ -95,7 +95,9 @@ def test_gains_that_leave_it_swinging(tmp_path: Path, arm: Arm) -> None:
 def test_an_effort_too_weak_for_gravity(tmp_path: Path, arm: Arm) -> None:
     assert found(tmp_path, arm.urdf(effort=5.0), arm.yaml()) == ["UC915"]
     for engine in INSTALLED:
-        assert found(tmp_path, arm.urdf(effort=5.0), arm.yaml(), engine) == ["UC915"]
+        codes_found = found(tmp_path, arm.urdf(effort=5.0), arm.yaml(), engine)
+        assert codes_found[0] == "UC915"
+        assert not {"UC932", "UC933"} & set(codes_found)
 
 
 @EACH_ARM
