@@ -126,6 +126,12 @@ def test_an_accessory_that_hangs_on_a_link_of_another_file_is_no_robot(
     assert roots() == (["camera.xacro"] if is_robot else []) + ["robot.urdf"]
 
 
+def test_an_accessory_without_a_name_whose_include_is_commented_out_is_no_robot(folder: Folder) -> None:
+    include = "<!-- <xacro:include filename='$(find arm)/camera.xacro'/> -->"
+    folder.write({"robot.urdf": f"<robot>{include}</robot>", "camera.xacro": HANGS.format("", "lens")})
+    assert roots() == ["robot.urdf"]
+
+
 def test_an_accessory_that_a_launch_file_loads_is_a_robot(folder: Folder) -> None:
     launch = '<launch><param name="robot_description" textfile="$(find arm)/camera.urdf"/></launch>'
     folder.write({"camera.urdf": HANGS.format("", "chassis"), "show.launch": launch})

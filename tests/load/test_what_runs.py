@@ -139,3 +139,54 @@ def generate_launch_description():
     write(folder)
     folder.write({"launch/arm.launch.xml": "<launch/>", "launch/arm.launch.py": launch})
     assert codes(folder) == ["UC601"]
+
+
+def test_hardware_that_depends_on_an_unknown_argument_is_not_judged(folder: Folder) -> None:
+    hardware = """<hardware>
+      <xacro:if value="$(arg sim)"><plugin>gz_ros2_control/GazeboSimSystem</plugin></xacro:if>
+      <xacro:unless value="$(arg sim)"><plugin>mock_components/GenericSystem</plugin></xacro:unless></hardware>"""
+    root = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="sim" default="true"/>'
+    plain = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
+    robot = ROBOT.replace(plain, hardware).replace('<robot name="arm">', root)
+
+    def started(value: str) -> list[str]:
+        arm = publisher(f"xacro $(find-pkg-share arm)/urdf/arm.xacro sim:={value}")
+        write(folder, arm, manager(), spawner("mover"), **{"urdf/arm.xacro": robot})
+        return codes(folder)
+
+    assert "UC607" not in started("$(var nowhere)")
+    assert "UC607" in started("true")
+
+
+def test_the_only_description_is_a_robot_although_it_lacks_the_link_of_a_joint(folder: Folder) -> None:
+    joint = '<joint name="j" type="fixed"><parent link="base"/><child link="nowhere"/></joint>'
+    folder.write({"arm.urdf": f'<robot name="arm"><link name="base"/>{joint}</robot>'})
+    assert codes(folder) == ["UC116"]
+    folder.write({"whole.urdf": ROBOT})
+    assert codes(folder) == []
+
+
+def test_a_file_for_ros_2_beside_a_robot_of_ros_1_is_an_error_only_if_a_launch_file_loads_it(folder: Folder) -> None:
+    launch = """<launch>
+  <param name="robot_description" textfile="$(find arm)/urdf/arm.urdf"/>
+  <rosparam command="load" file="$(find arm)/config/controllers.yaml"/>
+  <node pkg="controller_manager" type="spawner" name="s" args="mover"/>
+</launch>
+"""
+    interface = "<hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>"
+    transmission = (
+        '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>'
+        f'<joint name="elbow">{interface}</joint>'
+        '<actuator name="m"><mechanicalReduction>1</mechanicalReduction></actuator></transmission>'
+    )
+    robot = ROBOT.partition("  <ros2_control")[0] + transmission + "</robot>\n"
+    folder.write({"package.xml": MANIFEST.replace("<depend>", "<buildtool_depend>catkin</buildtool_depend><depend>")})
+    folder.write({"urdf/arm.urdf": robot, "config/controllers.yaml": CONTROLLERS.format("")})
+
+    def found() -> list[str]:
+        ran = folder.run("lint", ".", "--format", "json", "--distro", "noetic")
+        return [each["severity"] for each in json.loads(ran.stdout)["findings"] if each["code"] == "UC402"]
+
+    assert found() == ["warning"]
+    folder.write({"launch/arm.launch": launch})
+    assert found() == ["error"]

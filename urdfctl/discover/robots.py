@@ -148,7 +148,8 @@ def _classify(files: Sequence[str], found: DiscoveredFiles, excluded: Callable[[
     started = set(launch_roots(launches))
     followed = (path for path, text in launches.items() if path in started or is_broken(path, text))
     found.launch_candidates += (path for path in followed if not excluded(path))
-    whole = (path for path in roots(robots) if not is_fragment(path, robots[path], launches.values()))
+    left_out = _left_out(robots.values())
+    whole = (path for path in roots(robots) if not is_fragment(path, robots[path], launches.values(), left_out))
     found.candidates += (path for path in whole if not excluded(path) and path not in generated)
     yamls = (path for path in files if is_yaml(path) and not excluded(path))
     found.controllers_candidates += (path for path in yamls if is_controllers_file(text_of(path)))
@@ -169,11 +170,13 @@ def roots(texts: Mapping[str, bytes]) -> list[str]:
     return [path for path in texts if not any(is_included(path, tail, package) for tail, package in included)]
 
 
-def is_fragment(path: str, text: bytes, launches: Iterable[bytes]) -> bool:
+def is_fragment(path: str, text: bytes, launches: Iterable[bytes], left_out: Collection[bytes] = ()) -> bool:
     """Return whether a description is meant to be included, though nothing here includes it.
 
-    Its <robot> has no name, a joint hangs on a link that is not in the file, it includes nothing that could have the
-    link, and no launch file mentions it: an accessory whose include is commented out, or named by the environment.
+    Its <robot> has no name, it includes nothing, and no launch file mentions it. Either a joint hangs on a link that is
+    not in the file, an accessory whose include is named by the environment; or its include is commented out.
+
+    left_out: the names of files whose include is commented out.
     """
     text = re.sub(_COMMENT, b"", text)
     root = re.search(_ROOT, text)
@@ -181,7 +184,14 @@ def is_fragment(path: str, text: bytes, launches: Iterable[bytes]) -> bool:
         return False
     links = set(re.findall(_LINK, text))
     hanging = any(b"$" not in parent and parent not in links for parent in re.findall(_PARENT, text))
-    return hanging and not any(os.path.basename(path).encode() in launch for launch in launches)
+    name = os.path.basename(path).encode()
+    return (hanging or name in left_out) and not any(name in launch for launch in launches)
+
+
+def _left_out(texts: Iterable[bytes]) -> set[bytes]:
+    """The names of the files that descriptions include only in comments."""
+    comments = (comment for text in texts for comment in re.findall(_COMMENT, text))
+    return {name.rpartition(b"/")[2] for comment in comments for name in re.findall(_INCLUDE, comment)}
 
 
 def _included(path: str, text: bytes) -> Iterator[tuple[str, str]]:

@@ -125,12 +125,17 @@ def _described(plan: Sequence[PlannedTarget], launches: Launches, linted: LintTa
     """The targets of a plan that are no launch files, and of these those that start nothing of the first."""
     entries = _not_launched(plan, launches.reported)
     again = {entry.target.launch and os.path.abspath(entry.target.launch) for entry in entries}
-    results = zip(linted([entry.target for entry in entries]), entries, strict=True)
+    results = list(zip(linted([entry.target for entry in entries]), entries, strict=True))
     starts = launches.of_robots
-    described = [
-        (target, as_started(entry, result, starts)) for (target, result), entry in results if entry.is_reported(result)
-    ]
+    kept = [pair for pair in results if pair[1].is_reported(pair[0][1])]
+    kept = kept if kept or starts else [pair for pair in results if _is_broken_robot(pair[0][1])]
+    described = [(target, as_started(entry, result, starts)) for (target, result), entry in kept]
     return described + [pair for _, pair in launches.reported if pair[1].launch not in again]
+
+
+def _is_broken_robot(result: TargetResult) -> bool:
+    """Whether a description that is no robot should be one: a joint leads to a link that it does not have."""
+    return result.complete and bool(result.links and result.joining.joints) and result.robot is not None
 
 
 def _with_joined(reported: LintedTargets, together: Joined) -> LintedTargets:

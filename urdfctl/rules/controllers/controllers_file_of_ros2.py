@@ -55,4 +55,5 @@ def controllers_file_of_ros2(project: Project) -> Iterator[Finding]:
                 "Put a controller's type and parameters directly below its name"
             )
             why = (Note(f"the project uses ROS 1, according to {project.distro_from}"),) if project.distro_from else ()
-            yield Finding(file.told_by[0].at, message, why, severity=None if project.robot else Severity.WARNING)
+            is_loaded = project.robot is not None and project.launch is not None
+            yield Finding(file.told_by[0].at, message, why, severity=None if is_loaded else Severity.WARNING)

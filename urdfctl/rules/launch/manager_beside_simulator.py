@@ -56,6 +56,7 @@ def manager_beside_simulator(project: Project) -> Iterator[Finding]:
     simulated = [control for control in components(project) if simulator_of(project, control) in IN_GAZEBO]
     if not simulated:
         yield from _second(project, launch)
+    if not simulated or not project.complete:  # the hardware may depend on an argument that is not known
         return
     hardware = simulated[0]
     where = IN_GAZEBO[simulator_of(project, hardware) or ""]
