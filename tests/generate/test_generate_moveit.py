@@ -327,6 +327,7 @@ def test_what_is_asked_wrongly_is_one_line_and_writes_nothing(
             arm().replace('<link name="tool0"/>', '<link name="tool0"/><link name="lost"/>'),
             "the links of the robot form no tree with one root",
         ),
+        ("<sdf version='1.9'/>", "the description has no links: it is no robot"),
     ],
 )
 def test_a_robot_that_cannot_be_planned_for_is_one_line_and_writes_nothing(

@@ -48,6 +48,8 @@ def touching_links(
     robot: Robot, find_mesh: Callable[[str], str | None], samples: int, seed: int
 ) -> tuple[Mechanism, TouchingLinks]:
     """Return the mechanism of a robot and its pairs of links. Raise Untestable if they cannot be tested."""
+    if not robot.links:
+        raise Untestable("the description has no links: it is no robot")
     mechanism = mechanism_of(robot)
     if mechanism is None:
         raise Untestable("the links of the robot form no tree with one root")

@@ -1,0 +1,147 @@
+"""Whether the MoveIt configuration that is written plans: its groups in three libraries, and its poses."""
+
+from __future__ import annotations
+
+import math
+import random
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from folder import Folder
+from generating import command
+from test_generate_moveit import JAZZY, ROW, arm, mechanism, semantic
+
+from urdfctl.smoke.engines.mujoco_engine import COMPILER
+
+mujoco = pytest.importorskip("mujoco")
+
+FINGERS = ("left_finger_joint", "right_finger_joint")
+
+
+@pytest.fixture(name="written")
+def _written(folder: Folder) -> Folder:
+    folder.write({"six.urdf": arm()})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    return folder
+
+
+def chain(folder: Folder) -> tuple[str, str]:
+    """Return the links between which the written group of the arm is."""
+    [found] = semantic(folder).findall("group/chain")
+    return found.get("base_link", ""), found.get("tip_link", "")
+
+
+def chance_poses(number: int) -> list[dict[str, float]]:
+    """Return poses of the arm within its limits, the same ones each time."""
+    chance = random.Random(11)  # noqa: S311 (it samples poses)
+    return [{name: chance.uniform(-2.9, 2.9) for name, _, _ in ROW} for _ in range(number)]
+
+
+def only_chain(base: str, tip: str) -> str:
+    """Return the description of the arm with no links but those of a chain."""
+    root = ET.fromstring(arm())
+    above = {joint.find("child").get("link"): joint for joint in root.findall("joint")}  # type: ignore[union-attr]
+    kept, joints = {tip}, set()
+    while tip != base:
+        joint = above[tip]
+        tip = joint.find("parent").get("link", "")  # type: ignore[union-attr]
+        kept.add(tip)
+        joints.add(joint.get("name"))
+    for part in [*root]:
+        if part.get("name") not in (kept if part.tag == "link" else joints):
+            root.remove(part)
+    return ET.tostring(root, encoding="unicode")
+
+
+class MuJoCo:
+    """The arm in MuJoCo, with each pair of links tested."""
+
+    def __init__(self) -> None:
+        spec = mujoco.MjSpec.from_string(arm().replace('<robot name="six">', f'<robot name="six">{COMPILER}'))
+        spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_FILTERPARENT
+        self.model = spec.compile()
+        self.data = mujoco.MjData(self.model)
+
+    def take(self, pose: Mapping[str, float]) -> None:
+        """Move the joints to a pose, and the second finger as the first."""
+        for name, value in pose.items():
+            for each in FINGERS if name == FINGERS[0] else (name,):
+                self.data.qpos[self.model.joint(each).qposadr[0]] = value
+        mujoco.mj_forward(self.model, self.data)
+
+    def touching(self) -> set[frozenset[str]]:
+        """Return the links that touch."""
+        bodies = [[int(self.model.geom_bodyid[shape]) for shape in pair] for pair in self.data.contact.geom]
+        return {frozenset(self.model.body(body).name for body in pair) for pair in bodies}
+
+
+def test_the_tip_of_the_group_is_where_mujoco_and_ours_say(written: Folder) -> None:
+    base, tip = chain(written)
+    assert base == "base_link"
+    engine = MuJoCo()
+    for pose in chance_poses(10):
+        engine.take(pose)
+        assert mechanism().poses(pose)[tip].place == pytest.approx(engine.data.body(tip).xpos.tolist(), abs=1e-6)
+
+
+def test_the_tip_of_the_group_is_where_pybullet_says(written: Folder, tmp_path: Path) -> None:
+    pybullet = pytest.importorskip("pybullet")
+    _, tip = chain(written)
+    (tmp_path / "six.urdf").write_text(arm())
+    world = pybullet.connect(pybullet.DIRECT)
+    try:
+        body = pybullet.loadURDF(str(tmp_path / "six.urdf"), useFixedBase=True, physicsClientId=world)
+        count = pybullet.getNumJoints(body, physicsClientId=world)
+        known = [pybullet.getJointInfo(body, n, physicsClientId=world) for n in range(count)]
+        numbers = {one[1].decode(): one[0] for one in known}
+        [last] = [one[0] for one in known if one[12].decode() == tip]
+        for pose in chance_poses(5):
+            for name, value in pose.items():
+                pybullet.resetJointState(body, numbers[name], value, physicsClientId=world)
+            placed = pybullet.getLinkState(body, last, computeForwardKinematics=True, physicsClientId=world)[4]
+            assert mechanism().poses(pose)[tip].place == pytest.approx(placed, abs=1e-5)
+    finally:
+        pybullet.disconnect(world)
+
+
+def test_ikpy_reaches_poses_of_the_written_group_within_the_limits(written: Folder, tmp_path: Path) -> None:
+    solver = pytest.importorskip("ikpy.chain")
+    numpy = pytest.importorskip("numpy")
+    base, tip = chain(written)
+    (tmp_path / "chain.urdf").write_text(only_chain(base, tip))
+    kinds = [joint.get("type") for joint in ET.parse(tmp_path / "chain.urdf").getroot().findall("joint")]
+    moved = [False, *(kind != "fixed" for kind in kinds)]
+    assert sum(moved) == len(ROW)
+    path = str(tmp_path / "chain.urdf")
+    found: Any = solver.Chain.from_urdf_file(path, base_elements=[base], active_links_mask=moved)
+    for pose in chance_poses(4):
+        angles = numpy.array([pose.get(link.name, 0.0) for link in found.links])
+        goal = found.forward_kinematics(angles)
+        assert goal[:3, 3].tolist() == pytest.approx(mechanism().poses(pose)[tip].place, abs=1e-6)
+        start = angles + 0.2 * numpy.array(moved) * numpy.where(angles > 0, -1, 1)
+        answer = found.inverse_kinematics_frame(goal, initial_position=start, orientation_mode="all")
+        assert numpy.abs(found.forward_kinematics(answer) - goal).max() < 1e-3
+        assert numpy.abs(answer).max() <= 2.9 + 1e-9
+    limits = yaml.safe_load(Path(written.path, "out/config/joint_limits.yaml").read_text())["joint_limits"]
+    assert {link.name for link, moves in zip(found.links, moved, strict=True) if moves} < {*limits}
+
+
+def test_in_no_named_pose_links_touch_that_are_tested_or_never_touch(written: Folder) -> None:
+    root = semantic(written)
+    disabled = {
+        frozenset((one.get("link1", ""), one.get("link2", ""))): one.get("reason")
+        for one in root.findall("disable_collisions")
+    }
+    engine = MuJoCo()
+    poses = root.findall("group_state")
+    assert len(poses) == 3
+    for state in poses:
+        pose = dict.fromkeys((name for name, _, _ in ROW), 0.0)
+        pose |= {one.get("name", ""): float(one.get("value", "nan")) for one in state}
+        assert not any(math.isnan(value) for value in pose.values())
+        engine.take(pose)
+        assert {disabled.get(pair) for pair in engine.touching()} <= {"Adjacent", "Default", "Always"}
