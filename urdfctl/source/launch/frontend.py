@@ -292,7 +292,7 @@ def _substitution(inside: str, at: Place, depth: int) -> Term:
     if name in _WHOLE:
         given = rest.strip()
         if name == "command":  # after the quotes: what to do with output on stderr
-            given = re.sub(r"(['\"])\s+(?:warn|fail|ignore|capture)$", r"\1", given)
+            given = re.sub(r"(['\"])\s+(['\"]?)(?:warn|fail|ignore|capture)\2$", r"\1", given)
         quoted = re.fullmatch(r"'(.*)'|\"(.*)\"", given, re.DOTALL)
         text = (quoted.group(1) if quoted.group(1) is not None else quoted.group(2)) if quoted else given
         return Called(_WHOLE[name], at, [substituted(Constant(re.sub(_ESCAPED, r"\1", text), at), depth + 1)])
