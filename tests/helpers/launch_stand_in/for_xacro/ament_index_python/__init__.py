@@ -1,0 +1,1 @@
+"""What xacro asks for packages."""
