@@ -9,8 +9,10 @@ from urdfctl.startup.records import NamedTuple
 
 
 class PartOfText(NamedTuple):
-    """A part of a text: its kind is `text`, `arg`, `find`, `env`, `dirname`, `eval`, `yaml` or `written`, an expression
-    that a migration wrote in the form of its launch file.
+    """A part of a text: its kind is `text`, `arg`, `find`, `env`, `dirname`, `eval`, `yaml`, `double`, or `written`, an
+    expression that a migration wrote in the form of its launch file.
+
+    A `double` is empty: it stands before the value of a parameter that is a double whatever its substitutions give.
 
     A `yaml` is a whole value with its type: a number, a quoted string or a list of these, in YAML's flow style.
 

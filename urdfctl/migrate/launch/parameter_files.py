@@ -49,7 +49,9 @@ def _files(
     if is_chosen or not all(names) or any(len(files) > 1 for files in found):
         return spawner.files
     paths = dict.fromkeys(path for files in found for path in files)
-    return [_address(packages, path) for path in paths]
+    declaring = [_address(packages, path) for path in paths]
+    is_loaded = not spawner.files or not declaring or any(file in spawner.files for file in declaring)
+    return declaring if is_loaded else spawner.files
 
 
 def _names(words: Sequence[Text], defaults: Mapping[str, str]) -> Iterator[str]:

@@ -118,7 +118,8 @@ def _node(node: Action, depth: int) -> Iterator[str]:
     parameters = [f"ParameterFile({_listed(file)})" if not is_literal(file) else _text(file) for file in node.files]
     values = [f"{python_text(name)}: {_typed(value)}" for name, value in node.pairs]
     if node.description:
-        values.insert(0, f'"robot_description": ParameterValue(Command({_listed(node.description)}), value_type=str)')
+        command = f'Command({_listed(node.description)}, on_stderr="warn")'  # its warnings end no launch
+        values.insert(0, f'"robot_description": ParameterValue({command}, value_type=str)')
     if values:
         parameters.append(f"{{{', '.join(values)}}}")
     if parameters:
@@ -191,6 +192,8 @@ def _expression(text: str) -> str:
 
 def _typed(text: Text) -> str:
     """A value of a parameter: roslaunch takes the type from the text."""
+    if text and text[0].kind == "double":
+        return f"ParameterValue({_text(text[1:])}, value_type=float)"
     if len(text) == 1 and text[0].kind == "yaml":
         return _python_value(text[0].text)
     if not is_literal(text):

@@ -112,8 +112,12 @@ class _PythonFile:
                 files.append(self._text_of(_only(item) if isinstance(item, ast.Call) else item))
                 continue
             for key, value in zip(item.keys, item.values, strict=True):
-                if isinstance(value, ast.Call) and called(value) == "ParameterValue":
+                is_typed = isinstance(value, ast.Call) and called(value) == "ParameterValue"
+                if is_typed and plain(self._text_of(key)) == "robot_description":
                     description = self._text_of(_only(_nth(value, 0)))
+                elif is_typed:
+                    name = plain(self._text_of(key))
+                    pairs.append((name, (PartOfText("double", ""), *self._text_of(_only(value)))))
                 else:
                     pairs.append((plain(self._text_of(key)), self._typed(value)))
         return Action(

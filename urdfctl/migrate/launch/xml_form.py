@@ -84,11 +84,12 @@ def _flags(action: Action) -> Iterator[tuple[str, str]]:
 def _children(node: Action) -> Iterator[str]:
     if node.description:
         command = _text(node.description).replace("'", "&quot;")
-        yield f'<param name="robot_description" value="$(command \'{command}\')" type="str"/>'
+        yield f'<param name="robot_description" value="$(command \'{command}\' \'warn\')" type="str"/>'
     for file in node.files:
         yield f'<param from="{_text(file)}"/>'
     for name, value in node.pairs:
-        yield f'<param name="{name}" value="{_text(value)}"/>'
+        kind = ' type="float"' if value and value[0].kind == "double" else ""
+        yield f'<param name="{name}" value="{_text(value)}"{kind}/>'
     for name, value in node.env:
         yield f'<env name="{name}" value="{_text(value)}"/>'
     for old, new in node.remaps:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import takewhile
 
 from urdfctl.generate.text.scalars import xml_text
@@ -81,12 +81,17 @@ def _node(element: Element) -> Action:
         package=attrs.get("pkg", ""),
         node_name=_text(attrs.get("name", "")),
         words=words_of(_text(attrs.get("args", ""))),
-        pairs=tuple((one.get("name", ""), _text(one.get("value", ""))) for one in values if "type" not in one),
+        pairs=tuple((one.get("name", ""), _value(one)) for one in values if one.get("type") != "str"),
         files=tuple(_text(one["from"]) for one in parameters if "from" in one),
-        description=_text(command.removeprefix("$(command '").removesuffix("')").replace('"', "'")),
+        description=_text(command.removeprefix("$(command '").removesuffix("' 'warn')").replace('"', "'")),
         remaps=tuple(_remap(one) for one in given if one.tagName == "remap"),
         flags=tuple((name.replace("launch-prefix", "prefix"), _flag(value)) for name, value in flags.items()),
     )
+
+
+def _value(param: Mapping[str, str]) -> Text:
+    value = _text(param.get("value", ""))
+    return (PartOfText("double", ""), *value) if param.get("type") == "float" else value
 
 
 def _remap(element: Element) -> tuple[Text, Text]:

@@ -5,7 +5,31 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from urdfctl.migrate.launch.actions import Text
 from urdfctl.source.xml.dom import Element
+from urdfctl.startup.records import NamedTuple
+
+
+class LoadedFile(NamedTuple):
+    """A file that a <rosparam> around a node loads, and the conditions of that."""
+
+    address: Text
+    wanted: str | None = None
+    unwanted: str | None = None
+
+    @property
+    def conditions(self) -> list[str]:
+        """The texts of the conditions."""
+        return [text for text in (self.wanted, self.unwanted) if text is not None]
+
+    def when(self, condition: str, *, is_true: bool) -> LoadedFile | None:
+        """Return what is left of it if a condition is true or false; None if it is not loaded then."""
+        if condition == (self.unwanted if is_true else self.wanted):
+            return None
+        return self._replace(
+            wanted=None if condition == self.wanted else self.wanted,
+            unwanted=None if condition == self.unwanted else self.unwanted,
+        )
 
 
 def choices_in(element: Element) -> list[str]:

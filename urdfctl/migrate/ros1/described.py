@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
+from urdfctl.migrate.launch.actions import Text, plain
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of
@@ -21,6 +22,11 @@ def is_description(element: Element) -> bool:
     last = attribute(element, "name").rpartition("/")[2]
     has_source = "command" in element.attrs or "textfile" in element.attrs
     return has_source and (last == _DESCRIPTION or last.endswith("_description"))
+
+
+def names_description(old: Text) -> bool:
+    """Return whether a remapping is of the description: a parameter in ROS 1, and the topic of all in ROS 2."""
+    return plain(old).rpartition("/")[2] == "robot_description"
 
 
 def launch_roots(packages: MigratedPackages) -> dict[str, Element]:
@@ -71,6 +77,18 @@ def spaces_of_description(packages: MigratedPackages) -> frozenset[str]:
     return frozenset(
         "/".join(part for part in (space, _own_space(one)) if part) for path, one in chosen for space in contexts[path]
     )
+
+
+def described_for(spaces: Collection[str], own: str) -> str:
+    """Return the namespace of the description for a node: its own one, the only one, or the root among several.
+
+    spaces: those in which the description is published.
+    """
+    if own in spaces or not spaces:
+        return own
+    if len(spaces) == 1:
+        return next(iter(spaces))
+    return "" if "" in spaces and "$(" not in own else own
 
 
 def _own_space(element: Element) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.migrate.classic.launch_actions import gz_for
@@ -15,6 +15,7 @@ from urdfctl.migrate.launch.written import WrittenLaunch, as_python, as_xml
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.described import idle_publisher, spaces_of_description
+from urdfctl.migrate.ros1.included import IncludedFile, included_file
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
@@ -53,7 +54,11 @@ def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:
         yield Proposal(edits)
     for path, root in wanted:
         target = _target(packages)._replace(left=frozenset(left), own_package=_package(path))
-        yield from _migrated(packages, path, root, target)
+        yield from _migrated(packages, path, root, target._replace(included=_included_by(packages, path)))
+
+
+def _included_by(packages: MigratedPackages, path: str) -> Callable[[str], IncludedFile]:
+    return lambda written: included_file(packages, written, os.path.dirname(path))
 
 
 def _of_ros1(packages: MigratedPackages) -> Iterator[tuple[str, Element]]:
@@ -111,7 +116,6 @@ def _is_of_moveit(path: str, root: Element) -> bool:
 def _target(packages: MigratedPackages) -> LaunchTarget:
     options = packages.options
     controllers = _controller_files(packages)
-    spaces = packages.found(spaces_of_description)
     return LaunchTarget(
         distro=options.target,
         simulator=simulated_by(packages),
@@ -125,7 +129,7 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         spawned=packages.found(spawned_names),
         files_of=lambda node: _files_of(packages, node),
         publisher=packages.found(idle_publisher),
-        described_in=next(iter(spaces)) if len(spaces) == 1 else None,
+        described_in=packages.found(spaces_of_description),
     )
 
 
@@ -237,7 +241,7 @@ LAUNCH_FILES = Step(
                                 executable="robot_state_publisher",
                                 name="robot_state_publisher",
                                 parameters=[
-                                    {"robot_description": ParameterValue(Command(["xacro ", FindPackageShare("arm"), "/robot.urdf"]), value_type=str)},
+                                    {"robot_description": ParameterValue(Command(["xacro ", FindPackageShare("arm"), "/robot.urdf"], on_stderr="warn"), value_type=str)},
                                 ],
                             ),
                         ]
@@ -251,7 +255,7 @@ LAUNCH_FILES = Step(
                 <!-- Migrated from arm.launch. -->
                 <launch>
                   <node pkg="robot_state_publisher" exec="robot_state_publisher" name="robot_state_publisher">
-                    <param name="robot_description" value="$(command 'xacro $(find-pkg-share arm)/robot.urdf')" type="str"/>
+                    <param name="robot_description" value="$(command 'xacro $(find-pkg-share arm)/robot.urdf' 'warn')" type="str"/>
                   </node>
                 </launch>
             """,

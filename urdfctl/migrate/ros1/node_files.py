@@ -8,6 +8,7 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.doubles import with_doubles
 from urdfctl.migrate.ros1.launch_files import own_packages
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.migrate.ros1.node_sections import has_nested_list
@@ -24,7 +25,8 @@ _HEAD = "/**:\n  ros__parameters:\n"
 
 
 def _node_files(packages: MigratedPackages) -> Iterator[Proposal]:
-    for path, spaces in _loaded(packages).items():
+    programs: dict[str, str] = {}
+    for path, spaces in _loaded(packages, programs).items():
         file = read_yaml(packages.read(path))
         root = file.documents[0] if file.documents else None
         if None in spaces or not isinstance(root, Mapping) or not root.entries or not packages.may_change(path):
@@ -38,11 +40,14 @@ def _node_files(packages: MigratedPackages) -> Iterator[Proposal]:
         entry = ReportEntry(
             EntryKind.DONE, "the parameters of a node are in the form of ROS 2", root.at, authority=_FORM
         )
-        yield Proposal((_wrapped(root),), entries=(entry,))
+        yield Proposal((_wrapped(root, programs.get(path, "")),), entries=(entry,))
 
 
-def _loaded(packages: MigratedPackages) -> dict[str, set[str | None]]:
-    """The files that launch files of ROS 1 load: below which names of nodes that ROS 2 has, too; None for others."""
+def _loaded(packages: MigratedPackages, programs: dict[str, str]) -> dict[str, set[str | None]]:
+    """The files that launch files of ROS 1 load: below which names of nodes that ROS 2 has, too; None for others.
+
+    programs: gets the programs of those nodes.
+    """
     found: dict[str, set[str | None]] = {}
     own = frozenset(own_packages(packages))
     for path in packages.files(".launch", ".launch.xml"):
@@ -53,6 +58,8 @@ def _loaded(packages: MigratedPackages) -> dict[str, set[str | None]]:
             is_known = reader is not None and has_successor(reader, own)
             for file in addressed_files(packages, written):
                 found.setdefault(file, set()).add(name if is_known else None)
+                if reader is not None:
+                    programs[file] = attribute(reader, "type")
     return found
 
 
@@ -72,10 +79,10 @@ def _obstacle(file: YamlFile, root: Node) -> str:
     return "no parameter is a list of maps or lists" if has_nested_list(root) else ""
 
 
-def _wrapped(root: Mapping) -> Edit:
+def _wrapped(root: Mapping, program: str) -> Edit:
     source = root.source
     start = source.data.rfind(b"\n", 0, root.start) + 1
-    text = source.data[start:].decode("utf-8", "surrogateescape")
+    text = with_doubles(program, source.data[start:].decode("utf-8", "surrogateescape"))
     lines = (f"    {line}" if line.strip() else line for line in text.splitlines(keepends=True))
     return Edit(SourceSpan(source, start, len(source.data)), _HEAD + "".join(lines))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Mapping
 
@@ -10,16 +9,10 @@ from urdfctl.migrate.edits.markup import attribute, elements
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import MapItem
 from urdfctl.migrate.ros1.described import launch_roots
+from urdfctl.migrate.ros1.doubles import with_doubles
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of
 from urdfctl.source.yaml.tree import Mapping as Map
 from urdfctl.source.yaml.tree import Node, Sequence
-
-_FILTERS = ("ekf_localization_node", "ukf_localization_node")
-_DOUBLES_OF_FILTERS = re.compile(
-    r"(?m)^(\s*(?:frequency|sensor_timeout|transform_timeout|transform_time_offset|history_length|control_timeout"
-    r"|\w+_threshold|\w+_queue_timeout):\s*)([+-]?\d+)(?=\s*(?:#|$))"
-)
-"""Parameters of robot_localization that are doubles: ROS 2 rejects integers (ros_filter.cpp declare_parameter())."""
 
 
 def node_types(packages: MigratedPackages) -> dict[str, str]:
@@ -51,9 +44,7 @@ def _sections(nodes: Mapping[str, str], value: Node, full: str) -> list[str]:
     if not known:
         inner = [_sections(nodes, entry.value, f"{full}/{entry.key.text}") for entry in value.entries]
         return [text for each in inner for text in each] if all(inner) else []
-    body = _body(value)
-    if nodes[known[0]] in _FILTERS:
-        body = _DOUBLES_OF_FILTERS.sub(r"\1\2.0", body)
+    body = with_doubles(nodes[known[0]], _body(value))
     head = f'"/**/{last}"' if "*" in full else f"/{full}" if "/" in full else full
     return [f"{head}:\n{body}"]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
@@ -12,19 +11,26 @@ from urdfctl.migrate.launch.actions import (
     PartOfText,
     Text,
     all_actions,
-    is_literal,
-    joined,
     literal,
     parsed,
-    plain,
-    words_of,
 )
-from urdfctl.migrate.ros1.choices import choices_in, chosen
-from urdfctl.migrate.ros1.described import is_description
+from urdfctl.migrate.ros1.choices import LoadedFile, choices_in, chosen
+from urdfctl.migrate.ros1.described import is_description, names_description
+from urdfctl.migrate.ros1.description_commands import about_command, command_in, description_command
+from urdfctl.migrate.ros1.doubles import as_double
+from urdfctl.migrate.ros1.included import IncludedFile, kept_apart, passed_on
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT
 from urdfctl.migrate.ros1.pausing import DECIDED, must_run, running
-from urdfctl.migrate.ros1.roslaunch_nodes import Notes, migrated_node, remapping, simulator_actions, state_publisher
+from urdfctl.migrate.ros1.roslaunch_nodes import (
+    ARGUMENTS_OF_WORLD,
+    LaunchTarget,
+    Notes,
+    migrated_node,
+    remapping,
+    simulator_actions,
+    state_publisher,
+)
 from urdfctl.migrate.ros1.roslaunch_values import (
     given_by_name,
     inline_parameters,
@@ -36,7 +42,7 @@ from urdfctl.migrate.ros1.roslaunch_values import (
 from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
-_TIMED = ("robot_state_publisher", "controller_manager", CLASSIC_PACKAGE)
+_TIMED = ("controller_manager", CLASSIC_PACKAGE)
 """Packages whose nodes have the simulation's time, or need none."""
 _LAUNCH_ENDINGS = (".launch.xml", ".launch", ".xml")
 _SURE_ENDINGS = (".launch.xml", ".launch")
@@ -51,19 +57,34 @@ _WITHOUT_COUNTERPART = {
 class LaunchReading(Notes):
     """The actions of one launch file, and what is found out about them."""
 
+    def __init__(self, target: LaunchTarget) -> None:
+        super().__init__(target)
+        self._included: dict[Text, IncludedFile] = {}
+
     def actions(self, root: Element) -> list[Action]:
         """Return the actions of a file, which start Gazebo Classic.
 
         The files of a spawner are those that it may need.
         """
-        found = list(self._children(root, root))
+        found = kept_apart(list(self._children(root, root)), self._included)
         if (self.unpauses or must_run(found)) and (started := running(found)) != found:
             found = started
             self.decided.append(DECIDED)
-        if self.target.started != "none" and _needs_simulated_time(found):
+        if self.target.started != "none" and self._needs_simulated_time(found):
             found = [Action("set_parameter", "use_sim_time", literal("true")), *found]
         has_description = any(action.description for action in all_actions(tuple(found)))
         return found if has_description or self.target.describes else [one for one in found if not _is_idle(one)]
+
+    def _needs_simulated_time(self, actions: Sequence[Action]) -> bool:
+        """Whether actions start a simulator and a node that needs its time, or another launch file, which may start one:
+        empty_world.launch set that for all nodes."""
+        every = list(all_actions(tuple(actions)))
+        is_set = any(action.kind == "set_parameter" and action.name == "use_sim_time" for action in every)
+        worlds = [one for one in every if one.kind == "include" and one.value == parsed(CLASSIC_FILE)]
+        inner = [self._included.get(one.value or ()) for one in every if one.kind == "include"]
+        starts = bool(worlds) or any(one is not None and one.starts for one in inner)
+        nodes = any(action.kind == "node" and action.package not in _TIMED for action in every)
+        return starts and not is_set and (nodes or len(inner) > 1)
 
     def _children(self, parent: Element, root: Element) -> Iterator[Action]:
         description = self._description(parent)
@@ -80,10 +101,12 @@ class LaunchReading(Notes):
             node = node.nextSibling
 
     def _with_choices(
-        self, element: Element, root: Element, description: Text, files: Sequence[Text]
+        self, element: Element, root: Element, description: Text, files: Sequence[LoadedFile]
     ) -> Iterator[Action]:
         """The actions of an element. Conditions inside of a node or an include choose between two of these."""
         choices = choices_in(element) if element.tagName in ("node", "include") else []
+        if element.attrs.get("type") == "spawner":
+            choices = list(dict.fromkeys((*choices, *(text for one in files for text in one.conditions))))
         if not choices:
             yield from self._element(element, root, description, files)
             return
@@ -94,7 +117,9 @@ class LaunchReading(Notes):
         first, both = choices[0], []
         for is_true in (True, False):
             with chosen(element, first, is_true=is_true):
-                both.append(list(self._with_choices(element, root, description, files)))
+                left = [one.when(first, is_true=is_true) for one in files]
+                kept = [one for one in left if one is not None]
+                both.append(list(self._with_choices(element, root, description, kept)))
         if both[0] == both[1]:
             yield from both[0]
             return
@@ -105,18 +130,23 @@ class LaunchReading(Notes):
     def _conditional(self, action: Action, element: Element) -> Action:
         for name in ("if", "unless"):
             if name in element.attrs and action.kind != "comment":
-                return action._replace(condition=ActionCondition(parsed(element.attrs[name]), name == "unless"))
+                condition = ActionCondition(parsed(element.attrs[name]), name == "unless")
+                if action.condition is not None:
+                    return Action("group", inner=(action,), condition=condition)
+                return action._replace(condition=condition)
         return action
 
-    def _element(self, element: Element, root: Element, description: Text, files: Sequence[Text]) -> Iterator[Action]:
+    def _element(
+        self, element: Element, root: Element, description: Text, files: Sequence[LoadedFile]
+    ) -> Iterator[Action]:
         attrs = element.attrs
         if element.tagName == "arg":
             self.defaults[attrs.get("name", "")] = attrs.get("default", attrs.get("value", ""))
             if "value" in attrs:
-                yield Action("let", attrs.get("name", ""), _command_in(attrs["value"]) or parsed(attrs["value"]))
+                yield Action("let", attrs.get("name", ""), command_in(attrs["value"]) or parsed(attrs["value"]))
             else:
                 default = self._value(attrs["default"]) if "default" in attrs else None
-                default = _command_in(attrs.get("default", "")) or default
+                default = command_in(attrs.get("default", "")) or default
                 yield Action("argument", attrs.get("name", ""), default, about=attrs.get("doc", ""))
         elif element.tagName == "group":
             inner = tuple(self._children(element, root))
@@ -130,21 +160,22 @@ class LaunchReading(Notes):
             yield from self._param(element, description)
         elif element.tagName == "rosparam":
             yield from self._rosparam(element)
-        elif element.tagName == "remap":
+        elif element.tagName == "remap" and not names_description(remapping(element)[0]):
             yield Action("set_remap", remaps=(remapping(element),))
         elif element.tagName == "env":
             yield Action("set_env", attrs.get("name", ""), parsed(attrs.get("value", "")))
         elif element.tagName in _WITHOUT_COUNTERPART:
             self.left.append(f"<{element.tagName}> {_WITHOUT_COUNTERPART[element.tagName]}")
 
-    def _node(self, element: Element, files: Sequence[Text]) -> Iterator[Action]:
+    def _node(self, element: Element, files: Sequence[LoadedFile]) -> Iterator[Action]:
         """The actions for a node, with the parameters that the file sets by the node's name."""
         pairs, own_files = self._given(element)
-        for action in migrated_node(self, element, self._description(element), files):
+        for action in migrated_node(self, element, self._description(element), [one.address for one in files]):
             if action.kind != "node" or action.name == "spawner":
                 yield action
             else:
-                yield action._replace(pairs=(*pairs, *action.pairs), files=(*own_files, *action.files))
+                given = tuple((name, as_double(action.name, name, value)) for name, value in pairs)
+                yield action._replace(pairs=(*given, *action.pairs), files=(*own_files, *action.files))
 
     def _given(self, node: Element) -> tuple[list[tuple[str, Text]], list[Text]]:
         """The parameters, and the files with parameters, that the file sets outside of a node by its name."""
@@ -178,7 +209,10 @@ class LaunchReading(Notes):
         )
         packages = [part.text for part in file if part.kind == "find"]
         if packages and packages[0] in _OF_WORLD:
-            yield from simulator_actions(self, dict(given))
+            of_world = dict.fromkeys(ARGUMENTS_OF_WORLD)
+            yield from simulator_actions(
+                self, dict((*given, *passed_on(element, dict(given), self.defaults, of_world)))
+            )
             return
         if self._is_left(file):
             self.left.append(f"start here what replaces MoveIt's '{file[-1].text.rpartition('/')[2]}'")
@@ -189,7 +223,10 @@ class LaunchReading(Notes):
         if made:
             action = Action("include", value=(*file[:-1], PartOfText("text", made)))
         else:
-            action = Action("include", value=self._new_path(file), pairs=given)
+            its = self.target.included(element.attrs.get("file", ""))
+            more = passed_on(element, dict(given), self.defaults, its.arguments)
+            action = Action("include", value=self._new_path(file), pairs=(*given, *more))
+            self._included[action.value or ()] = its
         if "ns" in element.attrs:
             action = Action("group", value=parsed(element.attrs["ns"]), inner=(action,))
         yield action
@@ -245,18 +282,21 @@ class LaunchReading(Notes):
             around = around.parentNode if isinstance(around.parentNode, Element) else None
         return ()
 
-    def _parameter_files(self, parent: Element) -> list[Text]:
+    def _parameter_files(self, parent: Element) -> list[LoadedFile]:
         found = []
         around: Element | None = parent
         while isinstance(around, Element):
             loads = (one for one in around.elements() if one.tagName == "rosparam" and "file" in one.attrs)
-            found += [parsed(one.attrs["file"]) for one in loads]
+            found += [
+                LoadedFile(parsed(one.attrs["file"]), one.attrs.get("if"), one.attrs.get("unless")) for one in loads
+            ]
             around = around.parentNode if isinstance(around.parentNode, Element) else None
         return found
 
     def _param(self, element: Element, description: Text) -> Iterator[Action]:
         name = element.attrs.get("name", "")
         if is_description(element):
+            self.left += about_command(element.attrs.get("command", ""))
             if not _has_publisher(root_around(element)):
                 yield self.publisher(element, description)
             return
@@ -322,17 +362,6 @@ def _name_of(element: Element) -> str:
     return element.attrs.get("name") or element.attrs.get("type") or element.attrs.get("file", "")
 
 
-def _needs_simulated_time(actions: Sequence[Action]) -> bool:
-    """Whether actions start a simulator and a node that needs its time, or another launch file, which may start one:
-    empty_world.launch set that for all nodes."""
-    every = list(all_actions(tuple(actions)))
-    is_set = any(action.kind == "set_parameter" and action.name == "use_sim_time" for action in every)
-    starts = any(action.kind == "include" and action.value == parsed(CLASSIC_FILE) for action in every)
-    nodes = any(action.kind == "node" and action.package not in _TIMED for action in every)
-    others = any(action.kind == "include" and action.value != parsed(CLASSIC_FILE) for action in every)
-    return starts and not is_set and (nodes or others)
-
-
 def _is_idle(action: Action) -> bool:
     """Whether an action is a robot_state_publisher without a description: the file that has it starts one."""
     return action.kind == "node" and action.package == "robot_state_publisher" and not action.description
@@ -346,48 +375,3 @@ def _all(element: Element) -> Iterator[Element]:
     yield element
     for child in element.elements():
         yield from _all(child)
-
-
-def description_command(element: Element) -> Text:
-    """Return the command of ROS 2 that prints the description of a <param>: the program, a blank, and the rest.
-
-    xacro prints a plain URDF too, and expands what the migration writes into it.
-    """
-    if "textfile" in element.attrs:
-        return (PartOfText("text", "xacro "), *parsed(element.attrs["textfile"]))
-    return _command(element.attrs.get("command", ""))
-
-
-def _command_in(text: str) -> Text:
-    """The command of ROS 2 for a text that is a command with xacro; empty for another text."""
-    return _command(text) if re.match(r"\s*\$\(find xacro\)/xacro(\.py)?\s", text) else ()
-
-
-def _command(text: str) -> Text:
-    words = [_without_quotes(word) for word in words_of(parsed(text))]
-    if len(words) == 1 and len(words[0]) == 1 and words[0][0].kind == "arg":
-        return words[0]  # the argument holds the whole command
-    start = next((i for i, word in enumerate(words) if re.search(r"(^|/)xacro(\.py)?$", plain(word))), 0)
-    shown: list[PartOfText] = [PartOfText("text", "xacro")]
-    for word in words[start + 1 :]:
-        if is_literal(word) and plain(word) in {"--inorder", "-i"}:
-            continue
-        shown.append(PartOfText("text", " "))
-        shown += _quoted(word)
-    return joined(tuple(shown))
-
-
-def _without_quotes(word: Text) -> Text:
-    found = [part._replace(text=re.sub("['\"]", "", part.text)) if part.kind == "text" else part for part in word]
-    return tuple(part for part in found if part.text)
-
-
-def _quoted(word: Text) -> Iterator[PartOfText]:
-    """A word of a command; the value of an argument in quotes, because it may be empty."""
-    head = word[0].text if word and word[0].kind == "text" else ""
-    if ":=" in head and len(word) > 1:
-        yield PartOfText("text", f"{head}'")
-        yield from word[1:]
-        yield PartOfText("text", "'")
-    else:
-        yield from word

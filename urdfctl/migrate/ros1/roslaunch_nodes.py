@@ -18,6 +18,9 @@ from urdfctl.migrate.launch.actions import (
     words_of,
 )
 from urdfctl.migrate.ros1.command_nodes import COMMANDS, published
+from urdfctl.migrate.ros1.described import described_for, names_description
+from urdfctl.migrate.ros1.doubles import as_double
+from urdfctl.migrate.ros1.included import IncludedFile
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of, parameters_of, unread_parameters_of
 from urdfctl.migrate.ros1.spawned_names import SpawnedName, full_name
@@ -44,7 +47,8 @@ class LaunchTarget(NamedTuple):
     publisher: the robot_state_publisher of the launch files without a description, which is started where that is set.
     spawned: the controllers that are spawned by a name with slashes, by their full names.
     files_of: returns the addresses of the controller files that have a section for a node, by the node's name.
-    described_in: the only namespace in which the description is published; None if there are several, or none.
+    described_in: the namespaces in which the description is published.
+    included: returns what is known of an included launch file, by its written address.
     """
 
     distro: str
@@ -63,7 +67,8 @@ class LaunchTarget(NamedTuple):
     publisher: Element | None = None
     spawned: Mapping[str, SpawnedName] = {}
     files_of: Callable[[str], list[str]] = lambda _: []
-    described_in: str | None = None
+    described_in: frozenset[str] = frozenset()
+    included: Callable[[str], IncludedFile] = lambda _: IncludedFile({}, frozenset())
 
     @property
     def simulated(self) -> bool:
@@ -114,6 +119,7 @@ _SAME = frozenset(
 """Packages of ROS 1 that exist for ROS 2, with programs of the same names."""
 _ARGUMENTS = {"world": "world_name", "gui": "gui", "pause": "paused", "verbose": "verbose"}
 """The arguments of gazebo.launch.py, with their names in empty_world.launch of ROS 1."""
+ARGUMENTS_OF_WORLD = tuple(_ARGUMENTS.values())
 _NUMBER = re.compile(r"\d+(\.\d*)?")
 _POSES = ("-x", "-y", "-z", "-R", "-P", "-Y")
 _OF_ROS1 = ("-urdf", "-sdf", "-unpause", "-wait", "-b")
@@ -198,7 +204,7 @@ def _plain(element: Element, package: str, program: str) -> Action:
         package=package,
         node_name=parsed(attrs.get("name", "")),
         words=words_of(parsed(attrs.get("args", ""))),
-        pairs=tuple(parameters_of(element)),
+        pairs=tuple((name, as_double(program, name, value)) for name, value in parameters_of(element)),
         files=tuple(files),
         remaps=tuple(remaps),
         flags=tuple(_flags(attrs)),
@@ -343,8 +349,9 @@ def _topic_of(target: LaunchTarget, node: Element, parameter: Text) -> Text:
         return parameter
     space, slash, _ = plain(parameter).rpartition("/")
     own = "/".join(part for part in ("" if slash and not space else namespace_of(node), space.strip("/")) if part)
-    if target.described_in is not None and "$(" not in f"{target.described_in}{own}" and own != target.described_in:
-        return literal("/".join(("", *filter(None, [target.described_in]), "robot_description")))
+    published = described_for(target.described_in, own)
+    if "$(" not in f"{published}{own}" and own != published:
+        return literal("/".join(("", *filter(None, [published]), "robot_description")))
     return literal(f"{space}{slash}robot_description")
 
 
@@ -362,7 +369,8 @@ def state_publisher(element: Element) -> Action:
     pairs = [(name, value) for name, value in node.pairs if name in known]
     prefixes = [value for name, value in node.pairs if name == "tf_prefix" and value]
     pairs += [("frame_prefix", joined(value, literal("/"))) for value in prefixes]
-    return node._replace(pairs=tuple(pairs))
+    remaps = tuple(pair for pair in node.remaps if not names_description(pair[0]))
+    return node._replace(pairs=tuple(pairs), remaps=remaps)
 
 
 def _joint_states(element: Element) -> Action:

@@ -29,7 +29,7 @@ from urdfctl.migrate.edits.places import ElementKey, key_of, key_of_element, plu
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import controller_maps
-from urdfctl.migrate.ros1.described import spaces_of_description
+from urdfctl.migrate.ros1.described import described_for, spaces_of_description
 from urdfctl.migrate.ros1.followers import is_mimic_plugin, mimic_plugins
 from urdfctl.migrate.shared.hardware import host_plugin, simulated_by
 from urdfctl.migrate.shared.manager import BROADCASTER, RATE, manager_text
@@ -135,7 +135,7 @@ def _chosen_namespaces(packages: MigratedPackages, element: Element, step: str) 
 def _joined(packages: MigratedPackages, space: str) -> tuple[str, str]:
     """What makes the controller manager in a namespace read the description where it is published, and the entry."""
     spaces = packages.found(spaces_of_description)
-    published = next(iter(spaces)) if len(spaces) == 1 else space.strip("/")
+    published = described_for(spaces, space.strip("/"))
     if "$(" in published or published == space.strip("/") or packages.options.target not in since("jazzy"):
         return "", ""
     topic = "/".join(("", *filter(None, [published]), "robot_description"))
