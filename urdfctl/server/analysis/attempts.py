@@ -14,6 +14,8 @@ from urdfctl.startup.records import NamedTuple
 
 SECONDS = 0.4
 """Processor time for the items of one place: so long a user does not notice, and it suffices for about twenty items."""
+_SECONDS_OF = {"type": 0.15}
+"""The same for kinds whose items were tried in another way already: with the claims and parameters of the controller."""
 _MOST_ITEMS = 60
 _LONGEST_WORD = 200
 
@@ -51,7 +53,7 @@ def harmless(question: Question, items: Sequence[OfferedItem], attempts: Attempt
     not saved yet causes that. Items for which there is no time are kept; doubtful ones only if no item was tried.
     """
     new: dict[OfferedItem, set[str]] = {}
-    left = SECONDS
+    left = _SECONDS_OF.get(items[0].kind, SECONDS) if items else SECONDS
     for robot in range(attempts.robots if items else 0):
         started = time.thread_time()
         concerned = [item for item in items[:_MOST_ITEMS] if _is_whole(item) and not _refused(item, new)]
