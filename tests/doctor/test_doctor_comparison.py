@@ -86,6 +86,7 @@ def test_the_end_of_a_chain_is_told_before_what_commands_it(folder: Folder) -> N
 
 
 def unloaded(recording: Recorded) -> None:
+    del recording["parameters"]["/controller_manager"]["values"]["head.type"]
     del controllers_in(recording)[1]
 
 

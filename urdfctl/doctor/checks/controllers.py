@@ -9,6 +9,7 @@ from urdfctl.doctor.examination import Ailment, Examination, ailment
 from urdfctl.doctor.expectation import ExpectedController
 from urdfctl.doctor.recording import RecordedController, RecordedManager
 from urdfctl.names import enumerated
+from urdfctl.rules.running.manager_without_types import manager_without_types
 from urdfctl.rules.running.running_controller_not_active import running_controller_not_active
 from urdfctl.rules.running.running_controller_not_in_files import running_controller_not_in_files
 from urdfctl.rules.running.running_controller_not_loaded import running_controller_not_loaded
@@ -16,6 +17,7 @@ from urdfctl.rules.running.running_hardware_not_active import running_hardware_n
 from urdfctl.rules.running.running_type_differs import running_type_differs
 from urdfctl.rules.running.running_type_unknown import running_type_unknown
 
+_TYPE = ".type"
 _INITIAL = "hardware_components_initial_state"
 
 
@@ -38,6 +40,8 @@ def check_hardware(exam: Examination) -> Iterator[Ailment]:
 def check_controllers(exam: Examination) -> Iterator[Ailment]:
     """Yield what is wrong with the controllers: first what a wrong parameter explains, then those that are missing or
     not active, then those that the files do not have."""
+    for name in exam.managers:
+        yield from _without_types(exam, name)
     answering = [one for one in exam.controllers if exam.manager(one.manager).answers]
     for expected in exam.controllers if exam.recording.is_of_ros1 else answering:
         yield from _of_type(exam, expected)
@@ -53,6 +57,15 @@ def check_controllers(exam: Examination) -> Iterator[Ailment]:
     if exam.is_whole:
         for name in exam.managers:
             yield from _unknown(exam, exam.manager(name))
+
+
+def _without_types(exam: Examination, manager: str) -> Iterator[Ailment]:
+    """A manager that has no type of a controller, and the type of none that it should have."""
+    running = exam.recording.parameters(manager)
+    types = [name for name in exam.settings(manager) if name.endswith(_TYPE)]
+    if running and types and not any(name.endswith(_TYPE) for name in running):
+        controllers = enumerated(f"'{name.removesuffix(_TYPE)}'" for name in types)
+        yield ailment(manager_without_types, manager=manager, controllers=controllers)
 
 
 def _is_down(exam: Examination, expected: ExpectedController) -> bool:

@@ -86,7 +86,7 @@ def sound() -> Recorded:
     commands = ["pan/position", "tilt/position"]
     broadcaster = controller("joint_state_broadcaster", "active", "joint_state_broadcaster/JointStateBroadcaster", [])
     broadcaster["required_state_interfaces"] = commands
-    manager = {
+    manager: Recorded = {
         "list_controllers": {
             "controller": [
                 broadcaster,
@@ -113,6 +113,7 @@ def sound() -> Recorded:
         },
     }
     nodes = ("controller_manager", "head", "joint_state_broadcaster", "robot_state_publisher")
+    types = {f"{one['name']}.type": one["type"] for one in manager["list_controllers"]["controller"]}
     return {
         "recorded": {"distro": "jazzy"},
         "nodes": [{"name": name, "namespace": "/"} for name in nodes],
@@ -131,7 +132,7 @@ def sound() -> Recorded:
         "controller_managers": {"/controller_manager": manager},
         "parameters": {
             "/head": {"values": {"joints": ["pan", "tilt"], "interface_name": "position", "use_sim_time": False}},
-            "/controller_manager": {"values": {"update_rate": 100, "use_sim_time": False}},
+            "/controller_manager": {"values": {"update_rate": 100, "use_sim_time": False, **types}},
             "/joint_state_broadcaster": {"values": {"joints": [], "use_sim_time": False}},
             "/robot_state_publisher": {"values": {"use_sim_time": False}},
         },
