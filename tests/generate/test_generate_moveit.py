@@ -164,6 +164,15 @@ def test_two_arms_on_a_lift_are_no_groups_with_it(folder: Folder) -> None:
     assert not [one.get("name") for one in semantic(folder).findall("group") if "_with_" in (one.get("name") or "")]
 
 
+def test_a_controller_does_not_take_the_name_of_a_joint(folder: Folder) -> None:
+    folder.write({"six.urdf": arm().replace("left_finger_joint", "gripper_controller")})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    listed = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["moveit_simple_controller_manager"]
+    assert listed["controller_names"] == ["arm_controller", "gripper_motion_controller"]
+    assert listed["gripper_motion_controller"]["joints"] == ["gripper_controller"]
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
+
+
 def test_a_package_does_not_hide_that_of_the_robot_which_it_includes(folder: Folder) -> None:
     manifest = '<package format="3"><name>six</name><version>1.0.0</version><description>d</description></package>'
     folder.write({"src/six/urdf/six.urdf": arm(), "src/six/package.xml": manifest})

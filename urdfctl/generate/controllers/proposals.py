@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import takewhile
 
 from urdfctl.errors import UserError
@@ -38,7 +38,15 @@ def proposed(robot: RobotFacts, joints: Sequence[JointFacts], options: Generator
         *_of_tools(parts.tools, offered),
         *(_of_sensors(robot) if options.ros == 2 else ()),  # noqa: PLR2004
     ]
-    return tuple(_numbered(found))
+    return tuple(_numbered(_unlike(found, {joint.name for joint in robot.joints})))
+
+
+def _unlike(requests: Sequence[Request], taken: Collection[str]) -> list[Request]:
+    """The requests with names that no joint has: a controller of that name would hide the joint's interfaces."""
+    return [
+        one._replace(name=f"{one.name.removesuffix('_controller')}_motion_controller") if one.name in taken else one
+        for one in requests
+    ]
 
 
 def with_interfaces(requests: Sequence[Request], interfaces: tuple[str, ...]) -> str:
