@@ -16,6 +16,7 @@ from urdfctl.rules.running.joint_states_not_read import joint_states_not_read
 from urdfctl.rules.running.joint_states_stand_still import joint_states_stand_still
 from urdfctl.rules.running.joint_states_too_slow import joint_states_too_slow
 from urdfctl.rules.running.manager_not_running import manager_not_running
+from urdfctl.rules.running.manager_without_types import manager_without_types
 from urdfctl.rules.running.no_joint_states import no_joint_states
 from urdfctl.rules.running.node_runs_twice import node_runs_twice
 from urdfctl.rules.running.running_controller_not_active import running_controller_not_active
@@ -46,6 +47,7 @@ FAULTS: tuple[Fault, ...] = (
     simulation_time_mixed,
     state_publisher_not_running,
     spawner_waits,
+    manager_without_types,
     running_part_missing,
     running_hardware_differs,
     running_value_differs,
