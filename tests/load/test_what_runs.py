@@ -190,3 +190,34 @@ def test_a_file_for_ros_2_beside_a_robot_of_ros_1_is_an_error_only_if_a_launch_f
     assert found() == ["warning"]
     folder.write({"launch/arm.launch": launch})
     assert found() == ["error"]
+
+
+def test_a_dict_of_parameters_is_for_the_manager_in_its_namespace_only(folder: Folder) -> None:
+    launch = """from launch import LaunchDescription
+from launch.substitutions import Command
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+def robot(namespace, kind):
+    description = Command(["cat ", FindPackageShare("arm"), "/urdf/arm.urdf"])
+    return [
+        Node(package="robot_state_publisher", executable="robot_state_publisher", namespace=namespace,
+             parameters=[{"robot_description": description}]),
+        Node(package="controller_manager", executable="ros2_control_node", namespace=namespace,
+             parameters=[[FindPackageShare("arm"), "/config/", namespace, ".yaml"], {"mover.type": kind}]),
+        Node(package="controller_manager", executable="spawner", namespace=namespace, arguments=["mover"]),
+    ]
+
+def generate_launch_description():
+    return LaunchDescription([
+        *robot("left", "forward_command_controller/ForwardCommandController"),
+        *robot("right", "joint_trajectory_controller/JointTrajectoryController"),
+    ])
+"""
+    own = "/{}/mover:\n  ros__parameters: {{joints: [elbow], {}}}\n"
+    both = "command_interfaces: [position], state_interfaces: [position]"
+    write(folder, **{"config/left.yaml": own.format("left", "interface_name: position")})
+    folder.write({"config/right.yaml": own.format("right", both), "launch/arm.launch.py": launch})
+    folder.write({"launch/arm.launch.xml": "<launch/>"})
+    assert [each["namespace"] for each in shown(folder) if each["launch"]] == ["/left", "/right"]
+    assert codes(folder) == []

@@ -169,6 +169,7 @@ class Launch(NamedTuple):
             loads=tuple(load for load in self.loads if belongs(load.of if self.ros > 1 else load.namespace)),
             spawns=tuple(spawn for spawn in self.spawns if belongs(spawn.namespace)),
             inline=tuple(one for one in self.inline if belongs(one.namespace)),
+            given=tuple(one for one in self.given if belongs(one.of)),
         )
 
     def with_open_files(self, paths: Collection[str | None]) -> Launch:

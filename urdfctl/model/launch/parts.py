@@ -121,11 +121,13 @@ class GivenParameters(NamedTuple):
 
     document: as launch writes them for the node.
     at: the dict.
+    of: namespace of the node; None if unknown.
     """
 
     document: Mapping
     at: Place
     sure: bool = True
+    of: str | None = None
 
 
 class ProgramOption(NamedTuple):

@@ -106,7 +106,7 @@ class NodeParameters:
         if self.executable in MANAGERS and self.namespace is not None and table.entries.keys() - {_DESCRIPTION}:
             node = joined(self.namespace, self.name) if self.name else "/**"
             document = section_of(table, node, self.texts)
-            self.facts.given.append(GivenParameters(document, table.at, self.sure))
+            self.facts.given.append(GivenParameters(document, table.at, self.sure, self.namespace))
         read = lambda term: content_of(term, self.texts, lambda _: False)  # noqa: E731 (one use)
         files = files_of_table(table, table.at, read, self.facts.locate)
         if files is not None:
