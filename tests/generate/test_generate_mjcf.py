@@ -173,8 +173,8 @@ def test_a_package_for_mujoco_has_the_model_and_its_meshes(folder: Folder) -> No
 
 def test_the_format_must_be_known(folder: Folder) -> None:
     folder.write({"arm.urdf": ARM})
-    assert command("convert", "arm.urdf").stderr == "urdfctl: --to is missing: use --to mjcf\n"
-    assert command("convert", "arm.urdf", "--to", "sdf").stderr == "urdfctl: --to must be mjcf\n"
+    assert command("convert", "arm.urdf").stderr == "urdfctl: --to is missing: use --to mjcf or --to sdf\n"
+    assert command("convert", "arm.urdf", "--to", "usd").stderr == "urdfctl: --to must be mjcf, sdf\n"
     ran = command("convert", "--joint", "a", "--to", "mjcf")
     assert ran.stderr == "urdfctl: a model for MuJoCo requires a robot, not a list of joints\n"
 

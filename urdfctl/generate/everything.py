@@ -225,13 +225,32 @@ def _settings(order: Order) -> File:
 
 def _convert(order: Order) -> list[File]:
     options = order.options
+    if options.to == "sdf":
+        return [_sdf_file(order)]
     if options.to != "mjcf":
-        raise UserError("--to is missing: use --to mjcf" if options.to is None else "--to must be mjcf")
+        told = "--to is missing: use --to mjcf or --to sdf"
+        raise UserError(told if options.to is None else "--to must be mjcf, sdf")
     interfaces = commanded((), order.robot)
     if options.interface or not interfaces:
         interfaces = {joint.name: joint.interface or options.interface or "position" for joint in order.joints}
     options = options._replace(command=_one_dash(options.command))
     return [mjcf_file(order.robot, interfaces, options, order.templates, "robot.xml")]
+
+
+def _sdf_file(order: Order) -> File:
+    """The robot as Gazebo converts it. UserError if its links are unknown."""
+    skeleton = order.robot.skeleton
+    if skeleton is None:
+        raise UserError("an SDF model requires a robot, not a list of joints")
+    text = order.templates.render(
+        "sdf/robot.sdf",
+        command=_one_dash(order.options.command),
+        version="1.11" if "<mimic " in skeleton.fixed else "1.9",
+        name=order.robot.name or "robot",
+        bodies=skeleton.fixed,
+        notes=skeleton.notes,
+    )
+    return File("robot.sdf", text)
 
 
 def _ending(path: str) -> str:

@@ -8,7 +8,7 @@ from urdfctl.commands.generate.running import run_generate
 
 
 class ConvertRobot(GenerateOptions, command="convert"):
-    """Convert a robot to MuJoCo's own format: meshes, an actuator for each commanded joint, mimic joints and sensors.
+    """Convert a robot to MuJoCo's own format, with actuators, mimic joints and sensors; or to SDF, as gz does.
 
     \b
     Example: urdfctl convert urdf/robot.xacro --to mjcf -o robot.xml

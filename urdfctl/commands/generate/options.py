@@ -175,7 +175,7 @@ class GenerateOptions(TargetOptions, AnswerOptions):
         is_open=True,
         of=("gen-ros2-control",),
     )
-    to: str | None = option(OUTPUT, "Format to convert to: mjcf.", choices=("mjcf",), of=("convert",))
+    to: str | None = option(OUTPUT, "Format: mjcf for MuJoCo, sdf for gz.", choices=("mjcf", "sdf"), of=("convert",))
 
     def __init_subclass__(cls, *, command: str = "") -> None:
         super().__init_subclass__(command=command)

@@ -115,7 +115,7 @@ def generated(options: GenerateOptions) -> Made:
     config = configured([], options)
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
     if command == "convert":
-        settings = settings._replace(simulator="mujoco")
+        settings = settings._replace(simulator="gz" if options.to == "sdf" else "mujoco")
     notices: tuple[str, ...] = () if options.check else tuple(contradictions(config, options.distro))
     robot, listed = _sources(options, settings, config)
     words = list(options.words)
@@ -157,7 +157,7 @@ def generated(options: GenerateOptions) -> Made:
             notices=(*notices, *dict.fromkeys(told)),
         )
 
-    distro = known_distro(settings, robot) or (_ANY_DISTRO if command == "convert" else None)
+    distro = _ANY_DISTRO if command == "convert" else known_distro(settings, robot)
     if distro:
         made = make(distro)
     else:
@@ -172,11 +172,14 @@ def generated(options: GenerateOptions) -> Made:
 
 def _loaded(made: Made, options: GenerateOptions, settings: Settings) -> Made:
     """A model without what MuJoCo does not load. UnreadableRobot if it does not load at all."""
+    skeleton = made.robot.skeleton if made.robot else None
+    notes = skeleton.notes if skeleton else ()
+    if options.to == "sdf":
+        return made._replace(notices=(*made.notices, *notes))
     model = loaded_model(made.files[0], options.output, settings)
     if model.fault:
         raise UnreadableRobot(f"urdfctl: MuJoCo does not load the model, which is not written: {model.fault}\n")
-    skeleton = made.robot.skeleton if made.robot else None
-    notices = (*made.notices, *(skeleton.notes if skeleton else ()), *model.left_out)
+    notices = (*made.notices, *notes, *model.left_out)
     return made._replace(files=[model.file], notices=notices)
 
 
@@ -229,7 +232,8 @@ def _sources(
         poses = {"samples": options.samples, "seed": options.seed}
         measured = measure_robot(path, arguments, settings, measure_links, poses)
     else:
-        measured = measure_robot(path, arguments, settings, measure_work)
+        details = {"sdf": 1} if options.command == "convert" and options.to == "sdf" else None
+        measured = measure_robot(path, arguments, settings, measure_work, details)
     if measured.facts is None:
         text = "\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n"
         raise UnreadableRobot(text, [finding(relative(problem)) for problem in measured.problems])

@@ -20,7 +20,7 @@ def steps_after(
     """Yield commands and lines for the user, for files that a generator wrote to an output."""
     package = options.package or "my_robot_control"
     if command == "convert":
-        yield f"python -m mujoco.viewer --mjcf={output}"
+        yield f"gz sim -r {output}" if options.to == "sdf" else f"python -m mujoco.viewer --mjcf={output}"
         return
     if command in ("gen-transmissions", "gen-ros2-control", "gen-gazebo"):
         yield f'include it in the robot: <xacro:include filename="$(find {package})/urdf/{os.path.basename(output)}"/>'

@@ -12,6 +12,7 @@ from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
 from urdfctl.generate.robot.facts import Linkage, RobotFacts
 from urdfctl.generate.robot.mjcf_bodies import skeleton_of
+from urdfctl.generate.robot.sdf_bodies import sdf_of
 from urdfctl.generate.robot.survey import facts_of
 from urdfctl.lint.engine import lint
 from urdfctl.lint.job import Work, WorkFunction, run_on_one
@@ -94,6 +95,8 @@ def measured_facts(
     )
     if (work.loader.settings.simulator or evidence.simulator) == "mujoco":
         facts = facts._replace(skeleton=skeleton_of(robot, facts.joints, find))
+    if work.details.get("sdf"):
+        facts = facts._replace(skeleton=sdf_of(robot, facts.joints))
     if linked is not None and expansion.complete:
         try:
             facts = facts._replace(linkage=linked(robot, find))
