@@ -13,7 +13,7 @@ import pytest
 import yaml
 from folder import Folder
 from generating import command
-from test_generate_moveit import JAZZY, ROW, arm, mechanism, semantic
+from planned_arm import JAZZY, ROW, arm, mechanism, semantic
 
 from urdfctl.smoke.engines.mujoco_engine import COMPILER
 
