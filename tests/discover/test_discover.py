@@ -281,6 +281,16 @@ def test_a_launch_file_is_not_included_by_one_that_includes_its_namesake_in_anot
     assert launches() == [ARM_AND_CELL[0], "cell/launch/bringup.launch.py", ARM_AND_CELL[1]]
 
 
+def test_a_launch_file_in_yaml_is_not_included_by_one_that_includes_its_namesake(folder: Folder) -> None:
+    include = "- include:\n    file: $(find-pkg-share {})/launch/gazebo.launch.py\n"
+    outer = "launch:\n- node: {{pkg: robot_state_publisher}}\n" + include
+    folder.write({"arm/launch/gazebo.launch.py": STARTS.format("None")})
+    folder.write({"arm/launch/bringup.launch.yaml": outer.format("gazebo_ros")})
+    assert launches() == ["arm/launch/bringup.launch.yaml", "arm/launch/gazebo.launch.py"]
+    folder.write({"arm/launch/bringup.launch.yaml": outer.format("arm")})
+    assert launches() == ["arm/launch/bringup.launch.yaml"]
+
+
 def test_a_launch_file_in_xml_is_not_included_by_one_that_includes_its_namesake(folder: Folder) -> None:
     world = '<launch><node pkg="robot_state_publisher" type="robot_state_publisher" name="r"/>{}</launch>'
     include = '<include file="$(find {})/launch/empty_world.launch"/>'

@@ -221,3 +221,9 @@ def generate_launch_description():
     folder.write({"launch/arm.launch.xml": "<launch/>"})
     assert [each["namespace"] for each in shown(folder) if each["launch"]] == ["/left", "/right"]
     assert codes(folder) == []
+
+
+def test_a_launch_file_in_xml_with_nothing_but_commands_is_of_ros_2(folder: Folder) -> None:
+    command = '<executable cmd="ros2 control load_controller --set-state active movre"/>'
+    write(folder, PUBLISHER, manager(), **{"launch/spawn.launch.xml": f"<launch>{command}</launch>\n"})
+    assert codes(folder) == ["UC601"]

@@ -13,6 +13,7 @@ from urdfctl.startup.records import NamedTuple
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _INCLUDE = rb"(?s)<include\s[^<>]*?file\s*=\s*[\"']([^\"']+)[\"']"
 _FOUND = r"\$\((?:find|find-pkg-share)\s+[\"']?([\w-]+)[\"']?\)"
+_FOUND_BEFORE = rb"\$\(find-pkg-share\s+[\"']?([\w-]+)[\"']?\)[^\n]*\Z"
 _BESIDE = r"\$\(dirname\)/[^/]*\Z"
 _SUBSTITUTION = r"\$\([^)]*\)"
 _SAYING = r"\w{3}.*\.launch"
@@ -126,11 +127,18 @@ def _folder_of(path: str, current: str) -> str:
 def _named(text: bytes) -> tuple[_Mention, ...]:
     """The names of launch files in a Python or YAML launch file, with the packages that they are looked for in."""
     found = [
-        _Mention((match[1] or match[2]).decode("utf-8", "replace"), _package_before(text, match.start()))
+        _Mention((match[1] or match[2]).decode("utf-8", "replace"), _package_of(text, match))
         for match in re.finditer(_NAMED, text)
     ]
     demo = [_Mention(f"{name}.launch.py", None) for name in _OF_DEMO if re.search(_DEMO, text)]
     return tuple(dict.fromkeys([*found, *demo]))
+
+
+def _package_of(text: bytes, named: re.Match[bytes]) -> str | None:
+    """The package that the address of a launch file asks for; None if it is not known."""
+    end = named.start(1) if named[1] else named.start(2)
+    address = re.search(_FOUND_BEFORE, text[max(0, end - _MOST_BEFORE) : end])
+    return address[1].decode("utf-8", "replace") if address else _package_before(text, named.start())
 
 
 def _package_before(text: bytes, end: int) -> str | None:

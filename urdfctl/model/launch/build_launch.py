@@ -84,10 +84,14 @@ def _with_loads(files: MoveItFiles, loads: Sequence[ParameterLoad]) -> MoveItFil
     return files._replace(kinematics=last("_kinematics"), limits=last("_planning"), controllers=known)
 
 
+_ONLY_IN_ROS_2 = frozenset("let executable timer node_container load_composable_node push_ros_namespace".split())
+"""Elements that roslaunch does not have."""
+
+
 def is_of_ros2(root: Element) -> bool:
-    """Return whether a launch file in XML is for ROS 2, by its attributes, `<let>` elements or substitutions."""
+    """Return whether a launch file in XML is for ROS 2, by its attributes, elements or substitutions."""
     for element in _all(root):
-        if "exec" in element.attrs or "namespace" in element.attrs or element.tagName == "let":
+        if "exec" in element.attrs or "namespace" in element.attrs or element.tagName in _ONLY_IN_ROS_2:
             return True
         if any("$(var " in value or "$(find-pkg-share " in value for value in element.attrs.values()):
             return True
