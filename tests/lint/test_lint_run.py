@@ -66,6 +66,13 @@ def test_a_caller_gets_the_findings_of_the_command(folder: Folder) -> None:
     assert [target.robot for target in made.targets] == ["with", "without"]
 
 
+def test_a_launch_file_that_cannot_be_read_is_reported_beside_the_robot_that_it_should_start(folder: Folder) -> None:
+    folder.write(
+        FILES | {"launch/arm.launch": '<launch>\n<<<<<<< ours\n<param name="robot_description"/>\n>>>>>>> theirs\n'}
+    )
+    assert ("UC034", "error", "arm.launch", 2) in by_command(folder)
+
+
 def test_the_stages_one_by_one_are_the_run(folder: Folder) -> None:
     folder.write(FILES)
     asked = request(folder)

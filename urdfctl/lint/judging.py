@@ -124,7 +124,7 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
 def _described(plan: Sequence[PlannedTarget], launches: Launches, linted: LintTargets) -> LintedTargets:
     """The targets of a plan that are no launch files, and of these those that start nothing of the first."""
     entries = _not_launched(plan, launches.reported)
-    again = {entry.target.launch and os.path.abspath(entry.target.launch) for entry in entries}
+    again = {os.path.abspath(entry.target.launch) for entry in entries if entry.target.launch}
     results = list(zip(linted([entry.target for entry in entries]), entries, strict=True))
     starts = launches.of_robots
     kept = [pair for pair in results if pair[1].is_reported(pair[0][1])]
