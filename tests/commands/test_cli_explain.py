@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
+import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
-from folder import Folder
+from folder import CHECKOUT, Folder
 from typer.testing import CliRunner, Result
 
 from urdfctl import REPOSITORY, __version__
@@ -183,3 +186,15 @@ def test_an_explanation_is_written_to_a_file(words: str, folder: Folder) -> None
     written = folder.run("explain", *words.split(), "-o", "made.txt")
     assert (written.returncode, written.stdout) == (0, "")
     assert (folder.path / "made.txt").read_text(encoding="utf-8") == shown.stdout != ""
+
+
+def test_a_cause_that_has_a_safe_fix_leads_to_the_command_that_makes_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shutil.copytree(CHECKOUT / "samples/broken/mybot", tmp_path / "mybot")
+    monkeypatch.chdir(tmp_path / "mybot")
+    message = "No valid hardware interface element found in joint 'left_wheel_joint'."
+    repair = "urdfctl lint . --fix --select UC201"
+    assert f"  {repair}  repairs what caused it" in command(message, "--in", ".").stdout
+    assert CliRunner().invoke(app, shlex.split(repair)[1:]).exit_code == 0
+    assert "--fix" not in command(message, "--in", ".").stdout

@@ -123,6 +123,8 @@ def test_a_baseline_hides_what_is_found_today_and_nothing_else(folder: Folder) -
     assert command("init", "--distro", "jazzy", "--baseline").returncode == 0
     assert (folder.path / "urdfctl.toml").read_text().startswith('baseline = "urdfctl-baseline.json"\n')
     assert json.loads((folder.path / "urdfctl-baseline.json").read_text())["findings"]
+    said = command("init", "--distro", "jazzy", "--baseline", "--force").stderr
+    assert said.endswith("urdfctl: next: urdfctl check . --engine none --write-baseline urdfctl-baseline.json\n")
     assert command("check", ".", "--engine", "none").returncode == 0
     folder.write({"r.urdf": ROBOT.format('<joint name="k" type="sideways"/><joint name="k2" type="upwards"/>')})
     assert command("check", ".", "--engine", "none").returncode == 1

@@ -28,13 +28,14 @@ _LEAST_NAME = 3
 
 
 class FoundCause(NamedTuple):
-    """A line of a file in which a rule found a cause. message: what is wrong there."""
+    """A line of a file in which a rule found a cause. message: what is wrong there. fixable: by a safe fix."""
 
     file: str
     line: int
     column: int
     code: str
     message: str
+    fixable: bool = False
 
 
 class CheckedFolder(NamedTuple):

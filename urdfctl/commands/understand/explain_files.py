@@ -24,7 +24,10 @@ def checked(digest: Digest, folder: str, distro: str | None = None) -> tuple[Dig
     Raises UserError if there is nothing to lint.
     """
     findings = [relative(finding) for finding in _findings(folder, distro or digest.distro or None)]
-    found = [FoundCause(one.at.file, one.at.line, one.at.column, one.code, one.message) for one in findings]
+    found = [
+        FoundCause(one.at.file, one.at.line, one.at.column, one.code, one.message, bool(one.fix and one.fix.safe))
+        for one in findings
+    ]
     known = [_with(entry, found) for entry in digest.known]
     kinds = list(dict.fromkeys(entry.kind for entry in known))
     known.sort(key=lambda entry: (kinds.index(entry.kind), not entry.reading.is_found))

@@ -15,7 +15,7 @@ from urdfctl.startup.records import NamedTuple
 SECONDS = 0.4
 """Processor time for the items of one place: so long a user does not notice, and it suffices for about twenty items."""
 _SECONDS_OF = {"type": 0.15}
-"""The same for kinds whose items were tried in another way already: with the claims and parameters of the controller."""
+"""The same for kinds whose items were tried already in another way: with the claims and parameters of a controller."""
 _MOST_ITEMS = 60
 _LONGEST_WORD = 200
 
