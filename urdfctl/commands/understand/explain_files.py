@@ -25,7 +25,14 @@ def checked(digest: Digest, folder: str, distro: str | None = None) -> tuple[Dig
     """
     findings = [relative(finding) for finding in _findings(folder, distro or digest.distro or None)]
     found = [
-        FoundCause(one.at.file, one.at.line, one.at.column, one.code, one.message, bool(one.fix and one.fix.safe))
+        FoundCause(
+            file=one.at.file,
+            line=one.at.line,
+            column=one.at.column,
+            code=one.code,
+            message=one.message,
+            fixable=bool(one.fix and one.fix.safe),
+        )
         for one in findings
     ]
     known = [_with(entry, found) for entry in digest.known]
