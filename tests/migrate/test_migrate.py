@@ -271,6 +271,30 @@ BREAKING = replacing(('"position"', '"positon"'))
 RENAMING = replacing(("ign_ros2_control/IgnitionSystem", "gz_ros2_control/GazeboSimSystem"))
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        (
+            '<link name="tip"/>',
+            '<link name="tip"/><xacro:include filename="gone.xacro"/>',
+            "not be expanded any more",
+        ),
+        ("</ros2_control>", "</ros2_control>\n  {}", "not changed by step"),
+    ],
+)
+def test_a_step_after_which_the_robot_is_no_whole_one_is_left_out_and_named(
+    tmp_path: Path, old: str, new: str, why: str
+) -> None:
+    second = ROBOT[ROBOT.index("<ros2_control") : ROBOT.index("</ros2_control>")].replace('name="arm"', 'name="b"')
+    text = new.format(f"{second}</ros2_control>")
+    broken = ROBOT.replace(old, text).replace("ign_ros2_control/IgnitionSystem", "gz_ros2_control/GazeboSimSystem")
+    Folder(tmp_path).write({**FILES, "arm/urdf/has_it_already.urdf.xacro": broken})
+    doing = replacing((old, text), only_with="ign_ros2_control")
+    result = result_of(tmp_path, ("spoil", doing), ("rename", RENAMING))
+    assert [change.after for change in result.changes] == [MIGRATED.encode()]
+    assert [line.step for line in result.lines if why in line.message] == ["spoil"]
+
+
 def test_a_change_that_would_cause_a_finding_of_a_new_kind_is_left_out_and_reported(tmp_path: Path) -> None:
     Folder(tmp_path).write(FILES)
     result = result_of(tmp_path, ("breaking", BREAKING))

@@ -185,7 +185,10 @@ def test_a_plain_urdf_becomes_one_for_xacro_which_finds_its_controller_file(fold
     after = migrated(folder, {"urdf/arm.urdf": plain, "config/c.yaml": EFFORT, "launch/arm.launch": launch})
     assert "<parameters>$(find arm)/config/c.yaml</parameters>" in after["urdf/arm.urdf"]
     assert after["urdf/arm.urdf"].startswith('<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="arm">\n')
-    assert 'Command(["xacro ", FindPackageShare("arm"), "/urdf/arm.urdf"], on_stderr="warn")' in after["launch/arm.launch.py"]
+    assert (
+        'Command(["xacro ", FindPackageShare("arm"), "/urdf/arm.urdf"], on_stderr="warn")'
+        in after["launch/arm.launch.py"]
+    )
 
 
 def test_a_comment_that_humbles_plugin_cannot_pass_on_gets_other_punctuation(folder: Folder) -> None:

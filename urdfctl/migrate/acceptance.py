@@ -8,15 +8,17 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.migrate.kinematics import differences, kinematics
+from urdfctl.migrate.kinematics import commanded_twice, differences, kinematics
 from urdfctl.migrate.packages import Linted
 from urdfctl.startup.records import NamedTuple
 
 _MIGRATION = "UC7"
 """The rules about what is old but still works in the target, and about what a migration leaves to a person."""
 
-Kinematics = Mapping[tuple[str, tuple[tuple[str, str], ...]], Mapping[str, object]]
-"""The kinematics of each whole robot, by its file and arguments."""
+RobotKey = tuple[str, tuple[tuple[str, str], ...]]
+"""The file and the arguments of a robot."""
+Kinematics = Mapping[RobotKey, Mapping[str, object]]
+"""The kinematics of each whole robot."""
 
 
 class Objection(NamedTuple):
@@ -47,11 +49,13 @@ class Before(NamedTuple):
     codes: the findings' codes for the distro to migrate from, and for the target.
     by_file: how many findings of a code each file has for the target.
     kinematics: those of the robots.
+    twice: the joints that a robot commands in several places, by the robot.
     """
 
     codes: frozenset[str]
     by_file: Counter[tuple[str, str]]
     kinematics: Kinematics
+    twice: Mapping[RobotKey, frozenset[str]]
 
 
 def findings_by_file(linted: Linted) -> Counter[tuple[str, str]]:
@@ -67,7 +71,15 @@ def findings_by_file(linted: Linted) -> Counter[tuple[str, str]]:
 def before(source: Linted, target: Linted, robots: Sequence[LoadedTarget]) -> Before:
     """Return the state before a migration, from its findings for the distro to migrate from and for the target."""
     codes = {finding.code for _, result in (*source, *target) for finding in result.outcome.diagnostics}
-    return Before(frozenset(codes), findings_by_file(target), kinematics_of(robots))
+    return Before(frozenset(codes), findings_by_file(target), kinematics_of(robots), _twice_in(robots))
+
+
+def _twice_in(robots: Sequence[LoadedTarget]) -> dict[RobotKey, frozenset[str]]:
+    return {
+        (loaded.project.path, loaded.arguments): commanded_twice(loaded.project.robot)
+        for loaded in robots
+        if loaded.project.robot is not None
+    }
 
 
 def kinematics_of(robots: Sequence[LoadedTarget]) -> Kinematics:
@@ -100,13 +112,24 @@ def objections(
             known = state.by_file[code, os.path.realpath(file)]
             if known and after[code, os.path.realpath(file)] >= known:
                 yield Objection((code, file), f"{code} would not be gone", file, frozenset({file}))
-    now = kinematics_of(robots)
-    for key, old in state.kinematics.items():
-        changed = [name for name in differences(old, now.get(key, old)) if name.partition(" ")[2] not in moved]
-        if changed:
-            read = next(loaded.sources for loaded in robots if (loaded.project.path, loaded.arguments) == key)
-            message = f"{changed[0]} of the robot would change"
-            yield Objection((changed[0], key[0]), message, key[0], frozenset(read))
+    yield from _of_robots(state, robots, moved)
+
+
+def _of_robots(state: Before, robots: Sequence[LoadedTarget], moved: frozenset[str]) -> Iterator[Objection]:
+    """A robot that could be expanded still can be, with the same links and joints, and commands no joint twice."""
+    now, twice = kinematics_of(robots), _twice_in(robots)
+    for loaded in robots:
+        key = loaded.project.path, loaded.arguments
+        read = frozenset(loaded.sources)
+        old, new = state.kinematics.get(key), now.get(key)
+        if old is not None and new is None:
+            yield Objection(("expands", key[0]), "the robot would not be expanded any more", key[0], read)
+        changed = [name for name in differences(old or {}, new or {}) if name.partition(" ")[2] not in moved]
+        if changed and old is not None and new is not None:
+            yield Objection((changed[0], key[0]), f"{changed[0]} of the robot would change", key[0], read)
+        for joint in sorted(twice.get(key, frozenset()) - state.twice.get(key, frozenset())):
+            message = f"joint '{joint}' would have commands in two places of <ros2_control>"
+            yield Objection((f"commands {joint}", key[0]), message, key[0], read)
 
 
 def _of_findings(state: Before, linted: Linted) -> Iterator[Objection]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping
 
 from urdfctl.model.robot import Robot, Tag
@@ -11,16 +12,23 @@ _OF_JOINT = ("origin", "axis", "limit", "parent", "child")
 
 
 def kinematics(robot: Robot) -> dict[str, object]:
-    """Return the kinematic content of each link and joint, by `link NAME` and `joint NAME`, comparable by equality."""
-    links = {
-        f"link {link.name}": [_content(tag) for name in _OF_LINK for tag in link.tag.named(name)]
-        for link in robot.links
-    }
-    joints = {
-        f"joint {joint.name}": (joint.type, [_content(tag) for name in _OF_JOINT for tag in joint.tag.named(name)])
-        for joint in robot.joints
-    }
-    return {**links, **joints}
+    """Return the kinematic content of each link and joint, by `link NAME` and `joint NAME`, comparable by equality:
+    one for each element with the name."""
+    found: dict[str, list[object]] = {}
+    for link in robot.links:
+        content = [_content(tag) for name in _OF_LINK for tag in link.tag.named(name)]
+        found.setdefault(f"link {link.name}", []).append(content)
+    for joint in robot.joints:
+        content = [_content(tag) for name in _OF_JOINT for tag in joint.tag.named(name)]
+        found.setdefault(f"joint {joint.name}", []).append((joint.type, content))
+    return dict(found)
+
+
+def commanded_twice(robot: Robot) -> frozenset[str]:
+    """Return the joints that have commands in several places of `<ros2_control>`: a resource manager rejects these."""
+    joints = (part for component in robot.ros2_controls for part in component.of_kind("joint"))
+    counts = Counter(part.name for part in joints if part.commands and part.name)
+    return frozenset(name for name, count in counts.items() if count > 1)
 
 
 def differences(before: Mapping[str, object], after: Mapping[str, object]) -> Iterator[str]:
