@@ -73,6 +73,12 @@ def test_an_included_file_has_its_own_arguments(folder: Folder) -> None:
     assert [one["words"] for one in found] == [["x", "first"], ["y", "second"]]
 
 
+def test_a_world_that_is_empty_by_default_is_the_empty_one_of_gz(folder: Folder) -> None:
+    given = WORLD.replace("/>", '><arg name="world_name" value="$(arg map)"/></include>')
+    lines = ('<arg name="map" default=""/>', given, *SIMULATED[1:])
+    assert faults(run(folder, {"launch/a.launch": launch(*lines)})) == []
+
+
 def test_pass_all_args_gives_what_the_included_file_needs(folder: Folder) -> None:
     files = {
         "launch/a.launch": launch(

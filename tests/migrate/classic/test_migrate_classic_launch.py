@@ -268,3 +268,37 @@ def generate_launch_description():
 """
     files = {"urdf/base.xacro": base(CONTROL), "config/controllers.yaml": CONTROLLERS, "launch/sim.launch.py": launch}
     assert "gz has no argument physics: dropped" in migrated(folder, files)["MIGRATION.md"]
+
+
+EMPTY_BY_DEFAULT = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, OpaqueFunction
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration
+from launch_ros.substitutions import FindPackageShare
+
+
+def start(context):
+    world = LaunchConfiguration("map").perform(context)
+    file = PythonLaunchDescriptionSource([FindPackageShare("gazebo_ros"), "/launch/gazebo.launch.py"])
+    return [IncludeLaunchDescription(file, launch_arguments={"world": world}.items())]
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            DeclareLaunchArgument("map", default_value=""),
+            DeclareLaunchArgument("prefix", default_value=""),
+            OpaqueFunction(function=start),
+        ]
+    )
+"""
+
+
+def test_the_empty_default_of_an_argument_for_the_world_is_a_world(folder: Folder) -> None:
+    text = after(folder, "base.launch.py", EMPTY_BY_DEFAULT)
+    assert 'DeclareLaunchArgument("map", default_value="empty.sdf")' in text
+    assert 'DeclareLaunchArgument("prefix", default_value="")' in text
+    inside = '    <arg name="world" value="$(var map)"/>\n  '
+    in_xml = included(inside).replace("<launch>", '<launch>\n  <arg name="map" default=""/>', 1)
+    assert '<arg name="map" default="empty.sdf"/>' in after(folder, "base.launch.xml", in_xml)

@@ -7,7 +7,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from urdfctl.generate.files.bringup import gz_names
 from urdfctl.migrate.classic.initial_positions import joints_with_position
 from urdfctl.migrate.classic.starting import EMPTY_WORLDS, OPTIONS, SPAWN, GzOption, create_options
-from urdfctl.migrate.launch.actions import Action, PartOfText, Text, is_literal, joined, literal, parsed, plain
+from urdfctl.migrate.launch.actions import (
+    Action,
+    PartOfText,
+    Text,
+    all_actions,
+    is_literal,
+    joined,
+    literal,
+    parsed,
+    plain,
+)
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.bridge_file import bridge_file_of
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE
@@ -39,9 +49,13 @@ class Gz(NamedTuple):
 
     def started(self, actions: Sequence[Action]) -> Iterator[Action]:
         """Yield the actions that start in gz what some actions start in Gazebo Classic; others as they are."""
+        every = [one for one in all_actions(tuple(actions)) if starts_classic(one)]
+        worlds = {part.text for one in every for part in dict(one.pairs).get("world", ()) if part.kind == "arg"}
         for action in actions:
             if action.kind == "group":
                 yield action._replace(inner=tuple(self.started(action.inner)))
+            elif action.kind == "argument" and action.value == () and action.name in worlds:
+                yield action._replace(value=literal(_EMPTY))
             elif starts_classic(action):
                 its = self._simulator(dict(action.pairs))
                 yield from (one._replace(condition=action.condition) for one in its)

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
+from urdfctl.migrate.classic.empty_worlds import filled_defaults, reached
 from urdfctl.migrate.classic.launch_process import classic_processes
 from urdfctl.migrate.classic.starting import (
     ARGUMENTS,
@@ -74,16 +75,7 @@ class _ClassicLaunchFile:
     def _reached(self, call: ast.Call, scope: ast.AST) -> Iterator[ast.AST]:
         """The nodes of an expression, and of the values of the names in it."""
         source = keyword(call, "launch_description_source")
-        pending: list[ast.AST] = [*call.args[:1], *([source.value] if source else [])]
-        seen: set[str] = set()
-        while pending:
-            node = pending.pop()
-            yield node
-            pending += ast.iter_child_nodes(node)
-            if isinstance(node, ast.Name) and node.id not in seen:
-                seen.add(node.id)
-                value = self.file.value_of(node, scope)
-                pending += [] if value is node else [value]
+        return reached(self.file, [*call.args[:1], *([source.value] if source else [])], scope)
 
     # -- to gz ---------------------------------------------------------------------------------------------------------
 
@@ -95,6 +87,8 @@ class _ClassicLaunchFile:
         needed = [name for _, names in started for name in names]
         for call, scope, name in self.includes:
             edits += self._arguments(call, scope, name)
+            for key, item in self._pairs(call, scope)[1]:
+                edits += filled_defaults(self.file, item, scope) if key == "world" else []
         for call, _ in self.spawns:
             edits += self._without_options(call)
         edits += self._names()

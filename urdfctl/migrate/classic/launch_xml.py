@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
 from urdfctl.generate.text.scalars import xml_text
+from urdfctl.migrate.classic.empty_worlds import EMPTY
 from urdfctl.migrate.classic.starting import (
     CLIENT,
     FILES,
@@ -94,6 +95,7 @@ def _of_xml(packages: MigratedPackages, root: Element) -> Iterator[Edit]:
         if element.tagName == "include" and (name := _launched(attribute(element, "file"))) is not None:
             address = f"$(find-pkg-share {gz['package']})/launch/{gz['launch']}"
             yield Edit(_value(element, "file"), address)
+            yield from _filled_default(root, element)
             given = {attribute(one, "name"): attribute(one, "value") for one in children(element, "arg")}
             line = f'<arg name="{gz["argument"]}" value="{xml_text(_arguments(packages, name, given))}"/>'
             after = "" if has_bridge else _bridge_in_xml(packages, element, gz["bridge"], gz["messages"])
@@ -104,6 +106,15 @@ def _of_xml(packages: MigratedPackages, root: Element) -> Iterator[Edit]:
             yield Edit(_value(element, "exec"), "create")
             if attribute(element, "args"):
                 yield Edit(_value(element, "args"), _spawned(attribute(element, "args")))
+
+
+def _filled_default(root: Element, include: Element) -> Iterator[Edit]:
+    """The edit of an empty default of the argument that says which world is started."""
+    given = [attribute(one, "value") for one in children(include, "arg") if attribute(one, "name") == "world"]
+    for argument in elements(root):
+        is_empty = argument.tagName == "arg" and argument.attrs.get("default") == ""
+        if is_empty and f"$(var {attribute(argument, 'name')})" in given:
+            yield Edit(_value(argument, "default"), EMPTY)
 
 
 def _value(element: Element, name: str) -> SourceSpan:
