@@ -222,6 +222,40 @@ PROPOSALS = {
             f"{side}_arm_controller=trajectory:{side}_shoulder,{side}_elbow,{side}_wrist" for side in ("left", "right")
         ),
     ),
+    "a humanoid in camel case": (
+        tuple(
+            part
+            for side in ("L", "R")
+            for part in (
+                joint(f"{side}HipYaw", "base"),
+                joint(f"{side}HipPitch", f"{side}HipYaw_link"),
+                joint(f"{side}KneePitch", f"{side}HipPitch_link"),
+            )
+        ),
+        (
+            "left_leg_controller=trajectory:LHipYaw,LHipPitch,LKneePitch --controller "
+            "right_leg_controller=trajectory:RHipYaw,RHipPitch,RKneePitch"
+        ),
+    ),
+    "four legs without a word for them": (
+        tuple(
+            part
+            for side in ("lf", "rf", "lb", "rb")
+            for part in (
+                joint(f"base_{side}1", "base"),
+                joint(f"{side}1_{side}2", f"base_{side}1_link"),
+                joint(f"{side}2_{side}3", f"{side}1_{side}2_link"),
+            )
+        ),
+        " --controller ".join(
+            f"{name}_leg_controller=trajectory:base_{side}1,{side}1_{side}2,{side}2_{side}3"
+            for side, name in (("lf", "front_left"), ("rf", "front_right"), ("lb", "rear_left"), ("rb", "rear_right"))
+        ),
+    ),
+    "a head": (
+        (joint("HeadYaw", "base"), joint("HeadPitch", "HeadYaw_link")),
+        "head_controller=trajectory:HeadYaw,HeadPitch",
+    ),
 }  # fmt: skip
 
 

@@ -24,6 +24,19 @@ _SENSORS = {
     "battery_voltage": "battery_broadcaster",
 }
 _PARTS = ("arm", "leg", "head", "neck", "torso", "waist", "lift", "hand", "pan", "tail", "wing", "mast")
+_FINGERS = frozenset(("finger", "fingers", "thumb", "index", "middle", "ring", "pinky", "little", "knuckle"))
+_SIDES = {
+    **dict.fromkeys(("l", "left"), "left_"),
+    **dict.fromkeys(("r", "right"), "right_"),
+    **dict.fromkeys(("fl", "lf"), "front_left_"),
+    **dict.fromkeys(("fr", "rf"), "front_right_"),
+    **dict.fromkeys(("rl", "hl", "lh", "bl", "lb"), "rear_left_"),
+    **dict.fromkeys(("rr", "hr", "rh", "br", "rb"), "rear_right_"),
+}
+"""The words in names that say on which side a part is."""
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+_FEET = 4
+"""A robot with at least this many equal chains, of which nothing else is known, walks on them."""
 _ARM = 3
 """A chain of at least this many joints is called an arm if nothing else is known of it."""
 _ONLY_ROS2 = ("mecanum", "omni", "bicycle", "tricycle", "tricycle_steering")
@@ -87,6 +100,11 @@ def _of_base(base: Base, options: GeneratorOptions, offered: Mapping[str, tuple[
 
 def _of_chains(chains: Sequence[tuple[JointFacts, ...]]) -> Iterator[Request]:
     labels = [_label(chain) for chain in chains]
+    unnamed = [
+        chain for chain, label in zip(chains, labels, strict=True) if label == "arm" and not _names(chain, "arm")
+    ]
+    if len(unnamed) >= _FEET and len({len(chain) for chain in unnamed}) == 1:
+        labels = ["leg" if chain in unnamed else label for chain, label in zip(chains, labels, strict=True)]
     for chain, label in zip(chains, labels, strict=True):
         prefix = _prefix(chain, label) if labels.count(label) > 1 else ""
         yield Request(f"{prefix}{label}_controller", "trajectory", tuple(joint.name for joint in chain))
@@ -120,7 +138,9 @@ def _of_sensors(robot: RobotFacts) -> Iterator[Request]:
 
 def _label(chain: Sequence[JointFacts]) -> str:
     """What a chain is, from the words in the names of its joints and links."""
-    words = [re.split(r"[^a-z]+", f"{joint.name} {joint.link or ''}".lower()) for joint in chain]
+    words = [_words(f"{joint.name} {joint.link or ''}") for joint in chain]
+    if sum(not _FINGERS.isdisjoint(of_joint) for of_joint in words) > len(words) / 2:
+        return "hand"
     bent = len(chain) >= _ARM and any(part in of_joint for of_joint in words for part in ("shoulder", "elbow", "wrist"))
     for part in ("leg", "arm") if bent else _PARTS:
         if any(part in of_joint for of_joint in words):
@@ -130,13 +150,30 @@ def _label(chain: Sequence[JointFacts]) -> str:
     return "arm" if len(chain) >= _ARM else "joint"
 
 
+def _words(name: str) -> list[str]:
+    """The words of a name in lower case, also of one in camelCase."""
+    return [word.lower() for word in _WORD.findall(name)]
+
+
+def _names(chain: Sequence[JointFacts], part: str) -> bool:
+    """Whether a joint of a chain is named after a part."""
+    return any(part in word for joint in chain for word in _words(f"{joint.name} {joint.link or ''}"))
+
+
+def _side(chain: Sequence[JointFacts]) -> str:
+    """The side that the names of all joints of a chain say, such as `left_`; empty if they do not agree."""
+    of_joints = [{_SIDES[word] for word in _words(joint.name) if word in _SIDES} for joint in chain]
+    common = set.intersection(*of_joints) if of_joints else set()
+    return common.pop() if len(common) == 1 else ""
+
+
 def _prefix(chain: Sequence[JointFacts], label: str) -> str:
     """What the names of a chain's joints begin with, in words, such as `left_`."""
     first, last = min(joint.name for joint in chain), max(joint.name for joint in chain)
     common = "".join(a for a, _ in takewhile(lambda pair: pair[0] == pair[1], zip(first, last, strict=False)))
     words = re.split(r"[^A-Za-z0-9]+", common if len(chain) == 1 else common.rpartition("_")[0])
     kept = [word for word in words if word and word.lower() not in (label, "joint", "finger", "j")]
-    return "".join(f"{word.lower()}_" for word in kept[:2] if not word[0].isdigit())
+    return "".join(f"{word.lower()}_" for word in kept[:2] if not word[0].isdigit()) or _side(chain)
 
 
 def _numbered(requests: Sequence[Request]) -> Iterator[Request]:
