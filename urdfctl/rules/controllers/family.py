@@ -30,7 +30,6 @@ from urdfctl.rules.controllers.list_of_several_types import list_of_several_type
 from urdfctl.rules.controllers.manager_name_misspelt import manager_name_misspelt
 from urdfctl.rules.controllers.map_in_list import map_in_list
 from urdfctl.rules.controllers.node_name_unusable import node_name_unusable
-from urdfctl.rules.controllers.number_not_finite import number_not_finite
 from urdfctl.rules.controllers.parameter_deprecated import parameter_deprecated
 from urdfctl.rules.controllers.parameter_missing import parameter_missing
 from urdfctl.rules.controllers.parameter_of_no_element import parameter_of_no_element
@@ -104,5 +103,4 @@ FAULTS: tuple[Fault, ...] = (
     wheel_radius_not_in_robot,
     joint_unlike_its_controller,
     stand_in_left,
-    number_not_finite,
 )

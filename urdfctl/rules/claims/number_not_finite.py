@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.entries import ParameterEntry
+from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.catalog.values import elements
 from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.parameters import known_as
 
 _BOUNDS = (
     "max",
@@ -77,7 +77,7 @@ def number_not_finite(project: Project) -> Iterator[Finding]:
 
 def _not_finite(reader: Reader) -> Iterator[Finding]:
     for given in reader.located:
-        matched = known_as(reader, given.name)
+        matched = matching(given.name, reader.known)
         if matched is None or not _odd(reader.given.get(given.name)):
             continue
         parameter, value = reader.known[matched[0]], reader.given[given.name]
