@@ -60,11 +60,11 @@ def _in_files(known: tuple[KnownMessage, ...], files: CheckedFolder | None) -> t
 def _after_checking(known: Iterable[KnownMessage], files: CheckedFolder) -> tuple[NextCommand, ...]:
     """The commands to run after the causes were searched in a folder."""
     found = [found.code for entry in known for cause in entry.reading.causes for found in cause.found]
-    explain = (NextCommand(f"urdfctl explain {found[0]}", "explains the rule, with an example"),) if found else ()
+    offered = [NextCommand(f"urdfctl explain {found[0]}", "explains the rule, with an example")] if found else []
     sure = [found.code for entry in known for cause in entry.reading.causes for found in cause.found if found.fixable]
     select = ",".join(dict.fromkeys(sure))
     repair = f"urdfctl lint {files.folder} --fix --select {select}"
-    explain += (NextCommand(repair, "repairs what caused it, tested on all robots"),) if sure else ()
+    offered += [NextCommand(repair, "repairs what caused it, tested on all robots")] if sure else []
     errors = f"{files.others} {'other ' if found else ''}error{'' if files.others == 1 else 's'}"
     purpose = f"shows {errors} in these files" if files.others else "shows all findings in these files"
-    return (*explain, NextCommand(f"urdfctl lint {files.folder}", purpose))
+    return (*offered, NextCommand(f"urdfctl lint {files.folder}", purpose))
