@@ -11,8 +11,8 @@ A migration is made in a copy of the packages (`Scratch`), judged there, and wri
   `crosses("jazzy")`. All paths are of the copy; the report shows the real ones. A created launch file is linted, too.
 - Edits that keep comments and formatting are in `edits/`: `yaml_edits.py` (entries of maps), `xml_edits.py`
   (elements), `markup.py` (attributes and texts), `python_edits.py` (calls, lists, imports), `tokens.py` (values
-  wherever they are). `shared/controller_files.py` finds the sections of controller files with their types, whether a launch file
-  loads them or not.
+  wherever they are). `shared/controller_files.py` finds the sections of controller files with their types, whether a
+  launch file loads them or not.
 - Entries: `ReportEntry(EntryKind.DONE | DECIDED | FOR_YOU, message, place, authority=, option=)`. What a person must
   decide is `todo.for_you(place, text)`: a TODO comment in the line above, and its entry. UC708 finds the TODOs.
 - The engine (`engine.py`) applies the steps in the order of `steps.py` (`attempt.py`) and lints the result for the
