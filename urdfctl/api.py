@@ -120,9 +120,9 @@ def migrate(*paths: Path, to: str, **options: Any) -> Migration:
     report. Nothing is written."""
     from urdfctl.commands.migrate import migration_of, settings_in
     from urdfctl.migrate import engine
-    from urdfctl.migrate.linting import Lint
-    from urdfctl.migrate.scratch import Scratch
     from urdfctl.migrate.steps import STEPS
+    from urdfctl.migrate.trial.linting import Lint
+    from urdfctl.migrate.trial.scratch import Scratch
 
     with (
         _options("migrate", options, paths=_words(paths, None), to=to) as given,

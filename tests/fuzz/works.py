@@ -25,8 +25,8 @@ from urdfctl.graph.job import graph_work
 from urdfctl.graph.parts import Graph
 from urdfctl.graph.text_formats import dot, mermaid
 from urdfctl.graph.view import collapsed, readable
+from urdfctl.lint.findings.merging import merge
 from urdfctl.lint.job import WorkFunction, job_for, lint_work, perform_alone, variants_work
-from urdfctl.lint.merging import merge
 from urdfctl.lint.results import Report
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import result_from_json
@@ -37,8 +37,8 @@ from urdfctl.migrate.engine import migrate
 from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.packages import Linted
 from urdfctl.migrate.report import as_json, as_markdown
-from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.steps import STEPS
+from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.report import FORMATS, render
 from urdfctl.smoke.run import load_and_judge
 from urdfctl.trace.job import why_work

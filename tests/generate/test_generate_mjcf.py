@@ -15,7 +15,7 @@ from sampling import sample
 from uncontrolled_robots import ROBOTS
 
 from urdfctl.config.settings import Settings
-from urdfctl.load.description import expansion_of
+from urdfctl.load.expansion.description import expansion_of
 from urdfctl.load.loader import Loader
 from urdfctl.model.geometry import cross, dot, minus, product, transposed, turned
 from urdfctl.model.robot.build_robot import robot_of

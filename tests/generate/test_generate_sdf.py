@@ -11,7 +11,7 @@ from folder import Folder
 from generating import command
 
 from urdfctl.config.settings import Settings
-from urdfctl.load.description import expansion_of
+from urdfctl.load.expansion.description import expansion_of
 from urdfctl.load.loader import Loader
 from urdfctl.model.geometry import Pose, Rotation, Vector, about, scaled
 from urdfctl.model.robot import Robot

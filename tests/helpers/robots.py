@@ -7,7 +7,7 @@ from typing import Any
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.lint.merging import merge
+from urdfctl.lint.findings.merging import merge
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader

@@ -8,8 +8,8 @@ import pytest
 from folder import Folder
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
-from urdfctl.lint.causes import LINKS, without_consequences
-from urdfctl.lint.merging import merge
+from urdfctl.lint.findings.causes import LINKS, without_consequences
+from urdfctl.lint.findings.merging import merge
 from urdfctl.lint.results import Outcome
 from urdfctl.lint.selection import Selection
 from urdfctl.rules import all_faults

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Severity, ShownEdit
-from urdfctl.lint.grouping import grouped
-from urdfctl.lint.likeness import difference
+from urdfctl.lint.findings.grouping import grouped
+from urdfctl.lint.findings.likeness import difference
 from urdfctl.report.words import likewise
 
 

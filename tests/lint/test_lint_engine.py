@@ -13,7 +13,7 @@ from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Finding, Location, Severity
 from urdfctl.errors import UserError
 from urdfctl.lint.engine import lint
-from urdfctl.lint.merging import merge, worst
+from urdfctl.lint.findings.merging import merge, worst
 from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.lint.serialising import result_from_json, result_to_json

@@ -13,9 +13,9 @@ from urdfctl.diagnostic import Severity
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
-from urdfctl.load.distro import weighed
-from urdfctl.load.evidence import EXPLICIT, ROS1
 from urdfctl.load.loader import Loader
+from urdfctl.load.origin.distro import weighed
+from urdfctl.load.origin.evidence import EXPLICIT, ROS1
 from urdfctl.load.target import Target
 from urdfctl.model.project import Evidence, EvidenceItem, Project
 

@@ -19,12 +19,12 @@ from migrated_packages import FILES, MANIFEST, MIGRATED, ROBOT, content
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.engine import Migration, migrate
-from urdfctl.migrate.linting import Lint
 from urdfctl.migrate.options import MigrationOptions, Part
 from urdfctl.migrate.packages import Linted, MigratedPackages
 from urdfctl.migrate.report import ReportLine, as_markdown
-from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
+from urdfctl.migrate.trial.linting import Lint
+from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.output.change import Change
 from urdfctl.output.journal import restore_unfinished
 from urdfctl.output.writing_all import write_all

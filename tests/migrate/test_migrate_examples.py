@@ -18,11 +18,11 @@ from urdfctl.fault import Example
 from urdfctl.lint.examples import write_files
 from urdfctl.migrate import distro
 from urdfctl.migrate.engine import migrate
-from urdfctl.migrate.linting import Lint
 from urdfctl.migrate.options import MigrationOptions
-from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import Step
 from urdfctl.migrate.steps import STEPS
+from urdfctl.migrate.trial.linting import Lint
+from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.rules.examples import completed
 
 EXAMPLES = {

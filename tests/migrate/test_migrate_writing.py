@@ -134,7 +134,7 @@ changes = [Change(os.path.realpath(name), b"1", b"2") for name in ("a", "b")]
 sys.exit(len(write_changes(changes, ("MIGRATION.md", b"2"))))
 """
 AS_COPY = """
-from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.trial.scratch import Scratch
 scratch = Scratch(["arm"])
 for name in ("copyfile", "copymode"):
     killing(shutil, name)

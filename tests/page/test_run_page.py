@@ -16,7 +16,7 @@ from smoking import smoked, target_of, whole
 from smoking_engines import needs_pybullet
 
 from urdfctl.config.settings import Settings
-from urdfctl.lint.merging import merge
+from urdfctl.lint.findings.merging import merge
 from urdfctl.lint.selection import Selection
 from urdfctl.page.chart import chart
 from urdfctl.page.run import RunFacts, smoke_page

@@ -12,8 +12,8 @@ import pytest
 from folder import Folder, environment
 
 from urdfctl.diagnostic import CallStep, Diagnostic, Finding, Location, Remark, Repair, Severity, ShownEdit, diagnosed
-from urdfctl.lint.causes import EXPLAINS
-from urdfctl.lint.ranking import causes_first
+from urdfctl.lint.findings.causes import EXPLAINS
+from urdfctl.lint.findings.ranking import causes_first
 from urdfctl.lint.results import Outcome, Report, TargetResult
 from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json
 from urdfctl.output.printing import visible

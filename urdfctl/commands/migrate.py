@@ -17,13 +17,13 @@ from urdfctl.commands.words import configured, settings_from
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.migrate.engine import MENDING, Migration, migrate
-from urdfctl.migrate.linting import Lint
 from urdfctl.migrate.options import MigrationOptions, Part
 from urdfctl.migrate.proof import commands_for
 from urdfctl.migrate.report import as_json, as_markdown
-from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind
 from urdfctl.migrate.steps import STEPS
+from urdfctl.migrate.trial.linting import Lint
+from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.migrate.writing import write_changes, write_copy
 from urdfctl.names import did_you_mean
 from urdfctl.output.answer import CommandAnswer, FileState

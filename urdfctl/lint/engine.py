@@ -60,7 +60,7 @@ def _known(findings: Iterable[Finding], sources: Sequence[SourceText]) -> Iterat
         if UNKNOWN not in finding.message:
             yield finding
             continue
-        from urdfctl.lint.unknown_names import as_written
+        from urdfctl.lint.findings.unknown_names import as_written
 
         written = as_written(finding, sources)
         if written is not None:

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 from urdfctl.discover.backups import is_backup
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.lint.elimination import pairs_by_elimination
+from urdfctl.lint.findings.weakening import as_started, as_unused, as_used
 from urdfctl.lint.joining import Joined, is_lonely, joined, starts_in, targets_near, unjoined
 from urdfctl.lint.planning import Arguments, Plan, PlannedTarget, TargetOrigin, is_launched_already, with_bringups
 from urdfctl.lint.results import TargetResult, Unjoined
-from urdfctl.lint.weakening import as_started, as_unused, as_used
 from urdfctl.load.target import Target
 from urdfctl.source.disk.files import is_launch
 from urdfctl.startup.records import NamedTuple

@@ -15,12 +15,13 @@ from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.errors import UserError
-from urdfctl.lint import merging, planning
-from urdfctl.lint.grouping import grouped
+from urdfctl.lint import planning
+from urdfctl.lint.findings import merging
+from urdfctl.lint.findings.grouping import grouped
+from urdfctl.lint.findings.ranking import causes_first
 from urdfctl.lint.job import Workers, launch_variants, lint_all
 from urdfctl.lint.judging import LintRun, judge
 from urdfctl.lint.planning import Arguments, Plan, of_shard
-from urdfctl.lint.ranking import causes_first
 from urdfctl.lint.results import Report, TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.load.loader import Loader

@@ -11,9 +11,9 @@ from urdfctl.lint.generated import twin_digest
 from urdfctl.lint.results import Outcome, TargetResult, among
 from urdfctl.lint.selection import Selection
 from urdfctl.load.bringup import bringup_of
-from urdfctl.load.distro import without_prose
 from urdfctl.load.join_facts import join_facts
 from urdfctl.load.loader import LoadedTarget, Loader
+from urdfctl.load.origin.distro import without_prose
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
 from urdfctl.source.disk.files import is_launch
@@ -110,7 +110,7 @@ def _outcome(project: Project, run: Run) -> Outcome:
     evidence = project.evidence and without_prose(project.evidence)
     if not evidence or evidence.distros == project.distros or evidence.ros != project.ros or not outcome.has_errors:
         return outcome
-    from urdfctl.lint.weakening import OF_PROSE, weakened
+    from urdfctl.lint.findings.weakening import OF_PROSE, weakened
 
     without = run(project._replace(distro=evidence.distro, distros=evidence.distros, evidence=evidence))
     return weakened(outcome, [without.only_errors()], OF_PROSE)
@@ -118,7 +118,7 @@ def _outcome(project: Project, run: Run) -> Outcome:
 
 def _guessed(project: Project, run: Run) -> Outcome:
     """The outcome of a launch file whose arguments are guessed: only the robot alone can have errors."""
-    from urdfctl.lint.weakening import GUESSED, weakened
+    from urdfctl.lint.findings.weakening import GUESSED, weakened
 
     alone = run(project._replace(controllers=None, started=None, launch=None))
     return weakened(run(project), [alone], GUESSED)

@@ -6,8 +6,8 @@ import os
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from urdfctl.load.description import MakeExpander
-from urdfctl.load.expanding import expanded
+from urdfctl.load.expansion.description import MakeExpander
+from urdfctl.load.expansion.expanding import expanded
 from urdfctl.load.meshes import mesh_finder
 from urdfctl.model.robot import Robot
 from urdfctl.model.robot.build_robot import robot_of

@@ -11,10 +11,10 @@ from urdfctl.config.file import NAMES as CONFIG_NAMES
 from urdfctl.config.file import config_for
 from urdfctl.config.settings import ALL_STARTED, Settings
 from urdfctl.load.build_files import absent_sources
-from urdfctl.load.distro import Beside, detect_distro
-from urdfctl.load.evidence import ament_package
 from urdfctl.load.known import Described, KnownRobots
 from urdfctl.load.open_decisions import decisions_in, unread
+from urdfctl.load.origin.distro import Beside, detect_distro
+from urdfctl.load.origin.evidence import ament_package
 from urdfctl.load.target import Target
 from urdfctl.model.project import NO_OWN_TYPES, Evidence, OwnTypes, Project
 from urdfctl.model.robot import Robot

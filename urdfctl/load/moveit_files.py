@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 
-from urdfctl.load.description import expansion_of
+from urdfctl.load.expansion.description import expansion_of
 from urdfctl.model.controllers import FileReference, MoveItController
 from urdfctl.model.launch import Launch
 from urdfctl.model.moveit import MoveIt, MoveItFiles, Pipeline, Semantic

@@ -7,22 +7,22 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from urdfctl.catalog.distros import ROS1
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.lint.grouping import grouped
+from urdfctl.lint.findings.grouping import grouped
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.migrate.acceptance import Before, Objection, before
-from urdfctl.migrate.attempt import Attempt, Key, Noted
 from urdfctl.migrate.fixes import fixes_of_lint
 from urdfctl.migrate.installs import installs_for_launch_files
 from urdfctl.migrate.inventory import inventory
-from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.origins import check_direction, origins
 from urdfctl.migrate.packages import Lint, Linted, MigratedPackages
 from urdfctl.migrate.report import ReportLine
-from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind, Step
 from urdfctl.migrate.todo import without_punctuation
-from urdfctl.migrate.trials import Trials
+from urdfctl.migrate.trial.acceptance import Before, Objection, before
+from urdfctl.migrate.trial.attempt import Attempt, Key, Noted
+from urdfctl.migrate.trial.memory import Memory
+from urdfctl.migrate.trial.scratch import Scratch
+from urdfctl.migrate.trial.trials import Trials
 from urdfctl.output.change import Change, bytes_of
 from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import SourceText

@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2, since
 from urdfctl.migrate.report import ReportLine
-from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind
+from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.output.change import Change
 from urdfctl.source.disk.files import first_bytes
 from urdfctl.startup.records import NamedTuple

@@ -10,7 +10,7 @@ from urdfctl.errors import UserError
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
 from urdfctl.migrate.options import MigrationOptions
-from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.source.disk.files import is_launch
 from urdfctl.source.workspaces.packages import package_around
 from urdfctl.startup.records import NamedTuple

@@ -11,10 +11,10 @@ from urdfctl.config.settings import Settings
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
-from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.origins import Origins
-from urdfctl.migrate.scratch import Scratch, WrittenFile
+from urdfctl.migrate.trial.memory import Memory
+from urdfctl.migrate.trial.scratch import Scratch, WrittenFile
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.disk.files import MAX_BYTES, first_bytes
 from urdfctl.source.disk.gate import exists

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Sequence
 
-from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.output.change import Change
 from urdfctl.source.disk.files import is_launch
 from urdfctl.source.workspaces.packages import package_around, package_name

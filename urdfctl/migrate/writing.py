@@ -8,7 +8,7 @@ import stat
 from collections.abc import Iterator, Sequence
 
 from urdfctl.errors import UserError
-from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.output.change import Change, bytes_of
 from urdfctl.output.links import destination
 from urdfctl.output.scratch import scratch_folder

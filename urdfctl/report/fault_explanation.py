@@ -8,7 +8,7 @@ import textwrap
 from urdfctl.catalog.distros import in_words
 from urdfctl.fault import Fault, Runtime
 from urdfctl.lint.examples import written
-from urdfctl.lint.merging import merge
+from urdfctl.lint.findings.merging import merge
 from urdfctl.lint.results import Report
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.diagnostic import CallStep, Diagnostic, Location, Remark, Repair
-from urdfctl.lint.likeness import named
+from urdfctl.lint.findings.likeness import named
 from urdfctl.lint.results import Unjoined
 from urdfctl.report.common import shown
 

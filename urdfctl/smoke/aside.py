@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from urdfctl.lint.findings.weakening import ASIDE, folder_aside, weakened
 from urdfctl.lint.planning import PlannedTarget, TargetOrigin
-from urdfctl.lint.weakening import ASIDE, folder_aside, weakened
 from urdfctl.smoke.results import ControllerResult, RobotResult, Verdict
 
 

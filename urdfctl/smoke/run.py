@@ -17,8 +17,8 @@ from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.errors import UserError
+from urdfctl.lint.findings.merging import merge
 from urdfctl.lint.job import Work, Workers, failed, run_on_targets, shared_loader
-from urdfctl.lint.merging import merge
 from urdfctl.lint.planning import Arguments, PlannedTarget, discovered, of_shard, planned
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import LintedTarget, lint_target

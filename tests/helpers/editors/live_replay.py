@@ -16,7 +16,7 @@ from typing import Any
 from edits import edited
 from folder import environment
 
-from urdfctl.lint.grouping import grouped
+from urdfctl.lint.findings.grouping import grouped
 from urdfctl.lint.live import Outdated
 from urdfctl.report.common import as_json, relative
 from urdfctl.report.json_report import finding

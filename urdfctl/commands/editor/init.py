@@ -20,7 +20,7 @@ from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.generate.robot.job import measure_robot
-from urdfctl.lint.merging import merge, outcomes_of
+from urdfctl.lint.findings.merging import merge, outcomes_of
 from urdfctl.lint.planning import discovered
 from urdfctl.lint.run import LintRequest, lint
 from urdfctl.lint.selection import Selection

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfctl.fix.rounds import FixOptions, fixed
-from urdfctl.lint.grouping import grouped
+from urdfctl.lint.findings.grouping import grouped
 from urdfctl.lint.judging import LintRun
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.run import LintRequest, merge

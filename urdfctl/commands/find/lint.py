@@ -21,8 +21,8 @@ from urdfctl.commands.words import (
 )
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
+from urdfctl.lint.findings.merging import worst
 from urdfctl.lint.judging import LintRun
-from urdfctl.lint.merging import worst
 from urdfctl.lint.results import Report
 from urdfctl.lint.run import LintRequest, lint, report
 from urdfctl.lint.selection import Selection, selection_with

@@ -25,7 +25,7 @@ from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
-from urdfctl.lint.merging import worst
+from urdfctl.lint.findings.merging import worst
 from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.names import nearest_path
 from urdfctl.output.links import check_output

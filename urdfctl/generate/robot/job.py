@@ -18,9 +18,9 @@ from urdfctl.lint.engine import lint
 from urdfctl.lint.job import Work, WorkFunction, run_on_one
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import outcome_to_json
-from urdfctl.load.description import expansion_of
-from urdfctl.load.distro import Beside, detect_distro
+from urdfctl.load.expansion.description import expansion_of
 from urdfctl.load.meshes import mesh_path
+from urdfctl.load.origin.distro import Beside, detect_distro
 from urdfctl.load.target import Target
 from urdfctl.model.geometry import Vector
 from urdfctl.model.project import Project

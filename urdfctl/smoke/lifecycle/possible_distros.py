@@ -8,9 +8,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint.engine import lint
+from urdfctl.lint.findings.weakening import is_weakened
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import LintedTarget
-from urdfctl.lint.weakening import is_weakened
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage
 from urdfctl.names import enumerated
 from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.migrate.kinematics import commanded_twice, differences, kinematics
 from urdfctl.migrate.packages import Linted
+from urdfctl.migrate.trial.kinematics import commanded_twice, differences, kinematics
 from urdfctl.startup.records import NamedTuple
 
 _MIGRATION = "UC7"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfctl.load.description import ExpandedDescription, MakeExpander, expanded_by, is_library, names_twice
+from urdfctl.load.expansion.description import ExpandedDescription, MakeExpander, expanded_by, is_library, names_twice
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.xacro.expanded import HARMLESS
@@ -23,13 +23,13 @@ def expanded(
     expander.any_argument = alone
     first = expanded_by(expander, path, arguments)
     if any(problem.kind is ProblemKind.PREFIX_MISSING for problem in first.expansion.problems):
-        from urdfctl.load.incomplete import expanded_with_prefixes
+        from urdfctl.load.expansion.incomplete import expanded_with_prefixes
 
         return expanded_with_prefixes(make, path, arguments, alone=alone, first=first)
     is_plain = not first.expander.macros and all(p.kind in HARMLESS for p in first.expansion.problems)
     if is_plain or (first.expansion.complete and not is_library(first.expansion)):
         return _with_distinct_names(make, path, arguments, first) if alone and names_twice(first.expansion) else first
-    from urdfctl.load.incomplete import completed
+    from urdfctl.load.expansion.incomplete import completed
 
     return completed(make, path, arguments, alone=alone, first=first)
 
@@ -49,6 +49,6 @@ def _kind(fragment: bool, arguments: Mapping[str, str]) -> type[Expander]:  # no
 def _with_distinct_names(
     make: MakeExpander, path: str, arguments: Mapping[str, str], first: ExpandedDescription
 ) -> ExpandedDescription:
-    from urdfctl.load.incomplete import expanded_with_distinct_names
+    from urdfctl.load.expansion.incomplete import expanded_with_distinct_names
 
     return expanded_with_distinct_names(make, path, arguments, first=first)

@@ -9,11 +9,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
 from urdfctl.fix.edits import Shift, Splice, Taken, clash, edited
-from urdfctl.migrate.acceptance import Before, Objection, objections
 from urdfctl.migrate.edits.python_edits import is_python
 from urdfctl.migrate.packages import Lint, Linted, MigratedPackages
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.migrate.todo import with_todos
+from urdfctl.migrate.trial.acceptance import Before, Objection, objections
 from urdfctl.output.change import bytes_of
 
 MOST_ROUNDS = 12

@@ -10,9 +10,9 @@ from urdfctl.lint.judging import judge
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.run import InWorkers, LintRequest, Watch, find, in_workers, plan, unwatched
 from urdfctl.load.target import Target
-from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.packages import Linted
-from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.trial.memory import Memory
+from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.source.disk.files import is_launch, is_yaml
 from urdfctl.startup.records import NamedTuple
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.lint.causes import EXPLAINS
+from urdfctl.lint.findings.causes import EXPLAINS
 from urdfctl.rules import FAMILIES
 
 _TURN = {"reading": 0, "urdf": 1, "transmissions": 2, "ros2_control": 2, "simulation": 2}

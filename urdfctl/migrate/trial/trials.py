@@ -7,11 +7,11 @@ from collections.abc import Callable, Collection, Generator, Iterator, Mapping, 
 from itertools import takewhile
 
 from urdfctl.config.settings import Settings
-from urdfctl.migrate.acceptance import Before, Objection, errors_in
-from urdfctl.migrate.attempt import Attempt, Barred, Key, Noted
 from urdfctl.migrate.packages import Lint, MigratedPackages
-from urdfctl.migrate.scratch import WrittenFile
 from urdfctl.migrate.step import Step
+from urdfctl.migrate.trial.acceptance import Before, Objection, errors_in
+from urdfctl.migrate.trial.attempt import Attempt, Barred, Key, Noted
+from urdfctl.migrate.trial.scratch import WrittenFile
 from urdfctl.startup.records import NamedTuple
 
 MOST_ATTEMPTS = 24

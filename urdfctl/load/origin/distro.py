@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ALL, MAINTAINED, ROS2
 from urdfctl.config.settings import Settings
-from urdfctl.load.evidence import (
+from urdfctl.load.origin.evidence import (
     EXPLICIT,
     ROS1,
     items_of_controllers,
@@ -18,7 +18,7 @@ from urdfctl.load.evidence import (
     items_of_package,
     items_of_robot,
 )
-from urdfctl.load.repository import PROSE, items_of_repository
+from urdfctl.load.origin.repository import PROSE, items_of_repository
 from urdfctl.model.project import Evidence, EvidenceItem
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import SourceText

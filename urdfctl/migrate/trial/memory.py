@@ -6,7 +6,7 @@ import os
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from typing import Generic, TypeVar
 
-from urdfctl.migrate.scratch import Scratch, WrittenFile
+from urdfctl.migrate.trial.scratch import Scratch, WrittenFile
 from urdfctl.startup.records import NamedTuple
 
 Value = TypeVar("Value")

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from urdfctl.catalog.distros import APPLIES
 from urdfctl.diagnostic import Diagnostic, Remark, Repair, Severity, ShownEdit
-from urdfctl.lint.likeness import shape
+from urdfctl.lint.findings.likeness import shape
 
 MOST_ERRORS = 3
 """Up to this many equal errors in a file are shown one by one, each with its line: each must be repaired."""

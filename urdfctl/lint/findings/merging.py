@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
-from urdfctl.lint.causes import LINKS_OF_RUN, without_consequences
-from urdfctl.lint.likeness import difference
+from urdfctl.lint.findings.causes import LINKS_OF_RUN, without_consequences
+from urdfctl.lint.findings.likeness import difference
 from urdfctl.lint.results import Outcome, SuppressionUse, TargetResult
 from urdfctl.lint.selection import Selection
 
@@ -114,7 +114,7 @@ def outcomes_of(results: Iterable[TargetResult]) -> list[Outcome]:
     """Return the outcomes of targets. A finding of such a rule is info if the part suits another robot of the run."""
     results = list(results)
     if len(results) > 1:
-        from urdfctl.lint.holders import with_robots
+        from urdfctl.lint.findings.holders import with_robots
 
         results = with_robots(results, _OF_OTHER_ROBOTS)
     shown = Counter(place for result in results for place in _places(result.outcome))

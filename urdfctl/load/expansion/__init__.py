@@ -1,0 +1,1 @@
+"""Expand descriptions, as well as possible without what is missing."""

@@ -1,0 +1,1 @@
+"""Which distro and simulator a robot is for, from what indicates it."""
