@@ -28,7 +28,8 @@ def generate_launch_description():
             " namespace:='",
             LaunchConfiguration("namespace"),
             "'",
-        ]
+        ],
+        on_stderr="warn",  # a warning of xacro does not end the launch
     )
     robot_description = {"robot_description": ParameterValue(xacro, value_type=str)}
 
