@@ -118,8 +118,9 @@ def settings_to_check(config: Config, options: StartOptions, named: Sequence[str
 
 
 def contradictions(config: Config, distro: str | None) -> Iterator[str]:
-    """Yield that the command line names another distro than the configuration, if it does."""
-    if distro and config.distro and config.distro_from and distro != config.distro:
+    """Yield that the command line names another distro than the project's file; a variable is meant to be replaced."""
+    is_of_file = config.distro_from is not None and not config.distro_from.startswith("$")
+    if distro and config.distro and is_of_file and distro != config.distro:
         yield f"--distro {distro} is used, although {config.distro_from} says '{config.distro}'"
 
 
