@@ -18,7 +18,10 @@ from urdfctl.model.launch import Launch
 
 WEIGHT = '<inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>'
 ROBOT = f"""<robot name="cart"><link name="root"/>
-  <joint name="fix" type="fixed"><parent link="root"/><child link="base"/></joint><link name="base">{WEIGHT}</link>
+  <joint name="fix" type="fixed"><parent link="root"/><child link="base"/></joint>
+  <link name="base">{WEIGHT}
+    <collision><origin xyz="0.2 0 -0.05"/><geometry><sphere radius="0.05"/></geometry></collision>
+    <collision><origin xyz="-0.2 0 -0.05"/><geometry><sphere radius="0.05"/></geometry></collision></link>
   <link name="left">{WEIGHT}<collision><geometry><sphere radius="0.1"/></geometry></collision></link>
   <link name="right">{WEIGHT}<collision><geometry><sphere radius="0.1"/></geometry></collision></link>
   <joint name="left_wheel" type="continuous"><parent link="base"/><child link="left"/>
