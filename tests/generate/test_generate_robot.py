@@ -367,7 +367,7 @@ def test_what_the_robot_is_given_is_passed_on(folder: Folder, tmp_path: Path) ->
     assert """" side:='",\n            LaunchConfiguration("side"),\n            "'",""" in launch
     for form, default in (("xml", 'default="right"'), ("yaml", 'default: "right"')):
         launch = command("gen-launch", "urdf/r.xacro", "side:=right", *words, "--form", form).stdout
-        assert "urdf/r.xacro side:=$(var side)')" in launch
+        assert "urdf/r.xacro side:=$(var side)' 'warn')" in launch
         assert default in launch
     launch = command("gen-launch", "urdf/r.xacro", "--type", "velocity", "--distro", "noetic").stdout
     assert '<arg name="side" default="left"/>' in launch

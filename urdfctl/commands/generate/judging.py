@@ -87,9 +87,11 @@ def judged(made: list[File], robot: RobotFacts, settings: Settings, *, repaired:
     return _judgement(checked.result)._replace(checked=checked)
 
 
-def with_motion(judgement: Judgement, settings: Settings) -> Judgement:
-    """Return a judgement with what an engine finds when the controllers move; the same if no engine is installed."""
-    if judgement.checked is None or judgement.fatal or not installed():
+def with_motion(judgement: Judgement, robot: RobotFacts, settings: Settings) -> Judgement:
+    """Return a judgement with what an engine finds when the controllers move; the same if no engine is installed, or if
+    the robot has no masses, without which no engine moves it."""
+    is_movable = any(joint.inertia for joint in robot.joints)
+    if judgement.checked is None or judgement.fatal or not is_movable or not installed():
         return judgement
     [result] = move([judgement.checked], _request(), settings)
     return _judgement(result)

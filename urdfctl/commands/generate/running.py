@@ -193,7 +193,7 @@ def _judged(made: Made, options: GenerateOptions, settings: Settings, make: Call
         if not tried.gains:
             made, judgement = faster._replace(notices=made.notices), tried
             break
-    return made._replace(judgement=with_motion(judgement, asked))
+    return made._replace(judgement=with_motion(judgement, made.robot or NO_ROBOT, asked))
 
 
 def _no_joints(robot: RobotFacts | None) -> str:
