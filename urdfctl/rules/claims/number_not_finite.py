@@ -13,19 +13,7 @@ from urdfctl.catalog.values import elements
 from urdfctl.control.parameters.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
 
-_BOUNDS = (
-    "max",
-    "min",
-    "limit",
-    "clamp",
-    "tolerance",
-    "timeout",
-    "goal",
-    "goal_time",
-    "trajectory",
-    "threshold",
-    "effort",
-)
+_BOUNDS = ("max", "clamp", "tolerance", "timeout", "goal", "trajectory", "threshold")
 """Parts of names of parameters in which infinity means that there is no bound."""
 _BASE = """
     controller_manager:
@@ -39,6 +27,22 @@ _BASE = """
         wheel_separation: %s
         wheel_radius: 0.1
         linear.x.max_velocity: %s
+"""
+_TRAJECTORIES = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        arm: {type: joint_trajectory_controller/JointTrajectoryController}
+        hand: {type: parallel_gripper_action_controller/GripperActionController}
+    arm:
+      ros__parameters:
+        joints: [shoulder]
+        command_interfaces: [effort]
+        state_interfaces: [position, velocity]
+        gains: {shoulder: {p: 1.0, i: 0.1, i_clamp_min: -.inf, i_clamp_max: .inf}}
+        constraints: {stopped_velocity_tolerance: .inf, shoulder: {trajectory: .inf, goal: .inf}}
+    hand:
+      ros__parameters: {joint: elbow, stall_velocity_threshold: .inf, max_effort: .inf}
 """
 _ARM = """
     states: {type: joint_state_controller/JointStateController, publish_rate: 50}
@@ -63,14 +67,20 @@ _ARM = """
     good=[
         {"controllers.yaml": _BASE % ("0.4", ".nan")},
         {"controllers.yaml": _BASE % ("0.4", ".inf")},
+        {
+            "controllers.yaml": _BASE
+            % ("0.4", "1.0\n        linear.x.min_velocity: -.inf\n        cmd_vel_timeout: .inf")
+        },
+        {"controllers.yaml": _TRAJECTORIES},
         {"options": "--distro=noetic", "controllers.yaml": _ARM % "1.0e+9"},
+        {"options": "--distro=noetic", "controllers.yaml": _ARM % "1.0, i: 0.1, i_clamp: .inf"},
     ],
 )
 def number_not_finite(project: Project) -> Iterator[Finding]:
     """Number of a controller that is infinite or not a number.
 
-    YAML accepts `.inf` and `.nan`, and reads a number that is too large as infinite. The controller computes with it: its commands are
-    0, infinite or not a number. It is sound only where it means that there is no limit.
+    YAML accepts `.inf` and `.nan`, and reads a number that is too large as infinite. The controller computes with it:
+    its commands are 0, infinite or not a number. It is sound only where it means that there is no limit.
     """
     return in_each_distro(project, _not_finite)
 
