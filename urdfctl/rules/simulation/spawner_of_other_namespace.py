@@ -13,7 +13,7 @@ from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import doubt_of, is_known
 from urdfctl.source.span import Place
 
-_MODEL_SPAWNERS = ("gazebo_ros", "spawn_model", "urdf_spawner")
+_MODEL_SPAWNERS = ("gazebo_ros", "spawn_model")
 
 
 @rule(
@@ -38,6 +38,19 @@ _MODEL_SPAWNERS = ("gazebo_ros", "spawn_model", "urdf_spawner")
             "arm.launch": """
                 <launch>
                   <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
+                  <node name="spawner" pkg="controller_manager" type="spawner" args="«joint_state_controller»"/>
+                </launch>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>
+            """,
+            "package.xml": "<package><name>arm</name><exec_depend>gazebo_ros_control</exec_depend></package>",
+            "arm.launch": """
+                <launch>
+                  <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
+                  <node name="model" pkg="gazebo_ros" type="spawn_model" ns="/arm" args="-urdf -model arm -param /robot_description"/>
                   <node name="spawner" pkg="controller_manager" type="spawner" args="«joint_state_controller»"/>
                 </launch>
             """,
