@@ -17,9 +17,9 @@ A migration is made in a copy of the packages (`Scratch`), judged there, and wri
   decide is `todo.for_you(place, text)`: a TODO comment in the line above, and its entry. UC708 finds the TODOs.
 - The engine (`engine.py`) applies the steps in the order of `steps.py` (`trial/attempt.py`) and lints the result for
   the target; only what a change may concern is read and linted again (`trial/memory.py`). `trial/trials.py` searches
-  which steps must be left out: a step is left out of a file if otherwise a finding that it claims (`Proposal.fixes`) stays there, an
-  error or warning of a new kind appears, or the kinematics of a robot change without being listed in `Proposal.moves`.
-  A warning is accepted if without the step there would be an error in its file.
+  which steps must be left out: a step is left out of a file if otherwise a finding that it claims (`Proposal.fixes`)
+  stays there, an error or warning of a new kind appears, or the kinematics of a robot change without being listed in
+  `Proposal.moves`. A warning is accepted if without the step there would be an error in its file.
 
 Steps are in `ros1/`, `classic/` and `distro/`; each of these lists its own in `STEPS`, or in `ROBOT_STEPS` and
 `PACKAGE_STEPS`: those of robots come first. A step has examples, as a rule has: `before` and `after`. The tests apply
