@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 
 
 def main() -> None:
     """Run a command, and exit with its status: 2 after a UserError, 3 after a crash."""
+    gc.disable()  # nothing that an import makes is garbage; a command that takes long enables it again
     from urdfctl.startup.isolation import leave_current_folder
 
     leave_current_folder()

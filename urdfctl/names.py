@@ -18,7 +18,7 @@ _CLOSELY = 10
 _SHORTEST = 4
 _FEWEST_WORDS = 2
 _MOST_WORDS_MORE = 2
-_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
+_WORD = r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+"
 _OPPOSED = (
     ("left l lft", "right r rgt"),
     ("front", "rear", "back", "hind"),
@@ -124,7 +124,7 @@ def is_only_slip(name: str, meant: str, known: Iterable[str]) -> bool:
 
 def _words(name: str) -> tuple[str, ...]:
     """The words of a name in lower case, and its numbers without leading zeros."""
-    parts = _WORD.findall(name)
+    parts = re.findall(_WORD, name)
     return tuple(part.lstrip("0") or "0" if part.isdigit() else part.lower() for part in parts)
 
 

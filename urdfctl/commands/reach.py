@@ -79,7 +79,9 @@ def _words(options: Options, reads: Reads) -> Iterator[str]:
 
 def _path_in(word: str) -> str:
     """The path in a word: without a line or a git revision, if there is such a file; otherwise the word itself."""
-    paths = (word, re.sub(_LINE, "", word), word.partition(":")[2])
+    if os.path.lexists(word):
+        return word
+    paths = (re.sub(_LINE, "", word), word.partition(":")[2])
     return next((path for path in paths if path and os.path.lexists(path)), word)
 
 

@@ -12,9 +12,10 @@ from urdfctl.commands.reading import plain_options
 
 def run_words(words: Sequence[str]) -> int:
     """Run a command line, given without the program's name, and return the exit status."""
-    if words and words[0] in COMMANDS:
-        if COMMANDS[words[0]].is_short:
-            gc.disable()
+    is_known = bool(words) and words[0] in COMMANDS
+    if not (is_known and COMMANDS[words[0]].is_short):
+        gc.enable()
+    if is_known:
         command = command_named(words[0])
         options = plain_options(command.options, words[1:])
         if options is not None:

@@ -10,12 +10,12 @@ from urdfctl.source.disk.gate import is_file
 _FOLDERS = frozenset(
     "archive archived archives attic backup backups bak deprecated discard discarded obsolete old trash unused".split()
 )
-_COPY = re.compile(
+_COPY = (
     r"(?i)(?P<stem>.*?)(?:[ _.-]*\(\d+\)|[ _.-]+copy(?:[ _-]?\d+)?|[ _.-]+(?:backup|bak|orig|original|old|save)\d*"
     r"|[ _.-]+(?:19|20)\d\d[-_]?\d\d[-_]?\d\d(?:[-_T]?\d+)*)(?P<end>(?:\.urdf)?\.(?:xacro|urdf))"
 )
 """The name of a copy: `arm(1).xacro`, `arm - Copy.urdf`, `arm_old.urdf.xacro`, `arm_2023-01-31.urdf`."""
-_CALIBRATION = re.compile(r"(?i)(?:^|[ _.-])(?:un)?calibrat(?:ed|ion)(?:[ _.-]|$)")
+_CALIBRATION = r"(?i)(?:^|[ _.-])(?:un)?calibrat(?:ed|ion)(?:[ _.-]|$)"
 
 
 def is_backup(path: str) -> bool:
@@ -24,7 +24,7 @@ def is_backup(path: str) -> bool:
     folder, name = os.path.split(path)
     parts = os.path.relpath(path).split(os.sep)[:-1]
     is_below = os.pardir not in parts
-    if (is_below and any(part.lower() in _FOLDERS for part in parts)) or _CALIBRATION.search(name):
+    if (is_below and any(part.lower() in _FOLDERS for part in parts)) or re.search(_CALIBRATION, name):
         return True
-    copy = _COPY.fullmatch(name)
+    copy = re.fullmatch(_COPY, name)
     return copy is not None and is_file(os.path.join(folder, copy["stem"] + copy["end"]))

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 GROUP = "urdfctl.rules"
 """The group of entry points. Each names a sequence of rules: `acme = "acme_rules:RULES"`."""
-_CODE = re.compile(r"(?!UC)[A-Z]{2,}[0-9]{3,}")
+_CODE = r"(?!UC)[A-Z]{2,}[0-9]{3,}"
 
 
 class InstalledRules(NamedTuple):
@@ -50,7 +50,7 @@ def _loaded(origin: str, entry: EntryPoint) -> InstalledRules:
     for rule in rules:
         if not isinstance(rule, Rule):
             raise UserError(f"{entry.value} of {origin} has {rule!r}, which is not a rule; see docs/own-rules.md")
-        if not _CODE.fullmatch(rule.code):
+        if not re.fullmatch(_CODE, rule.code):
             raise UserError(
                 f"rule '{rule.code}' of {origin} needs a code of its own, such as ACME001; those with UC are urdfctl's"
             )

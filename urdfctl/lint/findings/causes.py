@@ -42,7 +42,7 @@ def in_its_line(cause: Diagnostic, finding: Diagnostic) -> bool:
 def below_its_path(cause: Diagnostic, finding: Diagnostic) -> bool:
     """Return whether the first name of the finding is a path below one that the cause mentions."""
     path = _first_name(finding.message)
-    return any(path.startswith(f"{folder}/") for folder in _NAME.findall(cause.message))
+    return any(path.startswith(f"{folder}/") for folder in re.findall(_NAME, cause.message))
 
 
 class CausalLink(NamedTuple):
@@ -75,7 +75,7 @@ LINKS = (
 LINKS_OF_RUN = (_UNDEFINED, *(link for link in LINKS if link.explains is at_its_place))
 """Those that also hold between the findings of several projects."""
 _CONSEQUENCES = {code for link in LINKS for code in link.consequences}
-_NAME = re.compile(r"'([^']+)'")
+_NAME = r"'([^']+)'"
 
 
 def without_consequences(findings: Sequence[Diagnostic], links: Sequence[CausalLink] = LINKS) -> Sequence[Diagnostic]:
@@ -114,5 +114,5 @@ def _with(cause: Diagnostic, consequences: Iterable[Diagnostic]) -> Diagnostic:
 
 
 def _first_name(message: str) -> str:
-    found = _NAME.search(message)
+    found = re.search(_NAME, message)
     return found[1] if found else ""

@@ -7,10 +7,10 @@ from functools import lru_cache
 
 from urdfctl.catalog.distros import ALL
 
-_NAME = re.compile(rf"'[^']*'|<[^<>]*>|-?\b\d[\w.]*(?:[eE][+-]?\d+)?|\b(?:{'|'.join(ALL)})\b")
-_LIST = re.compile(r"''(?:, '')*(?:,? and (?:''|# more))?")
+_NAME = rf"'[^']*'|<[^<>]*>|-?\b\d[\w.]*(?:[eE][+-]?\d+)?|\b(?:{'|'.join(ALL)})\b"
+_LIST = r"''(?:, '')*(?:,? and (?:''|# more))?"
 _HINT = "; did you mean"
-_ADVICE = re.compile(r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) .*")
+_ADVICE = r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) .*"
 
 
 @lru_cache(4096)
@@ -20,15 +20,15 @@ def shape(message: str) -> str:
     What it advises is kept, so that two pieces of advice differ; but a name that is part of another, or that another is
     part of, is advised alike for other names: 'a.x' and 'b.x' without their prefixes.
     """
-    found = _ADVICE.search(message)
+    found = re.search(_ADVICE, message)
     fault, advice = (message[: found.start()], found[0]) if found else (message, "")
-    names = [name.strip("'<>") for name in _NAME.findall(fault) if _is_name(name)]
+    names = [name.strip("'<>") for name in re.findall(_NAME, fault) if _is_name(name)]
 
     def kept(match: re.Match[str]) -> str:
         advised = match[0].strip("'<>")
         return "''" if any(_is_part(advised, name) or _is_part(name, advised) for name in names) else match[0]
 
-    return _LIST.sub("''", _NAME.sub(_blank, fault)) + _NAME.sub(kept, advice)
+    return re.sub(_LIST, "''", re.sub(_NAME, _blank, fault)) + re.sub(_NAME, kept, advice)
 
 
 def _is_part(name: str, other: str) -> bool:
@@ -43,7 +43,7 @@ def difference(first: str, other: str) -> str:
     if shape(first) != shape(other):
         ours, theirs = first.partition(_HINT)[0], other.partition(_HINT)[0]
         return difference(ours, theirs) if (ours, theirs) != (first, other) and shape(ours) == shape(theirs) else other
-    names, others = _NAME.findall(first), _NAME.findall(other)
+    names, others = re.findall(_NAME, first), re.findall(_NAME, other)
     if len(names) != len(others):
         return next((name for name in others if name not in names and _is_name(name)), "")
     pairs = zip(names, others, strict=True)
@@ -55,7 +55,7 @@ def named(first: str, other: str) -> str:
     different = difference(first, other)
     if different != other:
         return different
-    return next((name for name in _NAME.findall(other) if _is_name(name) and name not in first), "")
+    return next((name for name in re.findall(_NAME, other) if _is_name(name) and name not in first), "")
 
 
 def _is_name(name: str) -> bool:

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import errno
 import os
-import re
 import stat
 from _thread import get_ident
 from collections.abc import Iterable, Iterator
@@ -23,7 +22,7 @@ from urdfctl.source.disk.folders import Folder
 from urdfctl.source.disk.folders import walk as all_folders
 from urdfctl.source.disk.shown import real_path
 
-_MAGIC = re.compile(r"[*?[]")
+_MAGIC = frozenset("*?[")
 _FLAGS = os.O_RDONLY
 for _name in ("O_BINARY", "O_CLOEXEC", "O_NOFOLLOW", "O_NONBLOCK"):  # not every system has each
     _FLAGS |= getattr(os, _name, 0)
@@ -166,10 +165,10 @@ def walk(folder: str) -> Iterator[Folder]:
 def matching(pattern: str) -> list[str]:
     """Return the paths that match a pattern of `glob.glob`, sorted. Only folders that may be read are listed."""
     folder, name = os.path.split(pattern)
-    if not _MAGIC.search(pattern):
+    if _MAGIC.isdisjoint(pattern):
         return [pattern] if admits(pattern) and os.path.lexists(pattern) else []
-    folders = matching(folder) if folder != pattern and _MAGIC.search(folder) else [folder]
-    if not _MAGIC.search(name):
+    folders = matching(folder) if folder != pattern and not _MAGIC.isdisjoint(folder) else [folder]
+    if _MAGIC.isdisjoint(name):
         return [path for each in folders for path in matching(os.path.join(each, name))]
     return [os.path.join(each, found) for each in folders for found in _matching_in(each, name)]
 

@@ -16,8 +16,8 @@ from urdfctl.source.disk.shown import current_folder
 from urdfctl.source.span import Call, Place
 from urdfctl.startup.records import NamedTuple
 
-_PARTS = re.compile(r"\$\(\s*arg\s+([^\s()]+)\s*\)|\$\{([^{}]*)\}|\$\([^()]*\)")
-_LOAD = re.compile(r"load_yaml\(\s*(?:([A-Za-z_]\w*)|'([^']*)'|\"([^\"]*)\")\s*\)")
+_PARTS = r"\$\(\s*arg\s+([^\s()]+)\s*\)|\$\{([^{}]*)\}|\$\([^()]*\)"
+_LOAD = r"load_yaml\(\s*(?:([A-Za-z_]\w*)|'([^']*)'|\"([^\"]*)\")\s*\)"
 _ASKED = r"\$\(\s*arg\s+([^\s()]+)\s*\)"
 _QUOTED = r"\barg\(\s*['\"]([^'\"]+)"
 _EVALUATED = r"\$\{([^{}]*)\}|\$\(\s*eval\b(.*)\)"
@@ -32,8 +32,8 @@ _DECIDING = {
     "xacro:element": ("xacro:name",),
     "xacro:attribute": ("name", "value"),
 }
-_TEXT = re.compile(r"'[^']*'|\"[^\"]*\"")
-_NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
+_TEXT = r"'[^']*'|\"[^\"]*\""
+_NAME = r"(?<![\w.])[A-Za-z_]\w*"
 _MOST_STEPS = 200
 _DEEPEST = 20
 
@@ -87,8 +87,8 @@ class Definitions(NamedTuple):
                     if len(matching) == 1:
                         files.setdefault(matching[0])
                         arguments.update(dict.fromkeys(names))
-                bare = _TEXT.sub("", _LOAD.sub("", expression))
-                pending += [found for name in _NAME.findall(bare) for found in self._definition(name, scoped.call)]
+                bare = re.sub(_TEXT, "", re.sub(_LOAD, "", expression))
+                pending += [found for name in re.findall(_NAME, bare) for found in self._definition(name, scoped.call)]
         return Influence(tuple(files), tuple(arguments))
 
     def arguments_of_file(self, place: Place, expression: str) -> list[str]:
@@ -111,7 +111,7 @@ class Definitions(NamedTuple):
         found: set[str] = set()
         for scoped in _each_once(pending):
             evaluated = " ".join(part for found_parts in re.findall(_EVALUATED, scoped.text) for part in found_parts)
-            words = set(_NAME.findall(evaluated))
+            words = set(re.findall(_NAME, evaluated))
             asked = {*re.findall(_ASKED, scoped.text), *re.findall(_QUOTED, scoped.text)}
             asked |= words & self.arguments.keys() if "$(eval" in scoped.text else set()
             found |= asked
@@ -135,7 +135,7 @@ class Definitions(NamedTuple):
 
     def _loads(self, expression: str, call: Call | None) -> Iterator[tuple[str, list[str]]]:
         """Yield the path patterns of the files that an expression loads, each with its arguments."""
-        for name, *literals in _LOAD.findall(expression):
+        for name, *literals in re.findall(_LOAD, expression):
             scoped = self._definition(name, call) if name else [_Scoped("".join(literals), call)]
             for one in scoped:
                 names: list[str] = []
@@ -155,7 +155,7 @@ class Definitions(NamedTuple):
             found = self._definition(expression.strip(), scoped.call) if expression else []
             return self._pattern(found[0], names, depth - 1) if found else "*"
 
-        return _PARTS.sub(filling, scoped.text) if depth else "*"
+        return re.sub(_PARTS, filling, scoped.text) if depth else "*"
 
 
 def _each_once(pending: list[_Scoped]) -> Iterator[_Scoped]:
@@ -190,4 +190,4 @@ def _included(place: Place) -> str:
 
 
 def _expressions(text: str) -> list[str]:
-    return [part.group(2) for part in _PARTS.finditer(text) if part.group(2)]
+    return [part.group(2) for part in re.finditer(_PARTS, text) if part.group(2)]

@@ -11,7 +11,7 @@ from urdfctl.source.disk.gate import is_file
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.xml.dom import Element
 
-_WORD = re.compile(r"([A-Za-z0-9]+)")
+_WORD = r"([A-Za-z0-9]+)"
 _FORMS = frozenset({"xacro", "urdf", "xml"})
 
 
@@ -28,8 +28,8 @@ def macro_of_other_file(name: str, node: Element, files: Files) -> Iterator[Prob
 
 def _named_after(name: str, file: str) -> Iterator[str]:
     """Yield the names that a file would have if a word of the macro's name replaced one of its words."""
-    parts = _WORD.split(file)
-    words = _WORD.findall(name)
+    parts = re.split(_WORD, file)
+    words = re.findall(_WORD, name)
     strange = [word for word in words if word not in parts]
     for at, part in enumerate(parts) if strange else ():
         if at % 2 and part not in words and part not in _FORMS:

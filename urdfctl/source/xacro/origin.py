@@ -10,7 +10,7 @@ from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place
 from urdfctl.source.xml.dom import Element
 
-_PARAMETER = re.compile(r"(?:^|\s)([A-Za-z_]\w*)")
+_PARAMETER = r"(?:^|\s)([A-Za-z_]\w*)"
 _OF_TEXTS = {ProblemKind.UNDEFINED_NAME, ProblemKind.UNDEFINED_ARGUMENT, ProblemKind.EXPRESSION}
 
 
@@ -27,7 +27,7 @@ def suggested(problem: Problem, known: Collection[str]) -> Problem:
 
 def parameters_of(macro: Element | None) -> list[str]:
     """Return the names of a macro's parameters, without those of blocks."""
-    return _PARAMETER.findall(macro.attrs.get("params", "")) if macro is not None else []
+    return re.findall(_PARAMETER, macro.attrs.get("params", "")) if macro is not None else []
 
 
 def parameters_around(at: Place, macros: Iterable[Element]) -> list[str]:
