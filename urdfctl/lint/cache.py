@@ -15,6 +15,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from operator import sub
 from typing import Any
+from zlib import crc32
 
 from urdfctl import __version__
 from urdfctl.config.settings import Settings
@@ -52,14 +53,13 @@ class RunCache:
 
     @property
     def _file(self) -> str | None:
+        """The file for what was asked; two questions may share one, so that it has the question in it."""
         folder = cache_folder()
         elsewhere = any(self._settings.environ.get(name) for name in ELSEWHERE)
         if folder is None or elsewhere:
             return None
-        from hashlib import blake2b
-
-        name = blake2b(self._asked.encode("utf-8", "surrogatepass"), digest_size=16).hexdigest()
-        return os.path.join(folder, f"{name}.json")
+        name = crc32(self._asked.encode("utf-8", "surrogatepass"))
+        return os.path.join(folder, f"{name:08x}.json")
 
     def _fingerprint(self, before: int | None = None) -> str | None:
         """A hash of all that the run could read; None if that is too much, or if something changed after `before`."""
@@ -90,7 +90,7 @@ class RunCache:
         try:
             with open(file_name, encoding="utf-8") as file:
                 data: dict[str, Any] = json.load(file)
-            if data["fingerprint"] != self._fingerprint():
+            if data["asked"] != self._asked or data["fingerprint"] != self._fingerprint():
                 return None
             results = [(Target.from_json(target), result_from_json(result)) for target, result in data["results"]]
             robots = [results[index][1] for index in data["robots"]]
@@ -109,6 +109,7 @@ class RunCache:
             return
         robots = {id(result) for result in run.robots}
         data = {
+            "asked": self._asked,
             "fingerprint": fingerprint,
             "results": [[target._asdict(), result_to_json(result)] for target, result in run.targets],
             "robots": [index for index, result in enumerate(run.results) if id(result) in robots],
