@@ -23,6 +23,7 @@ from urdfctl.model.launch.parts import (
     joined,
 )
 from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_environment
+from urdfctl.model.launch.spawned_models import urdf_file_of
 from urdfctl.model.launch.xacro_command import of_command
 from urdfctl.model.moveit import MoveItFiles
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -350,6 +351,7 @@ class _LaunchBuilder:
             if word.endswith(_ARGUMENT_FILES):
                 self._reference(word, at, if_known(word), "argument", sure=scope.sure)
         namespace = if_known(scope.namespace)
+        self._model(package.text, program, given, namespace, scope)
         children = list(element.elements())
         parameters = tuple(Word(child.attrs["name"], child.at["name"]) for child in children if "name" in child.attrs)
         parameters += tuple(
@@ -375,6 +377,17 @@ class _LaunchBuilder:
                 complete=not loads_files and not self._remapped,
             )
         )
+
+    def _model(self, package: str, program: Word, words: Sequence[Word], namespace: str | None, scope: Scope) -> None:
+        """Add the description of a model that is put into the simulator from a file."""
+        index = urdf_file_of(package, program.text, [word.text for word in words])
+        if index is None:
+            return
+        file = words[index]
+        reference = self._reference(file.text, file.at, file.known, "description", sure=scope.sure)
+        command = None if file.known else f"cat {file.text}"
+        description = Description(reference, (), namespace, file.at, scope.sure, command=command, node=program.text)
+        self.descriptions.append(description)
 
     def _spawn(self, element: Element, words: list[str], scope: Scope, texts: Substitutions, *, active: bool) -> None:
         names: list[tuple[str, Place]] = []

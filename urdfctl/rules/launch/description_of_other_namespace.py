@@ -57,10 +57,9 @@ def description_of_other_namespace(project: Project) -> Iterator[Finding]:
     if launch is None or setting is None or not is_known(setting.text) or plugins[0].setting("robotParam"):
         return
     ours = namespace_of(setting.text)
-    described = [
-        description for description in launch.descriptions if description.sure and description.namespace is not None
-    ]
-    if not launch.complete or not described or len(described) < len(launch.descriptions):
+    parameters = [description for description in launch.descriptions if description.node is None]
+    described = [description for description in parameters if description.sure and description.namespace is not None]
+    if not launch.complete or not described or len(described) < len(parameters):
         return
     if not any(f"{ours}/".startswith(f"{namespace_of(description.namespace or '')}/") for description in described):
         theirs = namespace_of(described[0].namespace or "")
