@@ -136,9 +136,11 @@ def hardware(system: System, idioms: Idioms, _position: str) -> bool:
     return one and known and idioms["source"] not in _TEXTS and system.robots[0].manager == "controller_manager"
 
 
-def planner(system: System, idioms: Idioms, _position: str) -> bool:
-    """A move_group beside one robot."""
+def planner(system: System, idioms: Idioms, position: str) -> bool:
+    """A move_group beside one robot; with the spawners, if these are started in a terminal of their own."""
     one = system.generation == 2 and not system.moveit and not system.is_fleet
+    if position == "with spawners" and idioms["split"] not in ("spawners apart", "three starts"):
+        return False
     return one and idioms["source"] not in _TEXTS and idioms["description"] not in ("function", "module", "open")
 
 

@@ -104,9 +104,10 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     included = {path for _, result in pairs if result.bringup for path in result.bringup.includes}
     inner = [result for _, result in pairs if is_lonely(result) and result.path in included]
     lonely = [pair for pair in pairs if is_lonely(pair[1]) and pair[1].path not in included]
+    starts = starts_in(pairs)
+    lonely += [start.robots[0] for start in starts if len(start.robots) == 1 and start.first.joining.waits]
     if not lonely:
         return Joined()
-    starts = starts_in(pairs)
     covered = {id(result) for _, result in lonely if any(_spawns_all(start, result) for start in starts)}
     lonely = [pair for pair in lonely if id(pair[1]) not in covered]
     loading = [pair for pair in lonely if pair[1].joining.claimed]
@@ -197,6 +198,8 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     """
     if lonely.joining.described_in:
         return []
+    if lonely.joining.waits:
+        return _managing(lonely, starts)
     same = [start for start in starts_of_generation(lonely, starts) if not _excludes(start, lonely)]
     if lonely.joining.manages:
         described = {(start.first.path, start.first.arguments): start for start in map(_without_manager, same[::-1])}
@@ -212,6 +215,20 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     return _best([start for start in own if _may_be_meant(lonely, start)]) if len(paths) == 1 else []
 
 
+def _managing(spawning: TargetResult, starts: Sequence[Start]) -> list[Start]:
+    """The only start of a robot with its manager, beside which the controllers of that robot are spawned."""
+    robot = spawning.path, spawning.arguments
+    found = [
+        start
+        for start in starts_of_generation(spawning, starts)
+        if (start.first.path, start.first.arguments) == robot
+        and start.first.joining.manages
+        and not any(_spawned(result) for _, result in start.robots)
+    ]
+    own = [start for start in found if _package(start.first) == _package(spawning)] or found
+    return own if len(own) == 1 else []
+
+
 def _excludes(start: Start, lonely: TargetResult) -> bool:
     """Whether a start spawns controllers that a launch file would spawn a second time."""
     return any(set(_spawned(lonely)) & set(_spawned(result)) for _, result in start.robots)
@@ -219,6 +236,8 @@ def _excludes(start: Start, lonely: TargetResult) -> bool:
 
 def _spawns_all(start: Start, lonely: TargetResult) -> bool:
     """Whether a start of the same package spawns all that a launch file spawns, which is then a part of it."""
+    if lonely.joining.described_in or lonely.joining.waits:
+        return False
     spawned = {name for _, result in start.robots for name in _spawned(result)}
     return _package(start.first) == _package(lonely) and bool(_spawned(lonely)) and spawned >= set(_spawned(lonely))
 

@@ -26,6 +26,7 @@ class JoinFacts(NamedTuple):
     form: the generation of ROS that the launch file is written for; None if there is none.
     described_in: without a robot: the packages that its description is in, and that are not here.
     lost: whether it names a description that does not exist.
+    waits: ROS 2: whether it certainly spawns controllers of a robot whose manager another launch file starts.
     """
 
     joints: tuple[str, ...] = ()
@@ -35,6 +36,7 @@ class JoinFacts(NamedTuple):
     form: int | None = None
     described_in: tuple[str, ...] = ()
     lost: bool = False
+    waits: bool = False
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> JoinFacts:
@@ -56,6 +58,7 @@ def join_facts(project: Project) -> JoinFacts:
         form=launch.ros if launch else None,
         described_in=_described_in(launch) if project.robot is None and launch else (),
         lost=launch is not None and any(each.file.exists is False for each in launch.descriptions if each.sure),
+        waits=project.robot is not None and launch is not None and _waits(launch),
     )
 
 
@@ -64,6 +67,16 @@ def _manages(launch: Launch) -> bool:
     programs = {node.executable.text for node in launch.nodes if not node.executable.text.startswith("spawner")}
     loading = {load.node for load in launch.loads} if launch.ros == 2 else set()  # noqa: PLR2004 (a generation of ROS)
     return bool(launch.simulations) or "ros2_control_node" in programs or bool(programs & loading)
+
+
+def _waits(launch: Launch) -> bool:
+    """Whether a launch file spawns controllers, and certainly starts nothing that has a controller manager."""
+    if launch.ros == 1 or not launch.complete or not launch.spawns or launch.simulations:
+        return False
+    from urdfctl.control.hosts import hosts_no_manager
+
+    loading = any(load.node and not load.node.startswith("spawner") for load in launch.loads)
+    return not loading and all(hosts_no_manager(node) for node in launch.nodes)
 
 
 def _described_in(launch: Launch) -> tuple[str, ...]:

@@ -1,4 +1,5 @@
-"""A move_group beside a robot, with a description of its own: the same file with another argument."""
+"""A move_group beside a robot: the description is the same file, with another argument where the robot is started, and
+with the same arguments where its controllers are spawned."""
 
 from __future__ import annotations
 
@@ -15,8 +16,9 @@ PARAMETERS = "planning.yaml"
 
 def move_group(values: Values, namespace: Value) -> Node:
     """Return the node, in the namespace of its robot."""
-    found = values.description
-    planned = replace(found, mappings=(*found.mappings, ("planning", ("true",))))
+    planned = found = values.description
+    if values.idioms["planner"] == "other arguments":
+        planned = replace(found, mappings=(*found.mappings, ("planning", ("true",))))
     places, folder = values.places, config_folder(values.system)
     semantic = Description((Share((places.description,), (("srdf",), (f"{values.robot.model}.srdf",))),), (), True)
     file = ParamFile((Share((places.control,), ((folder,), (PARAMETERS,))),))

@@ -94,7 +94,7 @@ def _description(values: Values) -> list[Action]:
     publisher = "robot_state_publisher"
     name = pick(system, "publisher name", ("", publisher))
     found: list[Action] = [Node(publisher, publisher, name, namespace, parameters)]
-    if values.idioms["planner"] != "none":
+    if values.idioms["planner"] == "other arguments":
         found.append(move_group(values, namespace))
     return [*found, _spawned_model(values, namespace)] if system.is_simulated else found
 
@@ -135,6 +135,12 @@ def _manager(values: Values) -> list[Action]:
 
 
 def _spawners(values: Values) -> list[Action]:
+    planners = [move_group(values, _namespace(values))] if values.idioms["planner"] == "with spawners" else []
+    return [*planners, *_conditional(values)]
+
+
+def _conditional(values: Values) -> list[Action]:
+    """The spawners, under a condition if the switch says so."""
     found = spawners(values, _namespace(values))
     form = values.idioms["condition"]
     if form == "none":

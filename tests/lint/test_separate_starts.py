@@ -1,0 +1,111 @@
+"""Starts that describe the robot a second time, spawn a model from a file, or take a robot from elsewhere."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+from folder import Folder
+
+MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+ROBOT = f"""<robot name="crane">
+  <link name="base">{MASS}</link>
+  <joint name="slew" type="revolute">
+    <parent link="base"/><child link="jib"/><limit lower="-1" upper="1" effort="9" velocity="1"/>
+  </joint>
+  <link name="jib">{MASS}</link>
+  <ros2_control name="crane" type="system">
+    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+    <joint name="slew"><command_interface name="position"/><state_interface name="position"/></joint>
+  </ros2_control>
+</robot>"""
+CONTROLLERS = """controller_manager:
+  ros__parameters:
+    update_rate: 100
+    turn: {type: forward_command_controller/ForwardCommandController}
+turn:
+  ros__parameters: {joints: [slew], interface_name: position}
+"""
+MANIFEST = "<package format='3'><name>crane</name><export><build_type>ament_cmake</build_type></export></package>"
+TEXT = "$(command 'xacro $(find-pkg-share {0})/crane.urdf')"
+PUBLISHER = (
+    '<node pkg="robot_state_publisher" exec="robot_state_publisher">'
+    f'<param name="robot_description" value="{TEXT}"/></node>'
+)
+MANAGER = (
+    '<node pkg="controller_manager" exec="ros2_control_node">'
+    '<remap from="~/robot_description" to="/robot_description"/>'
+    '<param from="$(find-pkg-share crane)/controllers.yaml"/></node>'
+)
+PLANNER = f'<node pkg="moveit_ros_move_group" exec="move_group"><param name="robot_description" value="{TEXT}"/></node>'
+SPAWNER = '<node pkg="controller_manager" exec="spawner" args="{}"/>'
+DRIVER = '<node pkg="crane_driver" exec="crane_driver_node"/>'
+
+
+def launch(*parts: str, package: str = "crane") -> str:
+    return f"<launch>{''.join(parts)}</launch>".replace("{0}", package)
+
+
+def written(folder: Folder, **launches: str) -> dict[str, Any]:
+    files = {f"launch/{name}.launch.xml": text for name, text in launches.items()}
+    files |= {"package.xml": MANIFEST, "crane.urdf": ROBOT, "controllers.yaml": CONTROLLERS}
+    folder.write(files)
+    ran = folder.run("lint", ".", "--format", "json", "--distro", "jazzy", "--exit-zero")
+    assert ran.returncode == 0, ran.stderr
+    given: dict[str, Any] = json.loads(ran.stdout)
+    return given
+
+
+def starts(given: dict[str, Any]) -> list[tuple[str, list[str], list[str]]]:
+    return [(each["launch"], each["beside"], each["spawned"]) for each in given["targets"] if each["launch"]]
+
+
+def errors(given: dict[str, Any]) -> list[str]:
+    return [one["code"] for one in given["findings"] if one["severity"] == "error"]
+
+
+@pytest.mark.parametrize(("spawned", "expected"), [("turn", []), ("trun", ["UC601"])])
+def test_a_planner_with_spawners_belongs_to_the_start_of_its_robot_with_a_manager(
+    folder: Folder, spawned: str, expected: list[str]
+) -> None:
+    given = written(folder, robot=launch(PUBLISHER, MANAGER), plan=launch(PLANNER, SPAWNER.format(spawned)))
+    assert starts(given) == [("launch/robot.launch.xml", ["launch/plan.launch.xml"], [spawned])]
+    assert errors(given) == expected
+
+
+def test_a_planner_with_a_driver_of_its_own_is_started_beside_no_manager(folder: Folder) -> None:
+    given = written(folder, robot=launch(PUBLISHER, MANAGER), plan=launch(PLANNER, DRIVER, SPAWNER.format("turn")))
+    assert [beside for _, beside, _ in starts(given)] == [[], []]
+
+
+def test_a_start_whose_robot_is_not_here_is_named_though_another_one_spawns_the_same(folder: Folder) -> None:
+    parts = (PUBLISHER, MANAGER, SPAWNER.format("turn"))
+    given = written(folder, here=launch(*parts), absent=launch(*parts, package="derrick"))
+    [unjoined] = given["unjoined"]
+    assert (unjoined["launch"], unjoined["lacks"]["packages"]) == ("launch/absent.launch.xml", ["derrick"])
+
+
+MODEL = '<node name="m" pkg="gazebo_ros" type="spawn_model" args="-file $(find crane)/{}.urdf -urdf -model crane"/>'
+WORLD = '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'
+
+
+@pytest.mark.parametrize(("name", "expected"), [("crane", []), ("derrick", ["UC616"])])
+def test_the_file_that_roslaunch_puts_into_gazebo_is_the_robot(folder: Folder, name: str, expected: list[str]) -> None:
+    robot = ROBOT.partition("<ros2_control")[0] + "</robot>"
+    manifest = "<package format='2'><name>crane</name><buildtool_depend>catkin</buildtool_depend></package>"
+    folder.write({"package.xml": manifest, "crane.urdf": robot, "launch/g.launch": launch(WORLD, MODEL.format(name))})
+    given = json.loads(folder.run("lint", ".", "--format", "json", "--distro", "noetic", "--exit-zero").stdout)
+    assert errors(given) == expected
+    shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
+    assert [each["launch"] for each in shown["targets"] if each["robot"]] == [None if expected else "launch/g.launch"]
+
+
+def test_a_parameter_goes_before_the_file_that_is_put_into_gazebo(folder: Folder) -> None:
+    described = '<param name="robot_description" textfile="$(find crane)/other.urdf"/>'
+    robot = ROBOT.partition("<ros2_control")[0] + "</robot>"
+    manifest = "<package format='2'><name>crane</name><buildtool_depend>catkin</buildtool_depend></package>"
+    start = launch(WORLD, described, MODEL.format("crane"))
+    folder.write({"package.xml": manifest, "crane.urdf": robot, "other.urdf": robot, "launch/g.launch": start})
+    shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
+    assert [each["robot"] for each in shown["targets"] if each["launch"]] == ["other.urdf"]
