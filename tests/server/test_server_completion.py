@@ -9,12 +9,13 @@ import pytest
 pytest.importorskip("pygls", reason="pygls is not installed")
 
 from completing import Insertion, insertions
-from editor import types
+from editor import Editor, in_editor, types
 from folder import CHECKOUT, Folder
 from live_replay import copied
 from server_names import CONTROLLERS, LAUNCH, MACROS, ROBOT, STARTS, URDF, XACRO, YAML, question
 
 from urdfctl.model.project import Project
+from urdfctl.server.analysis.unfinished import closers_of
 from urdfctl.server.features.completion import items_at
 
 SAMPLES = CHECKOUT / "samples"
@@ -74,6 +75,43 @@ def test_a_controller_is_written_after_those_that_a_spawner_starts_already(folde
     robots = question(folder, STARTS, types.Position(0, 0)).robots
     items = items_at(asks._replace(robots=[robots[0]._replace(project=_without_spawns(robots[0].project))]))
     assert [(item.text, item.replaces) for item in items][:1] == [("turn", 0)]
+
+
+@pytest.mark.parametrize("typed", ["joints: [", "joints: ['", "joints: [turn, ", "joints:\n      - "])
+def test_joints_are_offered_right_after_a_list_of_them_was_opened(tmp_path: Path, typed: str) -> None:
+    here, file = copied(SAMPLES / "picker", tmp_path), "config/controllers.yaml"
+    saved = (here / file).read_text(encoding="utf-8")
+    start = saved.index("joints: [turn")
+    before = saved[:start] + typed
+    line, column = before.count("\n"), len(before) - before.rfind("\n") - 1
+
+    async def use(editor: Editor) -> list[str]:
+        await editor.open(file)
+        await editor.checked()
+        await editor.type(file, before + saved[saved.index("\n", start) :])
+        asked = types.CompletionParams(editor.document(file), types.Position(line, column))
+        found = await editor.client.text_document_completion_async(asked)
+        assert isinstance(found, list)
+        return [item.label for item in found]
+
+    wanted = {"shoulder", "elbow", "wrist"}
+    offered = set(in_editor(here, use))
+    assert (wanted - offered, offered & {"tool_joint"}) == (set(), set())
+
+
+@pytest.mark.parametrize(
+    ("line", "closers"),
+    [
+        ("joints: [", "]"),
+        ("joints: ['a", "']"),
+        ("limits: {a: [1, 2", "]}"),
+        ("joints: [a, b]", ""),
+        ("note: don't  # [", ""),
+        ("a: [b  # ]", "]"),
+    ],
+)
+def test_a_line_of_yaml_is_closed_by_what_it_leaves_open(line: str, closers: str) -> None:
+    assert closers_of(line) == closers
 
 
 def _without_spawns(project: Project) -> Project:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
+import sys
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.server.analysis.items import OfferedItem
 from urdfctl.server.analysis.question import Question
+from urdfctl.server.analysis.unfinished import finished
 from urdfctl.startup.records import NamedTuple
 
 SECONDS = 0.4
@@ -52,6 +55,7 @@ def harmless(question: Question, items: Sequence[OfferedItem], attempts: Attempt
     A finding counts that is neither in the text as it is, nor was there before, nor comes with all items: what else is
     not saved yet causes that. Items for which there is no time are kept; doubtful ones only if no item was tried.
     """
+    question = finished(question)
     new: dict[OfferedItem, set[str]] = {}
     left = _SECONDS_OF.get(items[0].kind, SECONDS) if items else SECONDS
     for robot in range(attempts.robots if items else 0):
@@ -91,8 +95,17 @@ def _caused(
         if findings is None:
             break
         found[item] = codes_of(findings) - usual
-    common = Counter() if _is_all_else_saved(question, attempts.on_disk) else _common(list(found.values()))
-    yield from ((item, {code for _, code in codes - common}) for item, codes in found.items())
+    excused = _excused(question, found, attempts.on_disk)
+    yield from ((item, {code for _, code in codes - excused}) for item, codes in found.items())
+
+
+def _excused(question: Question, found: Mapping[OfferedItem, Codes], on_disk: bytes | None) -> Codes:
+    """What comes with all items, and what none of them causes: other elements of its list are missing, for example."""
+    codes = list(found.values())
+    common = _common(codes)
+    if all(item.is_element for item in found):
+        return Counter(dict.fromkeys(common if len(codes) > 1 else chain(*codes), sys.maxsize))
+    return Counter() if _is_all_else_saved(question, on_disk) else common
 
 
 def _common(found: Sequence[Codes]) -> Codes:

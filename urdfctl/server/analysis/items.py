@@ -14,6 +14,7 @@ class OfferedItem(NamedTuple):
     about: what is known about it, as Markdown.
     replaces: how many code points before the place it replaces: the word that is typed already.
     is_doubtful: whether it is left out if it could not be tried out, and others could.
+    is_element: whether it is one element of a list, to which others may follow.
     """
 
     text: str
@@ -21,3 +22,4 @@ class OfferedItem(NamedTuple):
     about: str = ""
     replaces: int = 0
     is_doubtful: bool = False
+    is_element: bool = False

@@ -361,14 +361,18 @@ def _weight(result: TargetResult) -> tuple[object, ...]:
 
 def _may_lack(loaded: LoadedTarget) -> bool:
     """Return whether something is missing that a text which cannot be parsed may hold."""
-    return bool(loaded.project.problems) and (loaded.root is None or loaded.project.controllers is None)
+    return bool(loaded.project.problems) and not all(_there(loaded))
 
 
 def _lacks(loaded: LoadedTarget, before: LoadedTarget) -> bool:
     """Return whether the robot or its controllers cannot be read any more."""
-    has_root, had_root = loaded.root is not None, before.root is not None
-    has_controllers, had_controllers = loaded.project.controllers is not None, before.project.controllers is not None
-    return _may_lack(loaded) and (had_root > has_root or had_controllers > has_controllers)
+    return _may_lack(loaded) and any(had and not has for has, had in zip(_there(loaded), _there(before), strict=True))
+
+
+def _there(loaded: LoadedTarget) -> tuple[bool, bool]:
+    """Whether there is a robot, and whether there are controllers."""
+    controllers = loaded.project.controllers
+    return loaded.root is not None, controllers is not None and bool(controllers.controllers)
 
 
 def _readers(run: LintRun) -> dict[str, list[tuple[Target, TargetResult]]]:

@@ -19,6 +19,7 @@ from urdfctl.server.features.about_parameters import described_parameter
 from urdfctl.server.features.fitting import defined_names
 
 _WORD = r"[\"']?(?P<word>[\w/.-]*)$"
+_ELEMENT = r"[\w/.-]+"
 _LISTS_CONTROLLERS = frozenset({"controller_names", "controllers", "chained_controllers", "fallback_controllers"})
 
 
@@ -29,9 +30,9 @@ def in_yaml(question: Question) -> Iterator[OfferedItem]:
     if found := re.match(rf"\s*(?:- )?type:\s*{_WORD}", line):
         yield from _replacing(found["word"], _types(question))
     elif found := re.match(rf"\s*-\s*{_WORD}", line):
-        yield from _replacing(found["word"], _elements(question, keys, found["word"]))
+        yield from _listed(found["word"], _elements(question, keys, found["word"]))
     elif found := re.match(rf"\s*(?:- )?(?P<key>[\w./]+):\s*\[(?:[^\]]*[\s,\[])?{_WORD}", line):
-        yield from _replacing(found["word"], _elements(question, [*keys, found["key"]], found["word"]))
+        yield from _listed(found["word"], _elements(question, [*keys, found["key"]], found["word"]))
     elif found := re.match(r"\s*(?P<word>[\w.]*)$", line):
         yield from _replacing(found["word"], _parameters(question, keys))
     elif found := re.match(rf"\s*(?:- )?(?P<key>[\w./]+):(?P<gap>\s*){_WORD}", line):
@@ -42,6 +43,10 @@ def in_yaml(question: Question) -> Iterator[OfferedItem]:
 
 def _replacing(word: str, items: Iterator[OfferedItem]) -> Iterator[OfferedItem]:
     return (item._replace(replaces=len(word)) for item in items)
+
+
+def _listed(word: str, items: Iterator[OfferedItem]) -> Iterator[OfferedItem]:
+    return (item._replace(is_element=True) for item in _replacing(word, items))
 
 
 def _keys_above(question: Question) -> list[str]:
@@ -155,7 +160,7 @@ def _elements(question: Question, keys: list[str], word: str) -> Iterator[Offere
     """Elements of a list: of a controller's parameter those with which nothing is wrong that is right now."""
     trials = [(trial, name) for trial, name in _at(question, keys) if trial.controller.type is not None]
     for trial, kind, name, declared in _declared(trials):
-        now = trial.values.get(name)
+        now = trial.values.get(name) if question.is_current else _elements_around(question)
         given = [one for one in now if one and one != word] if isinstance(now, list) else []
         for choice in _choices(trial, kind.parameters[declared], declared):
             if choice not in given and trial.is_as_good(kind, {**trial.values, name: [*given, choice]}):
@@ -163,7 +168,7 @@ def _elements(question: Question, keys: list[str], word: str) -> Iterator[Offere
     if not trials:
         key = keys[-1] if keys else ""
         kinds = (CONTROLLER,) if key in _LISTS_CONTROLLERS else (JOINT,) if "joint" in key else ()
-        listed = set(re.findall(r"[\w/.-]+", _list_around(question)))
+        listed = _elements_around(question)
         yield from (item for item in _named(question, *kinds) if item.text not in listed)
 
 
@@ -176,15 +181,18 @@ def _declared(trials: Iterable[tuple[Trial, str]]) -> Iterator[tuple[Trial, Cont
             yield trial, kind, name, matched[0]
 
 
-def _list_around(question: Question) -> str:
-    """The text of the lines of a list around the place, and of its row."""
+def _elements_around(question: Question) -> list[str]:
+    """The words of the list around the place, as it is written now: in brackets on one line, or below each other."""
+    row = question.source.line(question.line).partition("[")[2].partition("]")[0]
+    if row:
+        return re.findall(_ELEMENT, row.partition(" #")[0])
     lines = [question.source.line(question.line)]
     for step in (-1, 1):
         number = question.line + step
         while re.match(r"\s*-\s", question.source.line(number)):
             lines.append(question.source.line(number))
             number += step
-    return "\n".join(lines)
+    return [found[1] for line in lines if (found := re.match(rf"\s*-\s*[\"']?({_ELEMENT})", line))]
 
 
 def _kind_of(trial: Trial, choice: str) -> str:
