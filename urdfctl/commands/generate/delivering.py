@@ -14,6 +14,7 @@ from urdfctl.generate.files.writing import Writing, deliver
 from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.output.answer import CommandAnswer
+from urdfctl.smoke.engines import installed
 from urdfctl.startup.records import NamedTuple
 
 
@@ -44,7 +45,7 @@ def delivered(options: GenerateOptions, made: Made, answer: CommandAnswer) -> in
         return 1
     answer.messages(_remarks(options, made))
     writing = Writing(output, options.force, options.diff, options.check, options.into)
-    steps = tuple(steps_after(command, made.controllers, made.options, output or ""))
+    steps = tuple(steps_after(command, made.controllers, made.options, output or "", can_smoke=bool(installed())))
     files = made.files
     if command in PACKAGES and output:
         files, to_add = around_package(files, output)

@@ -15,9 +15,12 @@ _PART = 0.1
 
 
 def steps_after(
-    command: str, made: Sequence[GeneratedController], options: GeneratorOptions, output: str
+    command: str, made: Sequence[GeneratedController], options: GeneratorOptions, output: str, *, can_smoke: bool
 ) -> Iterator[str]:
-    """Yield commands and lines for the user, for files that a generator wrote to an output."""
+    """Yield commands and lines for the user, for files that a generator wrote to an output.
+
+    can_smoke: whether an engine is installed.
+    """
     package = options.package or "my_robot_control"
     if command == "convert":
         yield f"gz sim -r {output}" if options.to == "sdf" else f"python -m mujoco.viewer --mjcf={output}"
@@ -38,7 +41,8 @@ def steps_after(
         if line:
             yield line
     if command in ("gen-all", "gen-moveit"):
-        yield f"urdfctl lint {output} && urdfctl smoke {output}"
+        needs = "" if can_smoke else "  # needs: pip install 'urdfctl[smoke]'"
+        yield f"urdfctl lint {output} && urdfctl smoke {output}{needs}"
 
 
 def example_of(controller: GeneratedController) -> str | None:
