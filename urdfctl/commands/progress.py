@@ -7,16 +7,14 @@ import sys
 from collections.abc import Iterator
 from typing import TypeVar
 
+from urdfctl.run.waiting import BAR_FROM
+
 Result = TypeVar("Result")
-
-
-SHOWN_FROM = 20
-"""Fewer robots are done before anyone could read the bar."""
 
 
 def with_progress(results: Iterator[Result], total: int, doing: str = "linting") -> Iterator[Result]:
     """Yield the results; show a bar on standard error if that is a terminal and there are many."""
-    if total < SHOWN_FROM or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
+    if total < BAR_FROM or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
         yield from results
         return
     from rich.console import Console

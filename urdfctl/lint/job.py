@@ -21,7 +21,8 @@ from urdfctl.load.target import Target
 from urdfctl.rules import all_faults
 from urdfctl.run.fork import Standby
 from urdfctl.run.limits import Json, Limits, Result, WorkerFailure, processors
-from urdfctl.run.pool import Division, run_jobs
+from urdfctl.run.pool import Division, Meanwhile, run_jobs
+from urdfctl.run.waiting import BAR_FROM
 from urdfctl.source.disk.files import is_launch
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.private import private_module
@@ -96,8 +97,16 @@ def run_on_targets(
         workers.parallel or processors(),
         function_name="urdfctl.lint.job:perform_alone",
         division=Division(workers.targets_per_worker, list(map(_folder_of_launch, targets)), workers.standby),
-        meanwhile=workers.meanwhile,
+        meanwhile=Meanwhile(workers.meanwhile, _doing(targets)),
     )
+
+
+def _doing(targets: Sequence[Target]) -> str:
+    """What a user who waits is told; nothing where there is a bar."""
+    if len(targets) >= BAR_FROM:
+        return ""
+    what = os.path.basename(targets[0].path) if len(targets) == 1 else f"{len(targets)} robots"
+    return f"working on {what}"
 
 
 def _folder_of_launch(target: Target) -> str:

@@ -110,12 +110,14 @@ class ForkPool:
             if outbox is not None:
                 os.close(outbox)
 
-    def wait(self) -> None:
-        """Read what workers have written; end those that are done, too slow, or write too much."""
+    def wait(self, seconds: float | None = None) -> None:
+        """Read what workers have written, for so many seconds at most; end those that are done, too slow, or write too
+        much."""
         from select import select
 
         nearest = min(worker.deadline for worker in self.active.values())
-        readable, _, _ = select(list(self.active), [], [], max(nearest - time.monotonic(), 0.0))
+        left = max(nearest - time.monotonic(), 0.0)
+        readable, _, _ = select(list(self.active), [], [], left if seconds is None else min(left, seconds))
         for pipe in readable:
             self._read(self.active[pipe])
         for worker in list(self.active.values()):

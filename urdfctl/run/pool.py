@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.run.fork import ForkPool, Standby
 from urdfctl.run.limits import CAN_FORK, HAS_PROCESSES, Json, Limits, Result
+from urdfctl.run.waiting import WaitingLine
 from urdfctl.startup.records import NamedTuple
 
 MAX_PARALLEL = 128
@@ -30,6 +31,21 @@ class Division(NamedTuple):
     standby: Standby | None = None
 
 
+def _nothing() -> None:
+    """Use the time for nothing."""
+
+
+class Meanwhile(NamedTuple):
+    """What happens in this process while the workers are busy.
+
+    call: called once, after the first workers were started.
+    doing: what a user on a terminal is told if it takes long, such as `working on arm.urdf`; empty for nothing.
+    """
+
+    call: Callable[[], object] = _nothing
+    doing: str = ""
+
+
 def run_jobs(
     jobs: Sequence[Json],
     function: Callable[[Json], Json],
@@ -38,20 +54,20 @@ def run_jobs(
     *,
     function_name: str,
     division: Division = Division(),  # noqa: B008 (immutable)
-    meanwhile: Callable[[], object] = lambda: None,
+    meanwhile: Meanwhile = Meanwhile(),  # noqa: B008 (immutable)
 ) -> Iterator[Result]:
     """Yield the result of each job, in order.
 
     parallel: how many workers run at the same time, up to MAX_PARALLEL.
     function_name: `package.module:function`, used instead of `function` where the system cannot fork.
     division: of the jobs among forked workers.
-    meanwhile: called once, after the first workers were started.
+    meanwhile: what happens here while the workers are busy.
     """
     parallel = min(max(parallel, 1), MAX_PARALLEL)
     if not HAS_PROCESSES:
         from urdfctl.run.here import run_all_here
 
-        meanwhile()
+        meanwhile.call()
         yield from run_all_here(jobs, function, limits)
         return
     if not CAN_FORK:
@@ -61,16 +77,19 @@ def run_jobs(
         return
     size = max(min(division.jobs_per_worker, len(jobs) // (4 * parallel)), 1)
     shares = _shares(division.together or [""] * len(jobs), size)
-    pool = ForkPool(jobs, function, limits, shares, division.standby)
+    pool, line = ForkPool(jobs, function, limits, shares, division.standby), WaitingLine(meanwhile.doing, len(jobs))
     try:
         pool.fill(parallel)
-        meanwhile()
+        meanwhile.call()
         for number in range(len(jobs)):
             while number not in pool.results:
                 pool.fill(parallel)
-                pool.wait()
+                pool.wait(line.seconds)
+                line.show(number)
+            line.erase()
             yield pool.results.pop(number)
     finally:
+        line.erase()
         pool.kill()
 
 

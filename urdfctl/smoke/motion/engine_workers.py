@@ -8,7 +8,7 @@ from typing import Any
 
 from urdfctl.config.settings import Settings
 from urdfctl.run.limits import WAITING, Limits, Result, WorkerFailure
-from urdfctl.run.pool import run_jobs
+from urdfctl.run.pool import Meanwhile, run_jobs
 from urdfctl.smoke.motion.engine_agreement import decided, is_certain
 from urdfctl.smoke.motion.plan import MotionPlan, SimulationResult
 from urdfctl.smoke.motion.progress import keep, kept, live_lines, stopped_early
@@ -93,6 +93,7 @@ class EngineWorkers:
             self.limits_for(plans),
             parallel,
             function_name="urdfctl.smoke.motion.engine_workers:run_trial_job",
+            meanwhile=Meanwhile(doing="" if self._live else "moving the robot"),
         )
         for plan, path, result in zip(plans, paths, self._until_interrupted(results, len(jobs)), strict=True):
             if isinstance(result, dict):
