@@ -200,9 +200,11 @@ def bare_robot(folder: Path) -> Path:
 
 
 def test_a_run_that_tested_no_controller_is_not_green(tmp_path: Path) -> None:
-    done = smoke(bare_robot(tmp_path), *NONE)
+    robot = bare_robot(tmp_path)
+    done = smoke(robot, *NONE)
     assert done.exit_code == 5
-    assert "nothing was tested: no controllers found; name their file with --controllers\n" in done.stdout
+    assert "nothing was tested: no controllers found; name their file with --controllers, or see what" in done.stdout
+    assert f"'urdfctl gen-all {robot}' proposes\n" in done.stdout
     assert smoke(bare_robot(tmp_path), *NONE, "--allow-empty").exit_code == 0
 
 

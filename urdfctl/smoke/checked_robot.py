@@ -25,6 +25,7 @@ class CheckedRobot(NamedTuple):
     suppressed: the codes that comments suppress, by subject.
     misfits: the user's tasks that do not fit it.
     not_started: the controllers that are most likely not started, each with the reason.
+    doubts: the errors of its controllers that are warnings, by controller and code, each with the reason.
     """
 
     result: RobotResult
@@ -34,6 +35,7 @@ class CheckedRobot(NamedTuple):
     suppressed: Mapping[str, Sequence[str]] = {}
     misfits: tuple[Misfit, ...] = ()
     not_started: Mapping[str, str] = {}
+    doubts: Mapping[str, Mapping[str, str]] = {}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> CheckedRobot:
@@ -53,6 +55,7 @@ class CheckedRobot(NamedTuple):
             suppressed=data["suppressed"],
             misfits=tuple(Misfit(*misfit) for misfit in data["misfits"]),
             not_started=data["not_started"],
+            doubts=data["doubts"],
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -68,4 +71,5 @@ class CheckedRobot(NamedTuple):
             "suppressed": dict(self.suppressed),
             "misfits": self.misfits,
             "not_started": self.not_started,
+            "doubts": self.doubts,
         }

@@ -81,14 +81,16 @@ def diagnostics_of(
 
     placed: from `placed_diagnostics`, for the subjects of the troubles.
     not_started: the controllers that are most likely not started, each with the reason; their errors become warnings
-        that give it.
+        that give it, as do those that the hardware may not share.
     """
     for trouble in troubles:
         if trouble.code in suppressed.get(trouble.subject, ()):
             continue
         fault = fault_of(trouble.code)
         its_place = placed.get(trouble.subject) or placed.get(f"controller:{trouble.controller}") or placed[ROBOT]
-        why = not_started.get(trouble.controller or "") if fault.severity is Severity.ERROR else None
+        why = None
+        if fault.severity is Severity.ERROR:
+            why = trouble.doubt or not_started.get(trouble.controller or "")
         notes = (*trouble.notes, why) if why else trouble.notes
         yield its_place._replace(
             code=fault.code,

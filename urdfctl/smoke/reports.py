@@ -15,6 +15,7 @@ from urdfctl.report.common import as_json, shown
 from urdfctl.report.json_report import document
 from urdfctl.report.text import Piece, pieces
 from urdfctl.smoke.results import ControllerResult, Curve, RobotResult, Verdict
+from urdfctl.source.disk.files import is_launch
 from urdfctl.startup.records import NamedTuple
 
 _STYLES = {
@@ -26,6 +27,7 @@ _STYLES = {
 
 
 _NOTHING = "nothing was tested: no controllers found; name their file with --controllers"
+_PROPOSED = ", or see what 'urdfctl gen-all {}' proposes"
 
 
 class SmokeReport(NamedTuple):
@@ -137,7 +139,8 @@ def summary(report: SmokeReport) -> str:
     counts = [f"{report.count(verdict)} {verdict.value}" for verdict in Verdict if report.count(verdict)]
     total = sum(len(robot.controllers) for robot in report.robots)
     if not counts:
-        return _NOTHING
+        whole = [robot.linted.path for robot in report.robots if not robot.part_of and not is_launch(robot.linted.path)]
+        return _NOTHING + (_PROPOSED.format(shown(whole[0])) if whole else "")
     interrupted = "; interrupted before all were tested" if report.is_interrupted else ""
     return f"{total} controller{'s' if total != 1 else ''}: {', '.join(counts)}{interrupted}"
 

@@ -63,6 +63,7 @@ class Trouble(NamedTuple):
     `subject` is `controller:NAME`, `gain:CONTROLLER/PARAMETER`, `joint:NAME`, `link:NAME`, `lint:...` (where lint
     reports an error) or ROBOT.
     `controller` is the name of the controller whose verdict it changes, or None.
+    `doubt` is why an error is only a warning, as the hardware may move the joint in another way, or empty.
     """
 
     code: str
@@ -70,11 +71,13 @@ class Trouble(NamedTuple):
     message: str
     controller: str | None = None
     notes: tuple[str, ...] = ()
+    doubt: str = ""
 
     @classmethod
     def from_json(cls, data: list[Any]) -> Trouble:
         """Return the trouble that a list of plain data holds."""
-        return cls(data[0], data[1], data[2], data[3], tuple(data[4]))
+        code, subject, message, controller, notes, doubt = data
+        return cls(code, subject, message, controller, tuple(notes), doubt=doubt)
 
 
 def trouble_of(

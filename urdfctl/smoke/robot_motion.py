@@ -18,7 +18,7 @@ from urdfctl.smoke.engines import EngineUrdf, engine_urdf, wheel_links
 from urdfctl.smoke.motion import MotionPlan, SimulationResult
 from urdfctl.smoke.results import ROBOT, ControllerResult, RobotResult, Trouble, Verdict, trouble_of
 from urdfctl.smoke.robot import Mechanism
-from urdfctl.smoke.statics import StaticCheck, as_not_started, with_troubles
+from urdfctl.smoke.statics import StaticCheck, as_not_started, with_doubts, with_troubles
 from urdfctl.smoke.tasks import MOTION, Drive
 from urdfctl.source.workspaces.packages import Packages
 
@@ -99,7 +99,7 @@ def with_engine_result(
         troubles = [trouble_of(engine_refuses_robot, ROBOT, engine=engine, why=trial.refused)]
         trial = _not_simulated(result, f"{engine} rejects the robot")
     else:
-        troubles = _new(trial.troubles, robot.troubles)
+        troubles = list(with_doubts(_new(trial.troubles, robot.troubles), robot.doubts))
     diagnostics = result.linted.outcome.diagnostics
     messages = {diagnostic.message for diagnostic in diagnostics}
     found = diagnostics_of(troubles, robot.placed, robot.suppressed, robot.not_started)

@@ -228,6 +228,7 @@ def judge(seen: LintedTarget, loader: Loader, request: SmokeRequest) -> CheckedR
         troubles=static_check.troubles,
         suppressed=static_check.suppressed_codes(),
         not_started=static_check.not_started,
+        doubts=static_check.doubts,
     )
 
 

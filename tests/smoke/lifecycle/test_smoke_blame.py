@@ -191,3 +191,20 @@ def test_controllers_that_reach_no_manager_do_not_pass(plugin: str, why: str, tm
     made = smoked(target_of(tmp_path, parts), distro="noetic")
     assert verdicts(made) == {"arm": "failed load" if why else "skipped activate"}
     assert why in (made.controllers[0].reason or "")
+
+
+ONLY_SHOWN = """
+    <launch>
+      <param name="robot_description" textfile="$(dirname)/robot.urdf"/>
+      <rosparam file="$(dirname)/arm.yaml" command="load"/>
+      <node name="planner" pkg="arm_planner" type="plan"/>
+    </launch>
+"""
+
+
+@pytest.mark.parametrize(("launch", "verdict"), [(GAZEBO_OF_ROS1, "failed"), (ONLY_SHOWN, "skipped")])
+def test_a_driver_may_offer_what_transmissions_for_gazebo_do_not(launch: str, verdict: str, tmp_path: Path) -> None:
+    position = EFFORT.replace("effort_controllers/JointEffort", "position_controllers/JointPosition")
+    parts = {"robot.urdf": ELBOW + PLUGIN % "", "arm.yaml": f"arm: {position}\n", "robot.launch": launch}
+    made = smoked(target_of(tmp_path, parts), distro="noetic")
+    assert [each.verdict.value for each in made.controllers] == [verdict]

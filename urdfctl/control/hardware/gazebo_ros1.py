@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
 from urdfctl.diagnostic import Severity
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Plugin
@@ -23,13 +25,24 @@ def in_gazebo(project: Project) -> Severity | None:
     """Return the severity of what Gazebo's default hardware simulation rejects; None if it does not run the robot.
 
     An error if it is known to run the robot: the user names Gazebo Classic, or names nothing and the robot loads the
-    plugin. Otherwise a warning.
+    plugin, unless a launch file starts the robot without Gazebo. Otherwise a warning.
     """
     plugins = control_plugins(project)
     default = [plugin for plugin in plugins if _simulation(plugin) in _DEFAULT_SIMULATION]
     if project.named_simulator not in (None, "gazebo-classic") or (plugins and not default):
         return None
-    return Severity.ERROR if default or project.named_simulator else Severity.WARNING
+    sure = project.named_simulator or (default and not is_started_without_gazebo(project))
+    return Severity.ERROR if sure else Severity.WARNING
+
+
+def is_started_without_gazebo(project: Project) -> bool:
+    """Return whether a launch file starts the robot with other hardware: the plugin of Gazebo is in the description all
+    the same."""
+    launch = project.launch
+    if launch is None or not launch.complete or launch.simulations:
+        return False
+    nodes = (*launch.nodes, *chain(*launch.beside))
+    return bool(nodes) and not any("gazebo" in node.package.text for node in nodes)
 
 
 def has_own_simulation(project: Project) -> bool:

@@ -8,6 +8,7 @@ from urdfctl.smoke.robot.loads import GRAVITY, gravity_load, moved_inertias, sam
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
 from urdfctl.smoke.robot.rest_pose import TIPPED, TOUCHING, RestPose, carried_by, heights_of, rest_pose_of
 from urdfctl.smoke.robot.shapes import Shape, Shapes, corners_of, is_endless, shapes_of, with_rims
+from urdfctl.smoke.robot.ties import ties_of
 from urdfctl.smoke.robot.wheels import GRIPS, LATERAL, LEVEL, SLIDES, Wheel, friction_of, is_wheel, wheels_of
 
 __all__ = [
@@ -40,6 +41,7 @@ __all__ = [
     "rest_pose_of",
     "sampled_poses",
     "shapes_of",
+    "ties_of",
     "triangles_of_collada",
     "wheels_of",
     "with_rims",

@@ -34,6 +34,7 @@ from urdfctl.smoke.lifecycle import (
 )
 from urdfctl.smoke.results import ROBOT, ControllerResult, RobotResult, Trouble, Verdict, trouble_of
 from urdfctl.smoke.robot import Mechanism, Shapes, mechanism_of, shapes_of, with_rims
+from urdfctl.smoke.statics.doubts import Doubts, doubts_of, with_doubts
 from urdfctl.smoke.statics.loose_joints import loose_troubles
 from urdfctl.smoke.statics.overlaps import overlap_troubles
 from urdfctl.smoke.statics.physics import static_troubles
@@ -43,6 +44,7 @@ from urdfctl.smoke.statics.simulators import in_simulation
 from urdfctl.smoke.statics.stability import loop_troubles, needs_grip
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
+from urdfctl.smoke.statics.undriven import tied_by, undriven, with_virtual_wheels
 from urdfctl.smoke.statics.unknown_parts import MOCKED, why_unknown
 from urdfctl.smoke.statics.velocity_loops import velocity_loop_troubles
 from urdfctl.smoke.statics.written_limits import written_limit_troubles
@@ -73,6 +75,7 @@ class StaticCheck(NamedTuple):
     given: the user's own tasks.
     support: what a robot rests on that nothing fixes to the world.
     mocked: whether mock hardware is in the place of its driver.
+    doubts: the errors of its controllers that are warnings.
     """
 
     seen: LintedTarget
@@ -86,6 +89,7 @@ class StaticCheck(NamedTuple):
     given: TaskFile | None = None
     support: Support = Support()
     mocked: bool = False
+    doubts: Doubts = {}
 
     def wants(self, name: str | None) -> bool:
         """Return whether a controller was asked for. Findings of no controller are always reported."""
@@ -199,13 +203,17 @@ def _with_physics(
     unlikely = list(plausibility_troubles(mechanism, robot, shapes, visuals))
     mechanism = with_rims(mechanism, shapes)
     transmissions = transmissions_of(project, distro)
-    tasks = with_transmissions(transmissions, with_inferred_drives(mechanism, shapes, check.tasks))
+    tied = tied_by(robot)
+    driving = with_virtual_wheels(project, distro, mechanism, check.tasks)
+    driving = undriven(driving, tied) if tied else with_inferred_drives(mechanism, shapes, driving)
+    tasks = with_transmissions(transmissions, driving)
     troubles = [*check.troubles, *unlikely, *transmission_troubles(transmissions, tasks)]
     troubles += static_troubles(mechanism, tasks, robot, shapes)
     if project.started is None:
         troubles += shared_joint_troubles(tasks)
     troubles += written_limit_troubles(mechanism, robot)
-    troubles += loose_troubles(mechanism, tasks, robot, falls=in_simulation(project, distro))
+    if not tied:
+        troubles += loose_troubles(mechanism, tasks, robot, falls=in_simulation(project, distro))
     mechanism = mechanism.within_command_ranges()
     troubles += loop_troubles(mechanism, tasks, check.rate)
     troubles += velocity_loop_troubles(mechanism, tasks, check.rate)
@@ -216,11 +224,12 @@ def _with_physics(
         for task in tasks
     )
     troubles += overlap_troubles(mechanism, shapes, _allowed(project))
-    support = _support(mechanism, shapes, tasks)
+    support = Support(why_not=tied) if tied else _support(mechanism, shapes, tasks)
     if support.tips and in_simulation(project, distro):
         troubles.append(trouble_of(loose_robot_tips_over, ROBOT, when=support.tips))
-    told = tuple(unexplained(troubles, troubles))
-    return check._replace(mechanism=mechanism, tasks=tasks, troubles=told, support=support)
+    doubts = doubts_of(project, distro, tasks)
+    told = with_doubts(unexplained(troubles, troubles), doubts)
+    return check._replace(mechanism=mechanism, tasks=tasks, troubles=told, support=support, doubts=doubts)
 
 
 def _link_elsewhere(project: Project) -> str | None:
@@ -277,7 +286,7 @@ def with_troubles(result: ControllerResult, troubles: Iterable[Trouble]) -> Cont
         return result
     for trouble, fault in own:
         stage = stage_of(fault.code)
-        if fault.severity is Severity.ERROR and isinstance(stage, Stage):
+        if fault.severity is Severity.ERROR and isinstance(stage, Stage) and not trouble.doubt:
             return result._replace(verdict=Verdict.FAILED, stage=stage, reason=trouble.message)
     return result._replace(verdict=Verdict.WARNED, reason=own[0][0].message)
 

@@ -30,6 +30,8 @@ MOST_REACH = 5.0
 """The radius of gyration of a link is at most this multiple of its largest dimension."""
 LEAST_MASS = 0.01
 """Lighter links are not judged by their inertia, in kg."""
+DENSEST = 22_600.0
+"""The density of osmium, in kg/m³: shapes that would be denser than this stand for a link that is larger."""
 LEAST_RANGE = 0.01
 """The range of a command should be at least this fraction of the joint's own range."""
 MOST_SECONDS = 120.0
@@ -87,7 +89,7 @@ def _inertias(mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robo
         fields = {"link": body.name, "mass": f"{body.mass:g}", "size": f"{size:g}"}
         if times > 1 and body.name in pushed:
             yield trouble_of(inertia_too_small, f"link:{body.name}", None, (), **fields, times=f"{times:.1g}")
-        elif times < 1:
+        elif times < 1 and body.mass < DENSEST * size**3:
             owner = moved[body.name]
             yield trouble_of(inertia_too_large, f"link:{body.name}", owner, (), **fields, times=f"{1 / times:.1g}")
 
