@@ -242,6 +242,21 @@ def test_meshes_are_found_as_lint_finds_them_and_missing_ones_are_marked(tmp_pat
     assert "has no triangles" in scene["notes"][1] or "cannot be read" in scene["notes"][1]
 
 
+@pytest.mark.parametrize(
+    ("collision", "shown"),
+    [('<box size="1 2 3"/>', ["box"]), ('<mesh filename="meshes/gone_too.stl"/>', ["missing"]), ("", ["missing"])],
+)
+def test_where_all_visual_meshes_are_missing_the_collision_shapes_are_shown(
+    tmp_path: Path, collision: str, shown: list[str]
+) -> None:
+    visual = '<visual><geometry><mesh filename="meshes/gone.stl"/></geometry></visual>'
+    solid = f"<collision><geometry>{collision}</geometry></collision>"
+    robot = f'<robot name="r"><link name="base">{visual}{solid}</link></robot>'
+    scene = scene_in(tmp_path, {"robot.urdf": robot})
+    assert [part["shape"] for part in scene["links"]["base"]] == shown
+    assert any("gone.stl" in note for note in scene["notes"])
+
+
 def ball(rings: int) -> bytes:
     import trimesh
 

@@ -153,8 +153,15 @@ def _numbers(pose: Pose) -> list[float]:
 
 
 def _parts(link: Link, materials: _Colours, shelf: MeshShelf, notes: list[str]) -> list[dict[str, Any]]:
-    """The visual shapes of a link; without any, its collision shapes."""
-    role = "visual" if any(link.tag.named("visual")) else "collision"
+    """The visual shapes of a link; without any that can be drawn, its collision shapes."""
+    seen = _shapes(link, "visual", materials, shelf, notes)
+    if any(part["shape"] != "missing" for part in seen):
+        return seen
+    solid = _shapes(link, "collision", materials, shelf, notes)
+    return [part for part in solid if part["shape"] != "missing"] or seen or solid
+
+
+def _shapes(link: Link, role: str, materials: _Colours, shelf: MeshShelf, notes: list[str]) -> list[dict[str, Any]]:
     found = []
     for tag in link.tag.named(role):
         geometry = next(tag.named("geometry"), None)
