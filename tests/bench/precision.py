@@ -5,6 +5,7 @@
 DIR has a folder OWNER__NAME for each repository. The file lists `errors`, each with repo, code, file, line and verdict:
 true, false, debatable or artefact (only because the copy lacks files), judged by people. The page has names, counts and
 verdicts, nothing of the repositories' content. Lint runs in the root of each, without options, as a stranger would.
+The section on other tools is that of rivals.py.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import yaml
+from rivals import section
 
 _HEAD = """\
 # Precision
@@ -59,7 +61,7 @@ def main() -> int:
     options = parser.parse_args()
     known = verdicts_in(options.verdicts)
     folders = sorted(folder for folder in options.trees.iterdir() if folder.is_dir())
-    sys.stdout.write(page([judged(folder, known) for folder in folders]))
+    sys.stdout.write(f"{page([judged(folder, known) for folder in folders])}\n{section()}")
     return 0
 
 
