@@ -186,7 +186,7 @@ def ros1(system: System, _idioms: Idioms, _position: str) -> bool:
 
 def loading(system: System, idioms: Idioms, position: str) -> bool:
     """Parameters of ROS 1 below a namespace."""
-    if position == "key" and idioms["namespacing"] == "group around include":
+    if position == "key" and (idioms["namespacing"] == "group around include" or idioms["fleet"] == "shared"):
         return False
     return system.generation == 1 and all(robot.section for robot in system.robots)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +19,7 @@ from urdfctl.model.launch.parts import (
     Word,
     joined,
 )
+from urdfctl.model.launch.robot_homes import nearest_home, strays
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 
 _WITHOUT_CONTROLLERS = frozenset({"moveit_ros_move_group", "moveit_servo", "teleop_twist_joy", "diagnostic_aggregator"})
 
+_NOBODY: Mapping[str, Collection[str]] = {}
 _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 """The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
@@ -47,6 +49,7 @@ class Launch(NamedTuple):
     package: the package that contains it; None if unknown.
     strays: ROS 1: arguments for included files that do not declare them.
     arguments: the launch arguments that the file itself declares, with their defaults; None for a required one.
+    choices: ROS 2: the values that it allows for these arguments.
     inline: ROS 1: the parameters that it contains.
     misspelt: the packages that it names and that do not exist, each with the package that was probably meant.
     moveit: the files that it gives to MoveIt.
@@ -70,6 +73,7 @@ class Launch(NamedTuple):
     package: Package | None = None
     strays: tuple[Word, ...] = ()
     arguments: tuple[tuple[str, str | None], ...] = ()
+    choices: tuple[tuple[str, tuple[str, ...]], ...] = ()
     inline: tuple[InlineParameters, ...] = ()
     misspelt: tuple[tuple[Word, str], ...] = ()
     moveit: tuple[MoveItFiles, ...] = ()
@@ -106,6 +110,8 @@ class Launch(NamedTuple):
         sure = [each for each in usable if each.sure]
         robots: list[Description] = []
         managed = {node.namespace for node in self.nodes if node.runs("controller_manager", "ros2_control_node")}
+        if self.ros == 1:
+            managed = {spawn.namespace for spawn in self.spawns if spawn.sure}
         for each in sorted(_decisive(sure or usable), key=lambda one: (one.namespace or "").count("/")):
             if not any(_is_same_robot(each, robot, managed) for robot in robots):
                 robots.append(each)
@@ -157,18 +163,26 @@ class Launch(NamedTuple):
         homes = others | {each.namespace or "" for each in robots}
         home = robot.namespace or ""
 
-        def belongs(namespace: str | None) -> bool:
-            around = [one for one in homes if f"{namespace or ''}/".startswith(f"{one}/")]
-            return namespace is None or max(around, key=len, default=home) == home
-
         if len(homes) < 2:  # noqa: PLR2004
             return self
+        loading = [*(load.namespace for load in self.loads), *(one.namespace for one in self.inline)]
+        spawning = [spawn.namespace for spawn in self.spawns]
+        loaded_for = strays(loading, spawning, homes) if self.ros == 1 else {}
+        spawned_for = strays(spawning, loading, homes) if self.ros == 1 else {}
+
+        def belongs(namespace: str | None, meant: Mapping[str, Collection[str]] = _NOBODY) -> bool:
+            if namespace is None or namespace in meant:
+                return namespace is None or home in meant[namespace]
+            return nearest_home(namespace, homes, home) == home
+
         return self._replace(
             descriptions=tuple(each for each in self.descriptions if belongs(self._home(each))),
             others=tuple(each for each in robots if each.namespace != robot.namespace),
-            loads=tuple(load for load in self.loads if belongs(load.of if self.ros > 1 else load.namespace)),
-            spawns=tuple(spawn for spawn in self.spawns if belongs(spawn.namespace)),
-            inline=tuple(one for one in self.inline if belongs(one.namespace)),
+            loads=tuple(
+                load for load in self.loads if belongs(load.of if self.ros > 1 else load.namespace, loaded_for)
+            ),
+            spawns=tuple(spawn for spawn in self.spawns if belongs(spawn.namespace, spawned_for)),
+            inline=tuple(one for one in self.inline if belongs(one.namespace, loaded_for)),
             given=tuple(one for one in self.given if belongs(one.of)),
         )
 
