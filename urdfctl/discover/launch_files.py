@@ -49,6 +49,7 @@ def is_launch_file(path: str, text: bytes) -> bool:
     return bool(re.search(rb"(?m)^launch[ \t]*:", text)) if path.endswith(_ROS2) else b"<launch" in text
 
 
+@lru_cache(maxsize=_MOST_TEXTS)
 def is_broken(path: str, text: bytes) -> bool:
     """Return whether a launch file in Python or XML has a syntax error. Templates, and large files, count as sound."""
     if len(text) > _MOST_BYTES or path.endswith((".yaml", ".yml")) or re.search(_TEMPLATE, text):
@@ -84,8 +85,8 @@ def _is_broken_xml(text: bytes) -> bool:
 
 
 def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> list[str]:
-    """The launch files that no other one certainly includes, and which describe a robot, load parameters or start
-    controllers, themselves or by what they include, in order.
+    """The launch files that no other one without a syntax error certainly includes, and which describe a robot, load
+    parameters or start controllers, themselves or by what they include, in order.
 
     naming: if given, only those which also name one of these, themselves or by what they include.
     """
@@ -96,7 +97,8 @@ def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> li
     for path in texts:
         by_name.setdefault(os.path.basename(path), []).append(path)
     found = {path: included_in(path, text, by_name) for path, text in texts.items()}
-    inner = {path for included in found.values() for path in included.sure}
+    including = (path for path, included in found.items() if included.sure and not is_broken(path, texts[path]))
+    inner = {included for path in including for included in found[path].sure}
     every = {path: included.every for path, included in found.items()}
     return [path for path in texts if path not in inner and _is_relevant(path, every, texts, named)]
 

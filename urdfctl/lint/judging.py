@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from urdfctl.discover.backups import is_backup
 from urdfctl.discover.robots import DiscoveredFiles
+from urdfctl.lint.chosen import chosen_starts
 from urdfctl.lint.elimination import pairs_by_elimination
 from urdfctl.lint.findings.weakening import as_started, as_unused, as_used
 from urdfctl.lint.joining import Joined, is_lonely, joined, starts_in, targets_near, unjoined
@@ -43,7 +44,7 @@ class LintRun(NamedTuple):
     robots: the results of robots.
     targets: all targets with their results, also macro libraries, fragments and files not used by any robot.
     silent: the results of launch files that start a robot without controllers, and have no findings of their own.
-    unjoined: launch files that start controllers, and no robot that these fit.
+    unjoined: launch files that start controllers, and no robot that these fit; or a robot that is not here.
     despite: files that were linted although COLCON_IGNORE or CATKIN_IGNORE excludes them: there is nothing else.
     """
 
@@ -103,7 +104,7 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
     started = _launched([entry for entry in plan.targets if entry.is_launched], linted, linter)
     launches = Launches(started, [(entry, pair) for entry, pair in started if entry.is_reported(pair[1])])
     reported = _described(plan.targets, launches, linted)
-    together = _together(launches.started, reported, linted)
+    together = _with_chosen(_together(launches.started, reported, linted), launches.started, linter, linted)
     reported = _with_joined(reported, together)
     reported += linted(_unread(files.controllers, reported))
     reported = _paired(reported, _unread(files.controllers_candidates, reported), linted)
@@ -167,6 +168,15 @@ def _together(started: LaunchedTargets, reported: LintedTargets, linted: LintTar
     named = [target.path for target, result in reported if is_lonely(result) and id(result) not in known]
     near = list(dict.fromkeys(target for path in named for target in targets_near(path)))
     return joined([*launched, *reported, *(linted(near) if near else ())], wanted, linted)
+
+
+def _with_chosen(together: Joined, started: LaunchedTargets, linter: TargetLinter, linted: LintTargets) -> Joined:
+    """What is started beside each other, and starts with an argument by which they include what nothing else fits."""
+    launched = [pair for _, pair in started]
+    chosen = chosen_starts(launched, together.replaced, linter.variants, linted)
+    included = {path for _, result in chosen if result.bringup for path in result.bringup.includes}
+    covered = {id(result) for _, result in launched if is_lonely(result) and result.path in included}
+    return Joined((*together.results, *chosen), together.replaced | covered)
 
 
 def _named(files: DiscoveredFiles) -> set[str]:

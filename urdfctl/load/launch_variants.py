@@ -9,6 +9,7 @@ import glob
 import os
 import re
 from collections.abc import Callable, Iterator, Mapping
+from itertools import islice
 
 from urdfctl.model.launch import Launch
 from urdfctl.source.disk.gate import matching
@@ -19,6 +20,7 @@ _MARK = "\ue001"
 _MOST_VALUES = 24
 _MOST_REQUIRED = 8
 _MOST_MODES = 8
+_BOTH = ("true", "false")
 
 Arguments = dict[str, str]
 Read = Callable[[Mapping[str, str]], Launch | None]
@@ -78,6 +80,26 @@ def file_choices(launch: Launch, arguments: Mapping[str, str], read: Read) -> li
             if values:
                 return [{name: value} for value in sorted(values)[:_MOST_MODES]]
     return []
+
+
+def variant_including(path: str, read: Read) -> LaunchVariant:
+    """Return the argument with which a launch file starts its robot and includes another launch file, one that is not
+    its default: of those that it allows, or the other one of true and false. None if there is none."""
+    launch = read({})
+    for name, value in islice(_other_values(launch), _MOST_VALUES) if launch else ():
+        other = read({name: value})
+        included = (one for one in other.references if one.use == "include" and one.sure) if other else ()
+        if other and other.robots and any(one.file.path == path for one in included):
+            return _guessed({name: value})
+    return LaunchVariant()
+
+
+def _other_values(launch: Launch) -> Iterator[tuple[str, str]]:
+    """Yield values of the arguments that are not their defaults."""
+    choices = dict(launch.choices)
+    for name, default in launch.arguments:
+        both = _BOTH if (default or "").lower() in _BOTH else ()
+        yield from ((name, value) for value in choices.get(name, both) if value.lower() != (default or "").lower())
 
 
 def _modes(launch: Launch) -> Iterator[Arguments]:

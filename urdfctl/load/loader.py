@@ -180,16 +180,21 @@ class Loader:
     def variants(self, target: Target) -> list[Target]:
         """Return a target for each choice of the arguments that a launch file needs.
 
-        It is the target itself if it needs none. Otherwise the arguments are guessed from the files that exist.
+        It is the target itself if it needs none. Otherwise the arguments are guessed from the files that exist; or
+        they are those with which the launch file includes another one.
         """
         path = os.path.abspath(target.path)
         if not is_launch(path) or target.arguments:
             return [target]
         from urdfctl.load.launch_files import read_launch
-        from urdfctl.load.launch_variants import launch_variants
+        from urdfctl.load.launch_variants import launch_variants, variant_including
 
         files, packages = self.reading(path)
-        found = launch_variants(lambda given: read_launch(path, given, files, packages, self.settings.environ).launch)
+
+        def read(given: Mapping[str, str]) -> Launch | None:
+            return read_launch(path, given, files, packages, self.settings.environ).launch
+
+        found = [variant_including(target.towards, read)] if target.towards else launch_variants(read)
         return [target._replace(arguments=one.arguments, guessed=one.is_guessed) for one in found]
 
     def _fitting(self, target: Target, launch_file: LaunchFile, robot: Document) -> LaunchFile:

@@ -26,6 +26,7 @@ class Target(NamedTuple):
     guessed: whether the arguments of a launch file are guessed from the files that exist.
     namespace: that of the robot, if the launch file starts several with the same description.
     beside: the launch files that are started beside the one of the target, in another terminal.
+    towards: a launch file that arguments of this one are sought for, with which it is included.
     """
 
     path: str
@@ -37,6 +38,7 @@ class Target(NamedTuple):
     guessed: bool = False
     namespace: str | None = None
     beside: tuple[LaunchStart, ...] = ()
+    towards: str | None = None
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Target:

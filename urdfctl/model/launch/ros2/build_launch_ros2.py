@@ -122,6 +122,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         simulations=tuple(walk.simulations),
         references=tuple(facts.references.values()),
         arguments=tuple(walk.arguments.items()),
+        choices=tuple(walk.choices.items()),
         moveit=tuple(facts.moveit),
         given=tuple(facts.given),
         unread=tuple(walk.unread) if walk.complete else (),
@@ -147,6 +148,7 @@ class _Walk:
         self.words_of_programs: list[str] = []
         """The words of processes, which may write the files that they name."""
         self.arguments: dict[str, str | None] = {}
+        self.choices: dict[str, tuple[str, ...]] = {}
         self.complete = True
         self.unread: list[Word] = []
         """The included files that cannot be read."""
@@ -226,6 +228,9 @@ class _Walk:
         default = term.given("default_value", 1)
         if self._includes == 0:
             self.arguments.setdefault(name, None if default is None else texts.of(default))
+            choices = term.given("choices")
+            if isinstance(choices, Items):
+                self.choices.setdefault(name, tuple(map(texts.of, choices.values)))
         if UNKNOWN in name or name in scope.settings:
             return
         if default is None and "default_value" in term.keywords:

@@ -1,0 +1,34 @@
+"""Launch files that others include only with an argument: they are checked in the start that this argument makes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Sequence
+
+from urdfctl.lint.joining import Pair, is_lonely
+from urdfctl.load.target import Target
+
+Variants = Callable[[list[Target]], list[list[Target]]]
+LintPairs = Callable[[list[Target]], Iterable[Pair]]
+
+
+def chosen_starts(started: Sequence[Pair], joined: Collection[int], variants: Variants, lint: LintPairs) -> list[Pair]:
+    """Return the starts, with an argument that is not the default, of launch files that start controllers without a
+    robot, and are joined with nothing.
+
+    started: the results of launch files.
+    joined: the identities of those that are joined.
+    """
+    left = {result.path for _, result in started if is_lonely(result) and id(result) not in joined}
+    asked = [
+        Target(result.launch, towards=path)
+        for _, result in started
+        if left and result.launch and result.links and result.bringup and not result.bringup.arguments
+        for path in result.bringup.unfollowed
+        if path in left
+    ]
+    found: dict[str, Target] = {}
+    for target, choices in zip(asked, variants(asked) if asked else (), strict=True):
+        if target.towards and choices[0].arguments:
+            found.setdefault(target.towards, choices[0]._replace(towards=None))
+    results = list(lint(list(dict.fromkeys(found.values()))))
+    return [pair for pair in results if pair[1].links]
