@@ -20,7 +20,8 @@ _ARGUMENTS = {".rviz": "RViz configuration", ".vcg": "RViz configuration", ".wor
     severity=Severity.ERROR,
     runtime="refuses",
     authority="roslaunch: 'file does not exist'; launch: 'The following exception occurred ... No such file or directory'; "
-    "rcl: 'Error opening YAML file'; xacro: 'No such file or directory'",
+    "rcl: 'Error opening YAML file'; xacro: 'No such file or directory'; "
+    "moveit_configs_utils launches.py generate_demo_launch(): includes launch/rsp.launch.py and others of the package",
     bad=[
         launched(
             PUBLISHER,
@@ -45,6 +46,19 @@ _ARGUMENTS = {".rviz": "RViz configuration", ".vcg": "RViz configuration", ".wor
                 </launch>
             """,
             "package.xml": "<package><name>arm</name></package>",
+        },
+        {
+            "launch/demo.launch.py": """
+                from moveit_configs_utils import MoveItConfigsBuilder
+                from moveit_configs_utils.launches import generate_demo_launch
+
+                def generate_launch_description():
+                    config = MoveItConfigsBuilder("arm", package_name="arm").to_moveit_configs()
+                    return «generate_demo_launch(config)»
+            """,
+            "launch/rsp.launch.py": "",
+            "launch/spawn_controllers.launch.py": "",
+            "package.xml": "<package format='3'><name>arm</name></package>",
         },
     ],
     good=[SOUND],

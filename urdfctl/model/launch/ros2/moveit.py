@@ -29,6 +29,8 @@ LAUNCHES = frozenset(
     ).split()
 )
 """The functions of moveit_configs_utils.launches."""
+INCLUDED_BY_DEMO = ("rsp", "move_group", "spawn_controllers")
+"""The launch files of its package that `generate_demo_launch` includes whatever its arguments are, without ending."""
 _DEEPEST = 30
 _SEMANTIC = "robot_description_semantic"
 _KINEMATICS = "robot_description_kinematics"

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from urdfctl.model.launch import UNCHANGED, Node, Rewriting, Spawn, Word, joined
 from urdfctl.model.launch.ros2.descriptions import as_written
 from urdfctl.model.launch.ros2.facts import LaunchFacts
-from urdfctl.model.launch.ros2.moveit import builder_of
+from urdfctl.model.launch.ros2.moveit import INCLUDED_BY_DEMO, builder_of
 from urdfctl.model.launch.ros2.parameters import DESCRIBED, MANAGERS, NodeParameters
 from urdfctl.model.launch.ros2.spawner import SpawnerArguments, command_arguments, manager_of, spawner_arguments
 from urdfctl.model.launch.ros2.texts import Content, Texts, rewriting_of
@@ -188,10 +188,19 @@ class Nodes:
             if words is None:
                 self.facts.spawns.append(Spawn((), namespace, term.at, sure=sure, complete=False))
         if demo:
+            if builder is not None and term.given("launch_package_path", 1) is None:
+                self._included_by_demo(builder.folder, term.at, sure=sure)
             folder = builder.folder if builder else UNKNOWN
             controllers = Word(f"{folder}/config/ros2_controllers.yaml", term.at)
             self.facts.load(controllers, MANAGERS[0], sure=sure, of=namespace)
             self.facts.nodes += _of_demo(controllers, namespace, sure=sure)
+
+    def _included_by_demo(self, folder: str, at: Place, *, sure: bool) -> None:
+        """Add the launch files of the package that MoveIt's demo includes, and that are missing."""
+        for name in INCLUDED_BY_DEMO:
+            path = f"{folder}/launch/{name}.launch.py"
+            if UNKNOWN not in path and self.facts.locate(path)[1] is False:
+                self.facts.reference(path, at, "include", sure=sure)
 
     # -- commands ----------------------------------------------------------------------------------------------------
 
