@@ -109,3 +109,91 @@ def test_a_parameter_goes_before_the_file_that_is_put_into_gazebo(folder: Folder
     folder.write({"package.xml": manifest, "crane.urdf": robot, "other.urdf": robot, "launch/g.launch": start})
     shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
     assert [each["robot"] for each in shown["targets"] if each["launch"]] == ["other.urdf"]
+
+
+INCLUDED = '<include file="$(find-pkg-share crane)/launch/learned.launch.xml" if="$(var learned)"/>'
+CHOOSING = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, OpaqueFunction
+from launch.conditions import LaunchConfigurationEquals
+from launch.substitutions import Command, LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+from launch_ros.substitutions import FindPackageShare
+
+
+def manager(context):
+    share = FindPackageShare("crane").perform(context)
+    name = {"plain": "controllers.yaml", "policy": "learned.yaml"}[LaunchConfiguration("mode").perform(context)]
+    remaps = [("~/robot_description", "/robot_description")]
+    return [
+        Node(
+            package="controller_manager",
+            executable="ros2_control_node",
+            parameters=[share + "/" + name],
+            remappings=remaps,
+        )
+    ]
+
+
+def generate_launch_description():
+    text = ParameterValue(Command(["xacro ", FindPackageShare("crane"), "/crane.urdf"]), value_type=str)
+    learned = PathJoinSubstitution([FindPackageShare("crane"), "launch", "learned.launch.xml"])
+    return LaunchDescription(
+        [
+            DeclareLaunchArgument("mode", default_value="plain", choices=["plain", "policy"]),
+            Node(
+                package="robot_state_publisher",
+                executable="robot_state_publisher",
+                parameters=[{"robot_description": text}],
+            ),
+            OpaqueFunction(function=manager),
+            IncludeLaunchDescription(learned, condition=LaunchConfigurationEquals("mode", "policy")),
+        ]
+    )
+"""
+
+
+@pytest.mark.parametrize("is_declared", [True, False])
+@pytest.mark.parametrize("language", ["xml", "python"])
+def test_what_is_only_included_with_an_argument_is_checked_with_that_argument(
+    folder: Folder, language: str, is_declared: bool
+) -> None:
+    learned = MANAGER.replace("controllers.yaml", "learned.yaml")
+    managers = (
+        MANAGER.replace("node pkg", 'node unless="$(var learned)" pkg', 1),
+        learned.replace("node pkg", 'node if="$(var learned)" pkg', 1),
+    )
+    argument = '<arg name="learned" default="false"/>'
+    name = "learned_turn" if is_declared else "other"
+    folder.write({"learned.yaml": CONTROLLERS.replace("turn", name)})
+    if language == "python":
+        folder.write({"launch/start.launch.py": CHOOSING})
+        starting = {}
+    else:
+        starting = {"start": launch(argument, PUBLISHER, *managers, INCLUDED)}
+    given = written(folder, learned=launch(SPAWNER.format("learned_turn")), **starting)
+    file = f"launch/start.launch.{'py' if language == 'python' else 'xml'}"
+    found = {each["launch"]: each["spawned"] for each in given["targets"] if each["spawned"]}
+    assert found == {file: ["learned_turn"]}
+    assert given["unjoined"] == []
+    told = [one["severity"] for one in given["findings"] if one["code"] == "UC601"]
+    assert told == ([] if is_declared else ["warning"])
+
+
+def test_what_only_a_file_with_a_syntax_error_includes_is_a_start(folder: Folder) -> None:
+    whole = launch(PUBLISHER, MANAGER, '<include file="$(find-pkg-share crane)/launch/spawn.launch.xml"/>')
+    given = written(folder, whole=whole.replace("</launch>", "</lunch>"), spawn=launch(SPAWNER.format("turn")))
+    assert errors(given) == ["UC001"]
+    assert "launch/spawn.launch.xml" in {each["launch"] for each in (*given["targets"], *given["unjoined"])}
+
+
+def test_a_launch_file_that_only_shows_a_robot_that_is_not_here_is_named_with_its_package(folder: Folder) -> None:
+    given = written(folder, here=launch(PUBLISHER, MANAGER), shown=launch(PUBLISHER, package="derrick"))
+    [unjoined] = given["unjoined"]
+    assert (unjoined["launch"], unjoined["lacks"]["packages"]) == ("launch/shown.launch.xml", ["derrick"])
+    assert given["unused"] == []
+    last = "1 launch file starts a robot of package 'derrick', not in this workspace: launch/shown.launch.xml"
+    assert last in " ".join(folder.run("lint", ".", "--distro", "jazzy").stdout.split())
+    text = "launch/shown.launch.xml  (starts a robot of package 'derrick', not in this workspace)"
+    assert text in folder.run("show", ".").stdout

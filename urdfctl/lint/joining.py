@@ -235,8 +235,9 @@ def _excludes(start: Start, lonely: TargetResult) -> bool:
 
 
 def _spawns_all(start: Start, lonely: TargetResult) -> bool:
-    """Whether a start of the same package spawns all that a launch file spawns, which is then a part of it."""
-    if lonely.joining.described_in or lonely.joining.waits:
+    """Whether a start of the same package spawns all that a launch file spawns, which is then a part of it; unless that
+    has a robot or a manager of its own."""
+    if lonely.joining.described_in or lonely.joining.waits or lonely.joining.manages:
         return False
     spawned = {name for _, result in start.robots for name in _spawned(result)}
     return _package(start.first) == _package(lonely) and bool(_spawned(lonely)) and spawned >= set(_spawned(lonely))
@@ -301,17 +302,23 @@ def _manages(result: TargetResult) -> bool:
 
 
 def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjoined]:
-    """Return those results that start controllers without a robot, each file once, with the fact that is missing.
+    """Return those results that start controllers without a robot, or a robot that is not here, each file once, with
+    the fact that is missing.
 
     left: the results that are in no join.
     """
-    lonely = {result.path: result for result in left if is_lonely(result)}
+    lonely = {result.path: result for result in left if is_lonely(result) or _is_absent(result)}
     return [_missing(result, starts_of_generation(result, starts)) for result in lonely.values()]
+
+
+def _is_absent(result: TargetResult) -> bool:
+    """Whether a result is of a launch file whose robot is in a package that is not here."""
+    return is_launch(result.path) and result.links is None and bool(result.joining.described_in)
 
 
 def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
     if lonely.joining.described_in:
-        return Unjoined(lonely.path, packages=lonely.joining.described_in)
+        return Unjoined(lonely.path, packages=lonely.joining.described_in, controls=is_lonely(lonely))
     reasons = [_missing_in(lonely, start) for start in starts]
     return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=Unjoined(lonely.path))
 
@@ -333,11 +340,24 @@ def _joined_once(made: Sequence[Join], lint: LintPairs) -> Joined:
     results: list[Pair] = []
     replaced: set[int] = set()
     for join in made:
-        together = [Start(tuple(islice(linted, len(start.robots)))) for start in join.starts]
+        together = [_with_others(tuple(islice(linted, len(start.robots))), lint) for start in join.starts]
         results += _certain(join, together)
         replaced |= {id(result) for _, result in join.lonely}
         replaced |= {id(result) for start in join.starts for _, result in start.robots}
     return Joined(tuple(results), frozenset(replaced))
+
+
+def _with_others(robots: tuple[Pair, ...], lint: LintPairs) -> Start:
+    """A start with the robots that only what is started beside it shows to be others, each with its manager."""
+    known = {(result.path, result.bringup.namespace) for _, result in robots if result.bringup}
+    more = dict.fromkeys(
+        Target(path, launch=result.launch, namespace=namespace, beside=target.beside)
+        for target, result in robots
+        if result.bringup
+        for path, namespace in result.bringup.others
+        if (path, namespace) not in known and target.beside
+    )
+    return Start((*robots, *(lint([*more]) if more else ())))
 
 
 def _certain(join: Join, together: Sequence[Start]) -> Iterator[Pair]:

@@ -112,12 +112,13 @@ class TargetResult(NamedTuple):
 
 
 class Unjoined(NamedTuple):
-    """A launch file that starts controllers without a robot, and the fact that is missing to join it with one.
+    """A launch file that starts controllers without a robot, or a robot that is not here, and the fact that is missing.
 
     robot: the description that fits best; None if nothing starts or describes a robot.
     joints: those that its controllers command, and that robot lacks.
     controllers: those that it spawns, and nothing declares for that robot.
     packages: those that are not here and that it takes the description from.
+    controls: whether it starts controllers.
     """
 
     path: str
@@ -125,6 +126,7 @@ class Unjoined(NamedTuple):
     joints: tuple[str, ...] = ()
     controllers: tuple[str, ...] = ()
     packages: tuple[str, ...] = ()
+    controls: bool = True
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Unjoined:
@@ -139,7 +141,7 @@ class Report(NamedTuple):
     targets: the robots it looked at, and controllers' files and launch files named alone.
     findings: causes first.
     unused: the other files that were linted: macro libraries, fragments and controller files in folders.
-    unjoined: the launch files that start controllers without a robot.
+    unjoined: the launch files that start controllers without a robot, or a robot that is not here.
     fail_on: from which severity on findings make it fail.
     known: how many more findings the baseline hides.
     statistics: whether the rules are to be counted.

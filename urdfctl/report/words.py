@@ -30,15 +30,34 @@ def notes(diagnostic: Diagnostic) -> Iterator[str]:
 
 
 def about_unjoined(unjoined: Sequence[Unjoined]) -> str:
-    """Return that launch files start controllers without a robot, why, and how to name the robot."""
-    files = "1 launch file starts" if len(unjoined) == 1 else f"{len(unjoined)} launch files start"
-    listed = _listed((f"{shown(each.path)} ({missing_fact(each)})" for each in unjoined), _MOST_NAMES)
-    how = f"urdfctl lint ROBOT {shown(unjoined[0].path)}"
-    return f"{files} controllers without a robot that fits: {listed}; to check one with its robot: {how}"
+    """Return which launch files start controllers without a robot, or a robot that is not here, and what to do."""
+    lonely = [each for each in unjoined if each.controls]
+    parts = []
+    if lonely:
+        listed = _listed((f"{shown(each.path)} ({missing_fact(each)})" for each in lonely), _MOST_NAMES)
+        how = f"to check one with its robot: urdfctl lint ROBOT {shown(lonely[0].path)}"
+        parts.append(f"{_starting(lonely)} controllers without a robot that fits: {listed}; {how}")
+    packages = dict.fromkeys(each.packages for each in unjoined if not each.controls)
+    for absent in packages:
+        found = [each for each in unjoined if not each.controls and each.packages == absent]
+        listed = _listed((shown(each.path) for each in found), _MOST_NAMES)
+        parts.append(f"{_starting(found)} a robot of {_quoted('package', absent)}, not in this workspace: {listed}")
+    return ". ".join(parts)
+
+
+def _starting(unjoined: Sequence[Unjoined]) -> str:
+    return "1 launch file starts" if len(unjoined) == 1 else f"{len(unjoined)} launch files start"
+
+
+def what_it_starts(unjoined: Unjoined) -> str:
+    """Return what a launch file that is joined with no robot starts, and why it is joined with none."""
+    if unjoined.controls:
+        return f"controllers without a robot: {missing_fact(unjoined)}"
+    return f"a robot of {_quoted('package', unjoined.packages)}, not in this workspace"
 
 
 def missing_fact(unjoined: Unjoined) -> str:
-    """Return why a launch file that starts controllers is joined with no robot."""
+    """Return why a launch file is joined with no robot."""
     if unjoined.packages:
         return f"its description is in {_quoted('package', unjoined.packages)}, not in this workspace"
     if unjoined.robot is None:

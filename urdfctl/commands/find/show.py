@@ -17,7 +17,7 @@ from urdfctl.output.printing import print_text, visible
 from urdfctl.output.writing import write_file
 from urdfctl.report.common import as_json, is_robot, shown
 from urdfctl.report.json_report import target_document, unjoined_document
-from urdfctl.report.words import missing_fact
+from urdfctl.report.words import what_it_starts
 
 _WIDTH = 12
 
@@ -69,7 +69,7 @@ def _lines(run: LintRun) -> Iterator[str]:
         yield shown(target.launch) if target.launch else f"{_described(target)}  (no launch file starts {how})"
         yield from (f"  {name:{_WIDTH}}{value}" for name, value in _facts(target) if value)
     for unjoined in run.unjoined:
-        yield f"{shown(unjoined.path)}  (starts controllers without a robot: {missing_fact(unjoined)})"
+        yield f"{shown(unjoined.path)}  (starts {what_it_starts(unjoined)})"
     for target in run.unused:
         yield f"{shown(target.path)}  (no robot uses it)"
 

@@ -351,7 +351,9 @@ class _LaunchBuilder:
             if word.endswith(_ARGUMENT_FILES):
                 self._reference(word, at, if_known(word), "argument", sure=scope.sure)
         namespace = if_known(scope.namespace)
-        self._model(package.text, program, given, namespace, scope)
+        model = urdf_file_of(package.text, program.text, words)
+        if model is not None:
+            self._model(element, given[model], namespace, scope)
         children = list(element.elements())
         parameters = tuple(Word(child.attrs["name"], child.at["name"]) for child in children if "name" in child.attrs)
         parameters += tuple(
@@ -378,15 +380,12 @@ class _LaunchBuilder:
             )
         )
 
-    def _model(self, package: str, program: Word, words: Sequence[Word], namespace: str | None, scope: Scope) -> None:
-        """Add the description of a model that is put into the simulator from a file."""
-        index = urdf_file_of(package, program.text, [word.text for word in words])
-        if index is None:
-            return
-        file = words[index]
+    def _model(self, element: Element, file: Word, namespace: str | None, scope: Scope) -> None:
+        """Add the description of a model that a node puts into the simulator from a file."""
         reference = self._reference(file.text, file.at, file.known, "description", sure=scope.sure)
-        command = None if file.known else f"cat {file.text}"
-        description = Description(reference, (), namespace, file.at, scope.sure, command=command, node=program.text)
+        command = None if file.known else f"cat {element.attrs['args']}"
+        node = element.attrs["type"]
+        description = Description(reference, (), namespace, file.at, scope.sure, command=command, node=node)
         self.descriptions.append(description)
 
     def _spawn(self, element: Element, words: list[str], scope: Scope, texts: Substitutions, *, active: bool) -> None:
