@@ -2,9 +2,9 @@
 
     python tests/bench/rivals.py
 
-A beginner's mistakes (tests/helpers/beginners_mistakes.py) are planted one at a time in two packages that work. A tool
-sees a mistake if it then says something else than of the sound package, and names it if what it says has the name that
-is wrong or missing. Needs xacro, check_urdf, catkin_lint and yamllint; one that is not installed is left out.
+A beginner's mistakes (beginners_mistakes.py in the tests' helpers) are planted one at a time in two packages that work.
+A tool sees a mistake if it then says something else than of the sound package, and names it if what it says has the
+name that is wrong or missing. Needs xacro, check_urdf, catkin_lint and yamllint; one that is not installed is left out.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 HELPERS = Path(__file__).resolve().parents[1] / "helpers"
-sys.path.append(str(HELPERS))
+sys.path.append(str(HELPERS / "packages"))
 
 from beginners_mistakes import GZ_ROBOT, IN_ARM, IN_BASE, ROBOT, Mistake  # noqa: E402 (found by the line above)
 from beginners_robots import ARM, BASE  # noqa: E402

@@ -22,7 +22,10 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-sys.path.extend(str(Path(__file__).parents[1] / name) for name in ("helpers", "helpers/smoke", "commands", "migrate"))
+sys.path.extend(
+    str(Path(__file__).parents[1] / name)
+    for name in ("helpers", "helpers/packages", "helpers/processes", "helpers/smoke", "commands", "migrate")
+)
 
 from fixable_robots import ARM
 from killing import end_at, tree, without_temporary

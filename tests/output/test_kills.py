@@ -16,7 +16,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no 
 @pytest.mark.parametrize("by", ["SIGKILL", "SIGTERM", "SIGINT"])
 @pytest.mark.parametrize("scenario", SCENARIOS)
 def test_a_run_that_ends_before_any_of_its_changes_leaves_old_or_new(folder: Folder, scenario: str, by: str) -> None:
-    words = [sys.executable, str(CHECKOUT / "tests/helpers/killing.py"), scenario, by]
+    words = [sys.executable, str(CHECKOUT / "tests/helpers/processes/killing.py"), scenario, by]
     ran = subprocess.run(words, env=environment({}), capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stdout
     told = re.search(r"at change (\d+): all changes made", ran.stdout)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from systems.possible import Idioms
-from systems.render import frontends, python, roslaunch
 from systems.render.actions import LaunchFile, ParamFile, packages_in, parts_of
 from systems.render.around import add_around
 from systems.render.description import FILE_ARGUMENTS, descriptions, xacro_arguments
 from systems.render.distractors import add_examples
+from systems.render.launch import frontends, python, roslaunch
+from systems.render.launch.python_descriptions import FUNCTION, MODULE, helper
+from systems.render.launch.ros2_spawners import LISTED
 from systems.render.packages import package_files, runtime_packages
 from systems.render.parameters import dumped, parameter_files
 from systems.render.places import (
@@ -22,8 +24,6 @@ from systems.render.places import (
 )
 from systems.render.plan import Plan, file_name, planned
 from systems.render.planner import PARAMETERS, planner_files
-from systems.render.python_descriptions import FUNCTION, MODULE, helper
-from systems.render.ros2_spawners import LISTED
 from systems.render.workspace import ExpectedRobot, Workspace
 from systems.system import Robot, System
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from types import ModuleType
 
 from systems.possible import Idioms
-from systems.render import ros1_nodes, ros2_nodes
 from systems.render.actions import Action, Arg, Group, Include, LaunchFile, Value, Variable, args_in
 from systems.render.arguments import Values
 from systems.render.description import ADDRESS, CHOICE
+from systems.render.launch import ros1_nodes, ros2_nodes
 from systems.render.places import DESCRIPTION, MANAGER, SIMULATOR, Places, pick, starts_of
 from systems.system import Robot, System
 

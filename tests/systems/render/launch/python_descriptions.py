@@ -5,7 +5,7 @@ from __future__ import annotations
 from textwrap import dedent
 
 from systems.render.actions import Description
-from systems.render.python_values import PythonValues, call, listed
+from systems.render.launch.python_values import PythonValues, call, listed
 
 MODULE = "descriptions"
 """The module with the helper that makes descriptions, if it is one of its own."""

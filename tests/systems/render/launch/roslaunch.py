@@ -20,7 +20,7 @@ from systems.render.actions import (
     Variable,
     When,
 )
-from systems.render.frontends import FileNames
+from systems.render.launch.frontends import FileNames
 from systems.render.places import pick
 from systems.system import System
 

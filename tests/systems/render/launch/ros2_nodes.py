@@ -9,10 +9,10 @@ from systems.possible import Idioms
 from systems.render.actions import Action, Execute, Group, Include, Node, Param, ParamFile, Value, When
 from systems.render.arguments import Values
 from systems.render.description import CHOICE, both
+from systems.render.launch.ros2_spawners import first_label, spawners
 from systems.render.parameters import types_of
 from systems.render.places import DESCRIPTION, MANAGER, SIMULATOR, SPAWNERS, pick
 from systems.render.planner import move_group
-from systems.render.ros2_spawners import first_label, spawners
 from systems.system import CLASSIC, System
 
 

@@ -23,11 +23,11 @@ from systems.render.actions import (
     Value,
     parts_of,
 )
-from systems.render.frontends import FileNames
+from systems.render.launch.frontends import FileNames
+from systems.render.launch.python_descriptions import description, helper
+from systems.render.launch.python_values import PythonValues, call, listed
 from systems.render.parameters import RATE
 from systems.render.places import pick
-from systems.render.python_descriptions import description, helper
-from systems.render.python_values import PythonValues, call, listed
 from systems.system import System
 
 _SOURCES = {

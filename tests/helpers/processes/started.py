@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as ET
 
-_START = Path(__file__).parent / "launch_stand_in" / "start.py"
+_START = Path(__file__).parents[1] / "launch_stand_in" / "start.py"
 
 
 class NotStarted(Exception):

@@ -1,4 +1,4 @@
-"""Kill runs while they write, and say what they leave: `python tests/helpers/killing.py SCENARIO SIGNAL`.
+"""Kill runs while they write, and say what they leave: `python tests/helpers/processes/killing.py SCENARIO SIGNAL`.
 
 A run ends before its first change to the disk, then before its second, and so on until one gets to its end. After each,
 the next run writes to the same place.

@@ -1,0 +1,1 @@
+"""Writes launch files in each of their languages, and the nodes in them."""
