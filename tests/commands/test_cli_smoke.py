@@ -24,6 +24,7 @@ from urdfctl.load.target import Target
 from urdfctl.rules.examples import unmarked
 from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE
 from urdfctl.smoke import run
+from urdfctl.smoke.engines import installed
 from urdfctl.smoke.reports import render_smoke
 from urdfctl.smoke.run import ConfiguredPaths, SmokeRequest, load_and_judge
 
@@ -120,7 +121,7 @@ def test_a_sound_sample_passes_when_it_is_moved(name: str) -> None:
 def test_it_is_simulated_by_default(tmp_path: Path) -> None:
     report = json.loads(smoke(SAMPLES / "radu", "--format", "json").stdout)
     assert {(controller["verdict"], controller["engine"]) for controller in report["controllers"]} == {
-        ("passed", "pybullet")
+        ("passed", " and ".join(installed()))
     }
 
 

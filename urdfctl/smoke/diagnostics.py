@@ -117,8 +117,9 @@ def unexplained(troubles: Iterable[Trouble], known: Sequence[Trouble]) -> list[T
     by_fault = {(controller, code) for controller, code, _ in explaining}
 
     def is_explained(trouble: Trouble) -> bool:
+        code = trouble.seen or trouble.code
         if not trouble.subject.startswith("joint:"):
-            return (trouble.controller, trouble.code) in by_fault
-        return any((trouble.controller, trouble.code, subject) in explaining for subject in ("", trouble.subject))
+            return (trouble.controller, code) in by_fault
+        return any((trouble.controller, code, subject) in explaining for subject in ("", trouble.subject))
 
     return [trouble for trouble in troubles if not is_explained(trouble)]

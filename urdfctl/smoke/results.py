@@ -64,6 +64,7 @@ class Trouble(NamedTuple):
     reports an error) or ROBOT.
     `controller` is the name of the controller whose verdict it changes, or None.
     `doubt` is why an error is only a warning, as the hardware may move the joint in another way, or empty.
+    `seen` is the code of what only one of several engines sees, where the finding is that they disagree, or empty.
     """
 
     code: str
@@ -72,12 +73,13 @@ class Trouble(NamedTuple):
     controller: str | None = None
     notes: tuple[str, ...] = ()
     doubt: str = ""
+    seen: str = ""
 
     @classmethod
     def from_json(cls, data: list[Any]) -> Trouble:
         """Return the trouble that a list of plain data holds."""
-        code, subject, message, controller, notes, doubt = data
-        return cls(code, subject, message, controller, tuple(notes), doubt=doubt)
+        code, subject, message, controller, notes, doubt, seen = data
+        return cls(code, subject, message, controller, tuple(notes), doubt=doubt, seen=seen)
 
 
 def trouble_of(

@@ -46,7 +46,7 @@ OF_SPAN = 0.1
 STRAIGHT = (0.85, 1.15)
 """The range of the distance driven, as a fraction of the commanded one."""
 SLIPPING = 0.25
-"""Both ends of each range are wider by this in MuJoCo, whose soft contacts let wheels slip."""
+"""The lower end of each range is lower by this in MuJoCo, whose soft contacts let wheels slip."""
 STRAIGHT_YAW = 0.15
 """A base may turn by this while it drives straight, in rad."""
 ROLLED = 0.8
@@ -205,9 +205,9 @@ class Journey(NamedTuple):
 
 
 def forward_troubles(task: ControllerTask, journey: Journey, slipping: float = 0.0) -> Iterator[Trouble]:
-    """Yield what is wrong if a base does not drive straight forward; `slipping` widens the accepted ranges."""
+    """Yield what is wrong if a base does not drive straight forward; `slipping` lowers the accepted range."""
     distance = journey.distance
-    low, high = STRAIGHT[0] - slipping, STRAIGHT[1] + slipping
+    low, high = STRAIGHT[0] - slipping, STRAIGHT[1]
     subject, controller = f"controller:{task.controller}", task.controller
     if not low < journey.ahead / distance < high:
         notes = tuple(_why_not(journey.ahead / distance, journey.rolled))
@@ -230,12 +230,12 @@ def _why_not(ratio: float, rolled: float) -> Iterator[str]:
 
 
 def turn_troubles(task: ControllerTask, drive: Drive, journey: Journey, slipping: float = 0.0) -> Iterator[Trouble]:
-    """Yield what is wrong if a base does not turn left as commanded; `slipping` widens the accepted range."""
+    """Yield what is wrong if a base does not turn left as commanded; `slipping` lowers the accepted range."""
     angle = journey.angle
     kind = "steered" if drive.steered else "skid" if drive.is_skidding else "two"
     low, high = TURNS[kind]
     ratio = journey.yaw / angle if angle else 1.0
-    if max(low - slipping, LEAST_TURN) < ratio < high + slipping:
+    if max(low - slipping, LEAST_TURN) < ratio < high:
         return
     note = "it turns the other way: check whether left and right are swapped, or a steering axis points down"
     notes = (note,) if ratio < 0 else ()

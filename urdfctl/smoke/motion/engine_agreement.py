@@ -8,15 +8,20 @@ from urdfctl.diagnostic import Severity
 from urdfctl.rules import fault_of
 from urdfctl.rules.smoke.engines_disagree import engines_disagree
 from urdfctl.run.limits import WorkerFailure
-from urdfctl.smoke.motion.plan import SimulationResult
+from urdfctl.smoke.motion.plan import MotionPlan, SimulationResult
 from urdfctl.smoke.results import Trouble, trouble_of
 
 _About = tuple[str | None, str]
 
 
-def is_certain(result: SimulationResult) -> bool:
-    """Return whether the result of one engine needs no second one: it found no error, and judged all it could."""
-    return not any(map(is_error, result.troubles)) and not result.left_to_others
+def is_certain(plan: MotionPlan, result: SimulationResult) -> bool:
+    """Return whether the result of one engine needs no second one: it found no error, and judged all it could.
+
+    Wheels on the ground are where engines differ: a base is driven in both, if the first one left time for it.
+    """
+    if any(map(is_error, result.troubles)) or result.left_to_others:
+        return False
+    return not any(task.drive for task in plan.tasks) or result.seconds > plan.budget / 2
 
 
 def is_error(trouble: Trouble) -> bool:
@@ -84,7 +89,7 @@ def _disagreeing(results: Sequence[tuple[str, SimulationResult]]) -> Iterator[tu
                 fields = {"engine": engine, "others": names, "what": trouble.message}
                 notes = tuple(note for m in others for note in _measured(*results[m], trouble.controller))
                 doubt = trouble_of(engines_disagree, trouble.subject, trouble.controller, notes, **fields)
-                troubles.setdefault((about, True), doubt)
+                troubles.setdefault((about, True), doubt._replace(seen=trouble.code))
             else:
                 troubles[(trouble.code, trouble.subject), False] = trouble
         yield engine, result._replace(troubles=tuple(troubles.values()))

@@ -42,7 +42,7 @@ class EngineWorkers:
         """Yield the engine and the result of each plan.
 
         If an engine crashes, the plan is tried once more without meshes; then, as if it is rejected, in other engines.
-        Before a robot fails, the first of these engines is asked too.
+        Before a robot fails, and where a base drives, the first of these engines is asked too.
         """
         if not plans:
             return
@@ -65,7 +65,7 @@ class EngineWorkers:
             engine, latest = other.engine, next(self.run_plan([other], 1, folder))
         if not isinstance(latest, SimulationResult) or latest.refused:
             return plan.engine, first
-        if engine != plan.engine or is_certain(latest) or not self._instead or self.interrupted:
+        if engine != plan.engine or is_certain(plan, latest) or not self._instead or self.interrupted:
             return engine, latest
         return self._asked_again(plan, latest, self._instead[0], folder)
 
