@@ -78,7 +78,7 @@ def test_what_is_written_has_no_errors_and_is_up_to_date_at_once(folder: Folder,
 
 def on_a_lift(*more: str) -> str:
     """Return the arm on a link that slides, beside a head and `more`."""
-    limit = '<limit lower="0" upper="0.4" effort="90" velocity="1"/>'
+    limit = '<limit lower="0" upper="0.4" effort="900" velocity="1"/>'
     head = f"""<link name="foot">{INERTIAL}</link><link name="head">{INERTIAL}</link>
   <joint name="torso_lift" type="prismatic"><parent link="foot"/><child link="base_link"/>
     <axis xyz="0 0 1"/>{limit}</joint>

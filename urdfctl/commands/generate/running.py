@@ -165,7 +165,7 @@ def generated(options: GenerateOptions) -> Made:
         made = made._replace(notices=(*made.notices, chosen_distro))
     if command == "convert" and not options.check:
         return _loaded(made, options, settings)
-    if command != "gen-all" or options.check or robot is None or listed:
+    if command not in PACKAGES or options.check or robot is None or listed:
         return made
     return _judged(made, options, settings, lambda faster: make(made.options.distro, faster))
 

@@ -27,20 +27,26 @@ class Surfaces:
 
         self._library, self._model, self._fcl = library, model, fcl
         self._meshes: dict[int, Any] = {}
-        self._objects = [self._object(shape) for shape in range(model.ngeom)]
+        self._objects: dict[int, Any] = {}
 
     def meet(self, data: Any, one: int, other: int) -> bool:
         """Return whether two shapes touch, given that their hulls do."""
         mesh = self._library.mjtGeom.mjGEOM_MESH
         if mesh not in (self._model.geom_type[one], self._model.geom_type[other]):
             return True
-        both = self._objects[one], self._objects[other]
+        both = self._placeable(one), self._placeable(other)
         if None in both:
             return True
         for shape, placed in zip((one, other), both, strict=True):
             turn, place = data.geom_xmat[shape].reshape(3, 3), data.geom_xpos[shape]
             placed.setTransform(self._fcl.Transform(turn, place))
         return bool(self._fcl.collide(*both, self._fcl.CollisionRequest(), self._fcl.CollisionResult()))
+
+    def _placeable(self, shape: int) -> Any:
+        """A shape in FCL, made when it is first needed: trees of large meshes take long, and many never touch."""
+        if shape not in self._objects:
+            self._objects[shape] = self._object(shape)
+        return self._objects[shape]
 
     def _object(self, shape: int) -> Any:
         """A shape in FCL; None for one of a kind that a URDF does not have."""
