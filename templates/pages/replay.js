@@ -24,3 +24,12 @@ for (const button of document.querySelectorAll(".replay")) {
     tick();
   });
 }
+
+for (const button of document.querySelectorAll(".failing")) {
+  const pose = JSON.parse(button.dataset.pose), box = button.closest(".robot").querySelector(".robot-view");
+  button.addEventListener("click", () => {
+    box.scrollIntoView({ block: "nearest" });
+    box.robot.set(pose.positions);
+    box.robot.choose(pose.joint);
+  });
+}

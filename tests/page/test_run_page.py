@@ -19,9 +19,10 @@ from urdfctl.config.settings import Settings
 from urdfctl.lint.findings.merging import merge
 from urdfctl.lint.selection import Selection
 from urdfctl.page.chart import chart
+from urdfctl.page.failing import failing_pose
 from urdfctl.page.run import RunFacts, smoke_page
 from urdfctl.smoke.reports import report_of
-from urdfctl.smoke.results import Curve, RobotResult
+from urdfctl.smoke.results import Curve, RobotResult, Verdict
 from urdfctl.view.job import Portrait, portraits
 from urdfctl.view.meshes import installed
 
@@ -124,6 +125,41 @@ def test_in_3d_each_curve_can_be_replayed(tmp_path: Path) -> None:
     elements = Elements(page_of(rover(tmp_path)._replace(curves=(curve, base)), portrait=portrait))
     [replay] = [json.loads(a["data-replay"] or "") for a in elements.named("button") if "data-replay" in a]
     assert replay == {"joint": joint, "seconds": [0.5, 1.0], "positions": [0.5, 1.5]}
+
+
+@needs_view
+def test_in_3d_the_robot_takes_the_pose_at_which_a_controller_failed(tmp_path: Path) -> None:
+    portrait = portrait_of(tmp_path, in_3d=True)
+    assert portrait.scene is not None
+    joint = next(joint["name"] for joint in portrait.scene["joints"] if joint["moves"])
+    curve = Curve("base", joint, "position", (0.5, 1.0, 1.5), (0.1, 0.2, 0.2), (0.1, 0.9, 0.3))
+    passed = rover(tmp_path)._replace(curves=(curve,))
+    failed = passed._replace(
+        controllers=tuple(each._replace(verdict=Verdict.FAILED) for each in passed.controllers if each.name == "base")
+    )
+    buttons = Elements(page_of(failed, portrait=portrait)).named("button")
+    [pose] = [json.loads(a["data-pose"] or "") for a in buttons if "data-pose" in a]
+    assert pose == {"joint": joint, "second": 1.0, "positions": {joint: 0.9}}
+    assert "data-pose" not in page_of(passed, portrait=portrait)
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        ({}, 0.5),
+        ({"measured": (0.0, 1.0)}, None),
+        ({"band": (0.95, 1.05)}, 1.0),
+        ({"band": (0.8, 1.05)}, None),
+        ({"band": (0.8, 1.05), "limits": (0.1, 2.0)}, 0.5),
+    ],
+)
+def test_a_controller_fails_where_a_joint_is_farthest_from_where_it_should_be(
+    changes: dict[str, Any], expected: float | None
+) -> None:
+    curve = Curve("arm", "elbow", "position", (0.5, 1.0), (0.0, 1.0), (0.0, 0.9))
+    measured = {"measured": (-0.2, 0.9)} if not changes else {}
+    pose = failing_pose("arm", [curve._replace(**{**changes, **measured})])
+    assert (pose and pose["second"]) == expected
 
 
 @needs_node

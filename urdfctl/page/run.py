@@ -15,6 +15,7 @@ from urdfctl.lint.results import Report, TargetResult
 from urdfctl.output.printing import visible, visible_in
 from urdfctl.page.chart import chart
 from urdfctl.page.drawing import drawing
+from urdfctl.page.failing import failing_pose
 from urdfctl.report.common import relative, shown
 from urdfctl.report.pages import page
 from urdfctl.smoke.reports import SmokeReport, conditions, explanation, heading, stages_reached, summary
@@ -211,6 +212,14 @@ def _place(at: Location | None) -> str:
     return visible(f"{at.file}:{at.line}:{at.column}") if at is not None else ""
 
 
+def _pose(result: ControllerResult, robot: RobotResult, moving: set[str]) -> dict[str, Any] | None:
+    """The pose at which a controller failed, if the robot in 3-D can take it."""
+    if result.verdict not in (Verdict.FAILED, Verdict.WARNED):
+        return None
+    pose = visible_in(failing_pose(result.name, robot.curves))
+    return pose if pose and moving >= pose["positions"].keys() else None
+
+
 def _rank(result: ControllerResult) -> int:
     return _ORDER.index(result.verdict)
 
@@ -233,6 +242,7 @@ def _tested(robot: RobotResult, portrait: Portrait) -> dict[str, Any]:
                 "verdict": result.verdict.value,
                 "stages": stages_reached(result, robot.linted.ros).removesuffix(":"),
                 "reason": visible(explanation(result)),
+                "pose": _pose(result, robot, moving),
             }
             for result in sorted(robot.controllers, key=_rank)
         ],
