@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from collada_meshes import SHOWN, dae
 from corpus import CORPUS, needs_corpus
 from folder import Folder
 from generating import command
@@ -137,12 +138,23 @@ def test_an_arm_is_the_same_mechanism(folder: Folder) -> None:
     assert mass < CLOSE
     text = (folder.path / "out/arm.xml").read_text()
     assert 'file="../base.stl" scale="1 2 1"' in text
-    assert "mesh 'base.dae' of link 'base' is left out: it has the type '.dae', which MuJoCo does not read" in text
+    assert "mesh 'base.dae' of link 'base' is left out: it cannot be read as COLLADA" in text
     assert '<motor name="turn" joint="turn" ctrlrange="-40.0 40.0"/>' in text
     assert '<velocity name="slide" joint="slide"' in text
     assert '<joint joint1="other" joint2="slide" polycoef="0.01 2.0 0 0 0"/>' in text
     assert '<framequat name="imu_quat" objtype="site" objname="imu_site"/>' in text
     assert 'damping="0.3" frictionloss="0.2"' in text
+
+
+def test_a_mesh_that_mujoco_does_not_read_is_written_into_the_model(folder: Folder) -> None:
+    folder.write({"arm.urdf": ARM, "base.stl": stl(), "base.dae": dae(f"<translate>1 2 3</translate>{SHOWN}")})
+    ran = command("convert", "arm.urdf", "--to", "mjcf", "-o", "out/arm.xml")
+    assert (ran.returncode, "is left out" in ran.stderr) == (0, False)
+    model = mujoco.MjModel.from_xml_path(str(folder.path / "out/arm.xml"))
+    mesh = model.mesh("base_1").id
+    first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
+    corners = model.mesh_vert[first : first + count] + model.mesh_pos[mesh]
+    assert numpy.allclose([corners.min(axis=0), corners.max(axis=0)], [[0, 1, 2], [2, 3, 4]], atol=CLOSE)
 
 
 def test_an_inertia_that_no_solid_has_is_repaired_and_told(folder: Folder) -> None:

@@ -7,15 +7,28 @@ from typing import Any
 
 from urdfctl.generate.robot.facts import Linkage, LinkFacts
 from urdfctl.generate.robot.job import measured_facts
+from urdfctl.generate.robot.mjcf_bodies import Surface
 from urdfctl.lint.job import Work
 from urdfctl.model.robot import Robot
+from urdfctl.source.disk.files import first_bytes
+
+_MOST_BYTES = 20 << 20
 
 
 def measure_work(work: Work) -> dict[str, Any]:
     """Measure a robot in a worker."""
     from urdfctl.smoke.robot import corners_of
 
-    return measured_facts(work, corners_of)
+    return measured_facts(work, corners_of, surface_of=_surface_of)
+
+
+def _surface_of(path: str) -> Surface:
+    from urdfctl.smoke.robot import triangles_of_collada
+
+    try:
+        return triangles_of_collada(first_bytes(path, _MOST_BYTES))
+    except OSError:
+        return (), ()
 
 
 def measure_links(work: Work) -> dict[str, Any]:
@@ -31,4 +44,4 @@ def measure_links(work: Work) -> dict[str, Any]:
         links += [LinkFacts(hinge.child, hinge.parent, hinge.name, hinge.type) for hinge in mechanism.hinges]
         return Linkage(tuple(links), touching.pairs, touching.hulls, tuple(mechanism.start().items()))
 
-    return measured_facts(work, corners_of, linked)
+    return measured_facts(work, corners_of, linked, _surface_of)

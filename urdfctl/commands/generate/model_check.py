@@ -13,6 +13,7 @@ from urdfctl.run.pool import run_jobs
 from urdfctl.startup.records import NamedTuple
 
 _FILE = re.compile(r'(<mesh name="([^"]*)" file=")([^"]*)(")')
+_MESH = re.compile(r'<mesh name="([^"]*)"')
 _MOST_MESHES = 20
 """After so many meshes that do not load, the model is given up."""
 
@@ -59,8 +60,9 @@ def load_job(job: dict[str, Any]) -> dict[str, Any]:
 def _mesh_named(fault: str, text: str) -> str | None:
     """The mesh that a message of MuJoCo names, by its name or its file."""
     meshes = [(found[2], found[3]) for found in _FILE.finditer(text)]
-    known = (name for name, path in meshes if os.path.basename(path) in fault or f"'{name}'" in fault)
-    return next(known, None)
+    known = [name for name, path in meshes if os.path.basename(path) in fault]
+    known += [found[1] for found in _MESH.finditer(text) if f"'{found[1]}'" in fault]
+    return next(iter(known), None)
 
 
 def without_mesh(text: str, name: str) -> str:

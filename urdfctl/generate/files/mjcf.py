@@ -73,6 +73,10 @@ def mjcf_file(
         command=options.command,
         name=robot.name or "robot",
         meshes=meshes,
+        surfaces=[
+            {"name": mesh, "scale": scale, "corners": corners, "faces": faces}
+            for mesh, scale, corners, faces in skeleton.surfaces
+        ],
         bodies=skeleton.free if free else skeleton.fixed,
         mimics=list(_mimics(robot)),
         actuators=[_actuator(joints[joint], interface) for joint, interface in interfaces.items()],

@@ -85,13 +85,15 @@ class PartFacts(NamedTuple):
 class Skeleton(NamedTuple):
     """The bodies of a robot in MuJoCo's format: with its root fixed to the world, and with a free root.
 
-    `meshes` are the name, path and scale of each one. `notes` say what MuJoCo cannot have.
+    `meshes` are the name, path and scale of each one. `notes` say what MuJoCo cannot have. `surfaces` are name, scale,
+    corners and triangles of meshes whose files it does not read.
     """
 
     fixed: str
     free: str
     meshes: tuple[tuple[str, str, str], ...]
     notes: tuple[str, ...]
+    surfaces: tuple[tuple[str, str, str, str], ...] = ()
 
 
 class LinkFacts(NamedTuple):
@@ -183,8 +185,9 @@ class RobotFacts(NamedTuple):
         values["interfaces"] = {joint: tuple(names) for joint, names in plain["interfaces"].items()}
         skeleton = plain.get("skeleton")
         if skeleton:
-            fixed, free, meshes, notes = skeleton
-            values["skeleton"] = Skeleton(fixed, free, tuple((*mesh,) for mesh in meshes), tuple(notes))
+            fixed, free, meshes, notes, surfaces = skeleton
+            files, inside = (tuple((*mesh,) for mesh in each) for each in (meshes, surfaces))
+            values["skeleton"] = Skeleton(fixed, free, files, tuple(notes), inside)
         values["linkage"] = Linkage.from_json(plain["linkage"]) if plain.get("linkage") else None
         return cls(**values)
 

@@ -11,7 +11,7 @@ from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
 from urdfctl.generate.robot.facts import Linkage, RobotFacts
-from urdfctl.generate.robot.mjcf_bodies import skeleton_of
+from urdfctl.generate.robot.mjcf_bodies import SurfaceOf, skeleton_of
 from urdfctl.generate.robot.sdf_bodies import sdf_of
 from urdfctl.generate.robot.survey import facts_of
 from urdfctl.lint.engine import lint
@@ -69,9 +69,15 @@ def measure_robot(
 
 
 def measured_facts(
-    work: Work, corners_of: Callable[[str], Sequence[Vector]], linked: Linked | None = None
+    work: Work,
+    corners_of: Callable[[str], Sequence[Vector]],
+    linked: Linked | None = None,
+    surface_of: SurfaceOf | None = None,
 ) -> dict[str, Any]:
-    """Return the facts of a robot as plain data. `corners_of` returns corners of the mesh in a file."""
+    """Return the facts of a robot as plain data.
+
+    corners_of: returns corners of the mesh in a file. surface_of: reads what MuJoCo does not.
+    """
     path = os.path.abspath(work.target.path)
     expander = work.loader.expander(path)
     expansion = expansion_of(expander, path, dict(work.target.arguments))
@@ -94,7 +100,7 @@ def measured_facts(
         simulator=evidence.simulator,
     )
     if (work.loader.settings.simulator or evidence.simulator) == "mujoco":
-        facts = facts._replace(skeleton=skeleton_of(robot, facts.joints, find))
+        facts = facts._replace(skeleton=skeleton_of(robot, facts.joints, find, surface_of))
     if work.details.get("sdf"):
         facts = facts._replace(skeleton=sdf_of(robot, facts.joints))
     if linked is not None and expansion.complete:

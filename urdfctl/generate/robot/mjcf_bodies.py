@@ -20,9 +20,14 @@ from urdfctl.source.disk.gate import admits, size_of
 from urdfctl.startup.records import NamedTuple
 
 MeshPath = Callable[[str], str | None]
+Surface = tuple[Sequence[Vector], Sequence[tuple[int, int, int]]]
+SurfaceOf = Callable[[str], Surface]
+"""Returns the corners of the COLLADA mesh in a file, in m, and those of each triangle; none if it cannot be read."""
 _TYPES = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide"}
 _MESHES = (".stl", ".obj", ".msh")
 _MOST_TRIANGLES = 200_000
+_MOST_WRITTEN = 50_000
+"""Meshes with more triangles are not written into the model."""
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 _ROUNDING, _NOTICED = 1e-9, 1e-6
 """The part by which two moments must exceed the third one in MuJoCo, and what is told, as a part of the greatest."""
@@ -41,9 +46,12 @@ class _Link(NamedTuple):
 class _BodyWriter:
     """Writes the bodies of one robot, and collects its meshes and what was left out."""
 
-    def __init__(self, robot: Robot, joints: Sequence[JointFacts], mesh_path: MeshPath) -> None:
+    def __init__(
+        self, robot: Robot, joints: Sequence[JointFacts], mesh_path: MeshPath, surface_of: SurfaceOf | None
+    ) -> None:
         self._facts = {joint.name: joint for joint in joints}
-        self._mesh_path = mesh_path
+        self._mesh_path, self._surface_of = mesh_path, surface_of
+        self._surfaces: dict[str, Surface] = {}
         self._meshes: dict[tuple[str, str], str] = {}
         self.notes: dict[str, None] = {}
         links = {link.name: link for link in robot.links if link.name}
@@ -132,7 +140,7 @@ class _BodyWriter:
     def _mesh(self, link: str, shape: Tag) -> str | None:
         address, scale = shape.attributes.get("filename", ""), shape.attributes.get("scale", "1 1 1")
         path = self._mesh_path(address)
-        why = _mesh_fault(path) if path else "was not found"
+        why = self._fault(path) if path else "was not found"
         if why or path is None:
             self.notes[f"mesh '{address}' of link '{link}' is left out: it {why}"] = None
             return None
@@ -144,17 +152,43 @@ class _BodyWriter:
             self._meshes[path, scale] = name
         return f'type="mesh" mesh="{xml_text(name)}"'
 
+    def _fault(self, path: str) -> str:
+        """Why a mesh is left out; empty if MuJoCo reads its file, or if its surface is written into the model."""
+        if self._surface_of is None or not path.lower().endswith(".dae") or not admits(path):
+            return _mesh_fault(path)
+        if path not in self._surfaces:
+            self._surfaces[path] = self._surface_of(path)
+        count = len(self._surfaces[path][1])
+        if not count:
+            return "cannot be read as COLLADA"
+        return f"has {count} triangles, and at most {_MOST_WRITTEN} are written" if count > _MOST_WRITTEN else ""
+
     def assets(self) -> tuple[tuple[str, str, str], ...]:
-        """Return the name, path and scale of each mesh."""
-        return tuple((name, path, scale) for (path, scale), name in self._meshes.items())
+        """Return the name, path and scale of each mesh in a file that MuJoCo reads."""
+        return tuple((name, path, scale) for (path, scale), name in self._meshes.items() if path not in self._surfaces)
+
+    def surfaces(self) -> Iterator[tuple[str, str, str, str]]:
+        """Yield the name, scale, corners and triangles of each mesh that is written into the model."""
+        for (path, scale), name in self._meshes.items():
+            if path in self._surfaces:
+                corners, faces = self._surfaces[path]
+                yield (
+                    name,
+                    scale,
+                    " ".join(f"{value:.7g}" for corner in corners for value in corner),
+                    " ".join(str(number) for face in faces for number in face),
+                )
 
 
-def skeleton_of(robot: Robot, joints: Sequence[JointFacts], mesh_path: MeshPath) -> Skeleton:
+def skeleton_of(
+    robot: Robot, joints: Sequence[JointFacts], mesh_path: MeshPath, surface_of: SurfaceOf | None = None
+) -> Skeleton:
     """Return a robot's bodies in MuJoCo's format, with its meshes and what was left out."""
-    fixed = _BodyWriter(robot, joints, mesh_path)
+    fixed = _BodyWriter(robot, joints, mesh_path, surface_of)
     bodies = fixed.bodies(free=False)
-    free = _BodyWriter(robot, joints, mesh_path).bodies(free=True)
-    return Skeleton("\n".join(bodies), "\n".join(free), fixed.assets(), tuple(fixed.notes))
+    free = _BodyWriter(robot, joints, mesh_path, surface_of).bodies(free=True)
+    surfaces = tuple(fixed.surfaces())
+    return Skeleton("\n".join(bodies), "\n".join(free), fixed.assets(), tuple(fixed.notes), surfaces)
 
 
 def _origin(tag: Tag) -> Pose:
