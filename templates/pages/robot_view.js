@@ -35,7 +35,7 @@ function matrixOf(p) {
 
 class RobotView {
   constructor(box, scene) {
-    this.box = box; this.scene = scene; this.positions = {}; this.chosen = null; this.picked = [];
+    this.box = box; this.scene = scene; this.positions = {}; this.chosen = null; this.group = new Set(); this.picked = [];
     this.canvas = box.querySelector("canvas");
     this.own = box.querySelector(".own-colours"); this.frames = box.querySelector(".joint-frames");
     this.gl = this.canvas.getContext("webgl2", { antialias: true, stencil: true, preserveDrawingBuffer: true });
@@ -200,8 +200,8 @@ class RobotView {
 
   /* An outline around what has an error, also if something is before it, and around what is chosen. */
   drawOutlines(poses, ratio) {
-    const gl = this.gl, style = getComputedStyle(this.box), isChosen = piece => this.joints[piece.link]?.name === this.chosen;
-    const kinds = [["--error", piece => this.joints[piece.link]?.error && !isChosen(piece)], ["--chosen", piece => this.chosen && isChosen(piece)]];
+    const gl = this.gl, style = getComputedStyle(this.box), isMarked = name => name === this.chosen || this.group.has(name), isChosen = piece => isMarked(this.joints[piece.link]?.name);
+    const kinds = [["--error", piece => this.joints[piece.link]?.error && !isChosen(piece)], ["--chosen", piece => this.joints[piece.link] && isChosen(piece)]];
     gl.enable(gl.STENCIL_TEST); gl.disable(gl.DEPTH_TEST); gl.uniform1i(this.at.flat_colour, 1);
     for (const [name, wanted] of kinds) {
       const pieces = this.pieces.filter(wanted);
@@ -254,6 +254,11 @@ class RobotView {
       const text = event.target.value.trim().toLowerCase();
       for (const [name, row] of this.rows) row.hidden = !name.toLowerCase().includes(text);
     });
+    this.box.querySelector(".robot-groups")?.addEventListener("change", event => this.mark(event.target.value));
+    this.box.querySelector(".robot-poses")?.addEventListener("change", event => {
+      const pose = this.scene.poses.find(one => one.name === event.target.value);
+      if (pose) this.set(pose.positions);
+    });
     this.box.querySelector(".reset")?.addEventListener("click", () => { this.positions = {}; this.set({}); this.gl && this.frame(); this.draw(); });
     let held = null;
     this.canvas.addEventListener("pointerdown", event => { held = { x: event.offsetX, y: event.offsetY, moved: 0, shift: event.shiftKey || event.button === 2 }; this.canvas.setPointerCapture(event.pointerId); });
@@ -295,6 +300,13 @@ class RobotView {
       if (input && Number(input.value) !== value) input.value = value;
       row.querySelector("output").textContent = `${value.toFixed(2)} ${joint.unit}`;
     }
+    this.draw();
+  }
+
+  /* Outline the links that the joints of a planning group move; those of none without a name. */
+  mark(name) {
+    this.group = new Set(this.scene.groups.find(group => group.name === name)?.joints ?? []);
+    for (const [joint, row] of this.rows) row.classList.toggle("in-group", this.group.has(joint));
     this.draw();
   }
 

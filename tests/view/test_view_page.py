@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
+import pytest
 from chromium import browser, needs_browser
 from folder import CHECKOUT
 from generating import command
 
+from urdfctl.view.meshes import installed
+
+needs_view = pytest.mark.skipif(not installed(), reason="the extra 'view' is not installed")
 STYLE = CHECKOUT / "templates/pages"
 PIXELS = """((wanted) => {
   const view = document.querySelector(".robot-view").robot, gl = view.gl, { width: w, height: h } = view.canvas;
@@ -85,3 +90,43 @@ def test_the_whole_graph_is_seen_on_a_desk_and_on_a_telephone(tmp_path: Path) ->
             started.ask("Emulation.setDeviceMetricsOverride", size, page.session)
             page.open(page_file)
             assert max(page.run(cut)) <= 0, width
+
+
+@needs_view
+def test_planning_groups_and_their_poses_can_be_chosen(tmp_path: Path) -> None:
+    page_file = tmp_path / "robot.html"
+    assert command("view", str(CHECKOUT / "samples/picker"), "-o", str(page_file)).returncode == 0
+    text = page_file.read_text(encoding="utf-8")
+    scene = json.loads(re.search(r'<script type="application/json">(.*?)</script>', text, re.DOTALL)[1])  # type: ignore[index]
+    assert [group["name"] for group in scene["groups"]] == ["arm", "gripper"]
+    assert [pose["name"] for pose in scene["poses"]] == ["arm: home", "gripper: open", "gripper: close"]
+    moving = {joint["name"] for joint in scene["joints"] if joint["moves"]}
+    assert all(moving >= set(group["joints"]) for group in scene["groups"])
+    assert all(moving >= pose["positions"].keys() for pose in scene["poses"])
+    assert text.count("<option>arm: home</option>") == 1
+
+
+@needs_view
+def test_a_robot_without_planning_groups_offers_none(tmp_path: Path) -> None:
+    page_file = tmp_path / "robot.html"
+    assert command("view", str(CHECKOUT / "samples/radu"), "-o", str(page_file)).returncode == 0
+    assert '<select class="robot-groups">' not in page_file.read_text(encoding="utf-8")
+
+
+@needs_browser
+def test_a_chosen_group_is_outlined_and_a_pose_moves_its_joints(tmp_path: Path) -> None:
+    page_file = tmp_path / "robot.html"
+    assert command("view", str(CHECKOUT / "samples/picker"), "-o", str(page_file)).returncode == 0
+    choose = """((of, value) => {
+      const select = document.querySelector(of);
+      select.value = value; select.dispatchEvent(new Event("change"));
+    })"""
+    with browser() as started:
+        page = started.page()
+        page.open(page_file)
+        page.run(f"{choose}('.robot-groups', 'arm')")
+        assert page.run("document.querySelectorAll('.robot-joints li.in-group').length") > 0
+        page.run(f"{choose}('.robot-groups', '')")
+        assert page.run("document.querySelectorAll('.robot-joints li.in-group').length") == 0
+        page.run(f"{choose}('.robot-poses', 'gripper: open')")
+        assert page.refused == []

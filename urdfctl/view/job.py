@@ -17,6 +17,7 @@ from urdfctl.smoke.robot import mechanism_of
 from urdfctl.startup.records import NamedTuple
 from urdfctl.view.meshes import installed
 from urdfctl.view.outline import Segment, outline_of
+from urdfctl.view.planning import planning_of
 from urdfctl.view.scene import MOST_TRIANGLES, MeshShelf, scene_of
 
 _SHARE = 0.6
@@ -82,5 +83,5 @@ def portrait_work(work: Work) -> dict[str, Any]:
         shelf = MeshShelf(
             files, lambda address: mesh_path(address, packages, path), began + float(work.details["seconds"])
         )
-        scene = scene_of(project.robot, graph, findings, shelf, int(work.details["most"]))
+        scene = scene_of(project.robot, graph, findings, shelf, int(work.details["most"])) | planning_of(project)
     return {"graph": graph.to_json() if graph else None, "scene": scene, "outline": outline}
