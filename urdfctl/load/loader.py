@@ -12,6 +12,7 @@ from urdfctl.config.file import config_for
 from urdfctl.config.settings import ALL_STARTED, Settings
 from urdfctl.load.build_files import absent_sources
 from urdfctl.load.known import Described, KnownRobots
+from urdfctl.load.mentions import Mentions
 from urdfctl.load.open_decisions import decisions_in, unread
 from urdfctl.load.origin.distro import Beside, detect_distro
 from urdfctl.load.origin.evidence import ament_package
@@ -63,6 +64,7 @@ class Loader:
         self._files: dict[str, Files] = {}
         self._decisions: dict[str, list[tuple[str, Place]]] = {}
         self._known = KnownRobots()
+        self._mentions = Mentions()
 
     def with_overlay(self, overlay: Mapping[str, bytes], changed: Collection[str] | None = None) -> Loader:
         """Return a loader with the same packages that reads these bytes instead of the files with these real paths.
@@ -175,7 +177,8 @@ class Loader:
         if target.guessed and project.moveit is not None:
             project = project._replace(moveit=project.moveit._replace(guessed=True))
         given = tuple((name, value) for name, value in arguments.items() if is_known(value))
-        return LoadedTarget(project, described.root, _sources(files, launch_file), given)
+        sources = _sources(files, launch_file)
+        return LoadedTarget(self._among_others(project, sources), described.root, sources, given)
 
     def variants(self, target: Target) -> list[Target]:
         """Return a target for each choice of the arguments that a launch file needs.
@@ -262,7 +265,13 @@ class Loader:
         absent, todos = absent_sources(packages, files), self._todos(sources, packages)
         project = Project(None, path, problems=problems, absent=absent, todos=todos, moveit=moveit)
         project = self._completed(project, evidence, controller_files, launch)
-        return LoadedTarget(project, None, _sources(files, launch_file))
+        texts = _sources(files, launch_file)
+        return LoadedTarget(self._among_others(project, texts), None, texts)
+
+    def _among_others(self, project: Project, sources: Mapping[str, SourceText]) -> Project:
+        """The project, which can ask what the other texts of its workspace say."""
+        understood = [path for path in sources if not is_yaml(path)]
+        return project._replace(mentioned=self._mentions.beside(self._workspace(project.path), understood))
 
     def _project(
         self,

@@ -84,6 +84,11 @@ class OwnTypes(NamedTuple):
 NO_OWN_TYPES = OwnTypes()
 
 
+def mentions_anything(_expression: str) -> bool:
+    """Return True: nobody looked at what other files say."""
+    return True
+
+
 class Project(NamedTuple):
     """One robot in one variant. A run has several projects.
 
@@ -112,6 +117,8 @@ class Project(NamedTuple):
     absent: the files and folders that the package's CMakeLists.txt installs and that do not exist.
     moveit: MoveIt's configuration of the robot; None if there is none.
     todos: what a migration left to a person in the files that were read, with the place of the comment.
+    mentioned: returns whether a text of the workspace that was not read, such as another launch file, a script or a
+        README, says what a regular expression matches, as far as that is known: otherwise True.
     """
 
     robot: Robot | None
@@ -137,6 +144,7 @@ class Project(NamedTuple):
     absent: tuple[tuple[str, Place], ...] = ()
     moveit: MoveIt | None = None
     todos: tuple[tuple[str, Place], ...] = ()
+    mentioned: Callable[[str], bool] = mentions_anything
 
     @property
     def ros(self) -> int | None:

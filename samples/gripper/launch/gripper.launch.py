@@ -21,6 +21,11 @@ def generate_launch_description():
                 executable="robot_state_publisher",
                 parameters=[{"robot_description": description, "use_sim_time": True}],
             ),
+            Node(
+                package="ros_gz_bridge",
+                executable="parameter_bridge",
+                arguments=["/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"],
+            ),
             Node(package="ros_gz_sim", executable="create", arguments=["-topic", "robot_description"]),
             Node(package="controller_manager", executable="spawner", arguments=["joint_state_broadcaster"]),
             Node(

@@ -101,6 +101,12 @@ def test_a_byte_order_mark_shifts_no_column() -> None:
         (b"<a b=1'/>", "1:6 the value of attribute 'b' has no quotes"),
         (b"<a b='1 c='2'/>", "1:6 the value of attribute 'b' has no closing quote"),
         (b"<a b='1>\n<c/></a>", "1:4 the value of attribute 'b' has no closing quote"),
+        (b"<a b=''1/>", "1:8 part of the value of attribute 'b' is outside its quotes"),
+        (b"<a b='$'{c} d='2'/>", "1:9 part of the value of attribute 'b' is outside its quotes"),
+        (b"<a b='0' 0 1 c='2'/>", "1:10 part of the value of attribute 'b' is outside its quotes"),
+        (b"<a b='0''/>", "1:9 part of the value of attribute 'b' is outside its quotes"),
+        (b"<a b='0'c='2'/>", "1:9 there is no blank between attribute 'b' and attribute 'c'"),
+        (b"<a b='0' c'2'/>", "1:11 there is no '=' between attribute 'c' and its value"),
         (b"<a b='1 < 2'/>", "1:9 '<' is not allowed in the value of an attribute"),
         (b"<a b='${x && y}'/>", "1:11 '&&' is not valid in XML, nor in an expression of xacro"),
         (b"<a>\n<!-- x -- y --></a>", "2:8 '--' in the comment that begins in line 2; XML does not allow it inside a comment"),  # noqa: E501

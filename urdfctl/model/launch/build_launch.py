@@ -37,6 +37,8 @@ _MOST_INCLUDES = 200
 _MOST_REPLACED = 200
 _SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
 """Packages whose launch files start a simulator, but no controllers."""
+_SERVERS = ("gazebo", "gzserver", "debug", "gdbrun", "perf")
+"""The programs of gazebo_ros that are a simulator."""
 _OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
 _SPAWNING = {"spawn": True, "load": False, "start": True}
 """The verbs of the program `controller_manager` that load controllers, and whether they start them."""
@@ -71,6 +73,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         inline=tuple(builder.inline),
         moveit=tuple(_with_loads(files, builder.loads) for files in builder.moveit),
         unread=tuple(builder.unread),
+        named=tuple(dict.fromkeys(builder.named)),
     )
 
 
@@ -124,6 +127,7 @@ class _LaunchBuilder:
         self.moveit: list[MoveItFiles] = []
         self.arguments: dict[str, str | None] = {}
         self.inline: list[InlineParameters] = []
+        self.named: list[str] = []
         self.unread: list[Word] = []
         """The included files that cannot be read."""
         self._includes = 0
@@ -240,6 +244,7 @@ class _LaunchBuilder:
 
     def _param(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))
+        self.named.append(name)
         last = name.rpartition("/")[2]
         if last.endswith(_SEMANTIC):
             self._semantic(element, name, scope, texts)
@@ -290,6 +295,7 @@ class _LaunchBuilder:
             return
         below = "/".join(texts.resolve(element.attrs[name]) for name in ("ns", "param") if element.attrs.get(name))
         namespace = joined(scope.namespace, below)
+        self.named.append(namespace)
         if "file" not in element.attrs:
             if element.at.content.start != element.at.start and element.attrs.get("param"):
                 self._contained(namespace, element.at.content, scope)
@@ -350,6 +356,9 @@ class _LaunchBuilder:
         for word in words:
             if word.endswith(_ARGUMENT_FILES):
                 self._reference(word, at, if_known(word), "argument", sure=scope.sure)
+        if package.text == "gazebo_ros" and program.text in _SERVERS:
+            paused = any(word in ("-u", "--pause") for word in words)
+            self.simulations.append(Simulation("gazebo-classic", element.at, paused, scope.sure))
         namespace = if_known(scope.namespace)
         model = urdf_file_of(package.text, program.text, words)
         if model is not None:

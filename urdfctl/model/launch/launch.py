@@ -33,7 +33,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 """The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
-    *("inline", "given", "misspelt", "moveit"),
+    *("inline", "given", "misspelt", "moveit", "named"),
 )
 """What launch files add to each other if they are started beside each other."""
 
@@ -57,6 +57,7 @@ class Launch(NamedTuple):
     others: the descriptions of its other robots, if only what belongs to one is kept.
     unread: the included files that cannot be read, if nothing else makes it incomplete.
     beside: the nodes of each of several launch files that are started beside each other.
+    named: ROS 1: the full names of the parameters, and namespaces of parameters, that it sets.
     """
 
     path: str
@@ -81,6 +82,7 @@ class Launch(NamedTuple):
     others: tuple[Description, ...] = ()
     unread: tuple[Word, ...] = ()
     beside: tuple[tuple[Node, ...], ...] = ()
+    named: tuple[str, ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:

@@ -69,7 +69,12 @@ _ROBOT = '%s<link name="base"/>%s</robot>'
         ),
     ],
     good=[
-        {"robot.urdf": _ROBOT % ('<robot name="arm">', _PLUGIN), "arm.launch": _LAUNCH, "package.xml": _MANIFEST},
+        {
+            "robot.urdf": _ROBOT % ('<robot name="arm">', _PLUGIN),
+            "arm.launch": _LAUNCH,
+            "package.xml": _MANIFEST,
+            "README.md": "rosparam load config/controllers.yaml\n",
+        },
         *(
             {
                 "robot.urdf": _ROBOT % ('<robot name="arm">', ""),

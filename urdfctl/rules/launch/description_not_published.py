@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, since, until
-from urdfctl.model.launch import Launch, Node, joined
+from urdfctl.model.launch import Launch, Node
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2, launch_of, manager_nodes, state_publishers
+from urdfctl.rules.launch.steps import description_topic
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
 
 _NAME = "robot_description"
@@ -65,8 +66,8 @@ def _of_parameter(node: Node) -> Iterator[Finding]:
 
 
 def _of_topic(node: Node, launch: Launch, publishers: list[Node]) -> Iterator[Finding]:
-    topics = {_topic(publisher): publisher for publisher in publishers}
-    asked = _topic(node)
+    topics = {description_topic(publisher): publisher for publisher in publishers}
+    asked = description_topic(node)
     if asked in topics:
         return
     if not topics:
@@ -77,10 +78,3 @@ def _of_topic(node: Node, launch: Launch, publishers: list[Node]) -> Iterator[Fi
     message = f"the controller manager waits for '{asked}', but robot_state_publisher publishes '{topic}'"
     severity = Severity.ERROR if all(started.sure for started in launch.nodes) else Severity.WARNING
     yield Finding(node.at, message, (Note("robot_state_publisher is started here", publisher.at),), severity=severity)
-
-
-def _topic(node: Node) -> str:
-    """Return the full name of the topic that a node calls robot_description."""
-    own = joined(node.namespace or "", _NAME)
-    renamed = next((after for before, after in node.remaps if before in {_NAME, own}), _NAME)
-    return joined(node.namespace or "", renamed)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from urdfctl.fault import Fault
+from urdfctl.rules.launch.clock_not_bridged import clock_not_bridged
 from urdfctl.rules.launch.clock_of_other_world import clock_of_other_world
 from urdfctl.rules.launch.control_plugin_not_loaded import control_plugin_not_loaded
 from urdfctl.rules.launch.controller_not_spawned import controller_not_spawned
 from urdfctl.rules.launch.controller_spawned_twice import controller_spawned_twice
+from urdfctl.rules.launch.controllers_never_loaded import controllers_never_loaded
+from urdfctl.rules.launch.controllers_never_spawned import controllers_never_spawned
 from urdfctl.rules.launch.described_by_macros_only import described_by_macros_only
 from urdfctl.rules.launch.description_is_a_path import description_is_a_path
 from urdfctl.rules.launch.description_not_published import description_not_published
@@ -24,6 +27,8 @@ from urdfctl.rules.launch.manager_beside_simulator import manager_beside_simulat
 from urdfctl.rules.launch.manager_section_not_read import manager_section_not_read
 from urdfctl.rules.launch.manager_without_clock import manager_without_clock
 from urdfctl.rules.launch.mesh_not_on_model_path import mesh_not_on_model_path
+from urdfctl.rules.launch.model_description_missing import model_description_missing
+from urdfctl.rules.launch.model_never_spawned import model_never_spawned
 from urdfctl.rules.launch.model_spawned_twice import model_spawned_twice
 from urdfctl.rules.launch.node_name_twice import node_name_twice
 from urdfctl.rules.launch.package_misspelt import package_misspelt
@@ -32,12 +37,14 @@ from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_n
 from urdfctl.rules.launch.publisher_of_older_distro import publisher_of_older_distro
 from urdfctl.rules.launch.simulated_time_off import simulated_time_off
 from urdfctl.rules.launch.simulation_paused import simulation_paused
+from urdfctl.rules.launch.simulator_never_started import simulator_never_started
 from urdfctl.rules.launch.spawned_controller_unknown import spawned_controller_unknown
 from urdfctl.rules.launch.spawner_of_other_manager import spawner_of_other_manager
 from urdfctl.rules.launch.spawner_option_unknown import spawner_option_unknown
 from urdfctl.rules.launch.spawner_program_gone import spawner_program_gone
 from urdfctl.rules.launch.spawner_remapped import spawner_remapped
 from urdfctl.rules.launch.spawner_without_manager import spawner_without_manager
+from urdfctl.rules.launch.spawner_without_name import spawner_without_name
 from urdfctl.rules.launch.xacro_command_malformed import xacro_command_malformed
 from urdfctl.rules.launch.xacro_program_gone import xacro_program_gone
 
@@ -62,6 +69,13 @@ FAULTS: tuple[Fault, ...] = (
     include_argument_unknown,
     listed_joint_unknown,
     xacro_program_gone,
+    controllers_never_spawned,
+    simulator_never_started,
+    model_never_spawned,
+    model_description_missing,
+    controllers_never_loaded,
+    clock_not_bridged,
+    spawner_without_name,
     described_by_macros_only,
     description_read_as_yaml,
     node_name_twice,

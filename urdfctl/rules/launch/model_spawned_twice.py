@@ -7,15 +7,7 @@ from itertools import pairwise
 
 from urdfctl.model.launch import Node, Word
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-
-_SPAWNERS = {
-    ("gazebo_ros", "spawn_model"): "-model",
-    ("gazebo_ros", "urdf_spawner"): "-model",
-    ("gazebo_ros", "spawn_entity.py"): "-entity",
-    ("ros_gz_sim", "create"): "-name",
-    ("ros_ign_gazebo", "create"): "-name",
-}
-"""The programs that spawn a model, with the option that names it."""
+from urdfctl.rules.launch.steps import MODEL_SPAWNERS
 
 
 def _launched(package: str, program: str, *words: str) -> dict[str, str]:
@@ -39,11 +31,11 @@ def _launched(package: str, program: str, *words: str) -> dict[str, str]:
     "[allow_renaming] is false. Entity not spawned.'",
     bad=[
         _launched(package, program, f"{option} arm -x 0", f"{option} «arm» -x 1")
-        for (package, program), option in _SPAWNERS.items()
+        for (package, program), option in MODEL_SPAWNERS.items()
     ],
     good=[
-        _launched("gazebo_ros", "spawn_model", "-model arm", "-model leg"),
-        _launched("ros_gz_sim", "create", "-name arm", "-name arm -allow_renaming true"),
+        {**_launched("gazebo_ros", "spawn_model", "-model arm", "-model leg"), "run.sh": "gzserver\n"},
+        {**_launched("ros_gz_sim", "create", "-name arm", "-name arm -allow_renaming true"), "run.sh": "gz sim -r\n"},
     ],
 )
 def model_spawned_twice(project: Project) -> Iterator[Finding]:
@@ -67,7 +59,7 @@ def model_spawned_twice(project: Project) -> Iterator[Finding]:
 
 def _model_of(node: Node) -> Word | None:
     """The name of the model that a node certainly spawns under exactly that name."""
-    option = _SPAWNERS.get((node.package.text, node.executable.text))
+    option = MODEL_SPAWNERS.get((node.package.text, node.executable.text))
     if option is None or not node.sure or any("allow_renaming" in word.text for word in node.words):
         return None
     return next((after for before, after in pairwise(node.words) if before.text == option), None)

@@ -20,6 +20,9 @@ _OPEN_VALUE = re.compile(
     rb"<[\w:.-]+(?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*\s+([\w:.-]+)\s*=\s*(?:\"[^\"]*|'[^']*)\Z"
 )
 _SWALLOWED = re.compile(rb"(?:.*\S)?\s[\w:.-]+\s*=\s*\Z", re.DOTALL)
+_FOLLOWING = re.compile(rb"([A-Za-z_][\w:.-]*)\s*=\s*[\"']")
+_UNEQUAL = re.compile(rb"\s+([A-Za-z_][\w:.-]*)\s*")
+_OUTSIDE = re.compile(rb"(?:(?!\s+[A-Za-z_][\w:.-]*\s*=|\s*/?>|[<\n]).){1,200}")
 _LONGEST_TAG = 4000
 
 
@@ -180,7 +183,28 @@ def _in_tag(data: bytes, opened: int, offset: int) -> _Mistake | None:
         word = re.split(rb"\s+[\w:.-]+\s*=\s*\Z", last[2][1:-1])[0].decode("utf-8", "replace")
         message = f"the value of attribute '{last[1].decode()}' has no closing quote"
         return _Mistake(message, f'write {last[1].decode()}="{word}"', last.start(2), last.end(2))
-    return None
+    return _outside_quotes(data, last, offset) if last else None
+
+
+def _outside_quotes(data: bytes, value: re.Match[bytes], offset: int) -> _Mistake | None:
+    """Text after the closing quote of a value: the rest of the value, or an attribute without a blank before it."""
+    name, between = value[1].decode(), data[value.end() : offset]
+    unequal = _UNEQUAL.fullmatch(between)
+    if unequal and data[offset : offset + 1] in (b'"', b"'"):
+        return _Mistake(f"there is no '=' between attribute '{unequal[1].decode()}' and its value", "", offset)
+    if between.strip():
+        return None
+    following = _FOLLOWING.match(data, offset)
+    if following is not None:
+        return _Mistake(
+            f"there is no blank between attribute '{name}' and attribute '{following[1].decode()}'", "", offset
+        )
+    rest = _OUTSIDE.match(data, offset)
+    if rest is None:
+        return None
+    whole = (value[2][1:-1] + between + rest[0]).decode("utf-8", "replace").replace('"', "").replace("'", "")
+    hint = f'write {name}="{" ".join(whole.split())}"'
+    return _Mistake(f"part of the value of attribute '{name}' is outside its quotes", hint, offset)
 
 
 def _in_value(data: bytes, opened: int, offset: int) -> _Mistake | None:

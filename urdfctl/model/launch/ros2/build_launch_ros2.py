@@ -12,7 +12,9 @@ from urdfctl.model.launch.ros2.moveit import LAUNCHES
 from urdfctl.model.launch.ros2.nodes import Nodes
 from urdfctl.model.launch.ros2.simulators import (
     commanded_simulation,
+    included_nodes,
     included_simulation,
+    node_simulation,
     package_outside,
     simulator_of,
 )
@@ -24,10 +26,11 @@ from urdfctl.source.launch.terms import (
     Items,
     OneOf,
     Perhaps,
+    Table,
     Term,
     UnknownTerm,
 )
-from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
@@ -45,7 +48,7 @@ _HARMLESS = frozenset(
         "LogInfo Shutdown EmitEvent SetEnvironmentVariable AppendEnvironmentVariable UnsetEnvironmentVariable "
         "PrependEnvironmentVariable SetROSLogDir "
         "UnregisterEventHandler ResetEnvironment PushEnvironment PopEnvironment LifecycleTransition "
-        "UnsetLaunchConfiguration ReadyToTest GzServer RosGzBridge AppendEnvironment"
+        "UnsetLaunchConfiguration ReadyToTest AppendEnvironment"
     ).split()
 )
 """Actions that have no effect on a robot and its controllers."""
@@ -53,6 +56,7 @@ _ALTERING = frozenset({"SetParameter", "SetParametersFromFile", "SetRemap", "Set
 """Actions that change the parameters or remappings of all following nodes."""
 _NODES = frozenset({"Node", "LifecycleNode"})
 _PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
+_OF_ROS_GZ = {"GzServer": ("ros_gz_sim", "gzserver"), "RosGzBridge": ("ros_gz_bridge", "bridge_node")}
 _HANDLERS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start", "OnExecutionComplete": "on_completion"}
 _SPAWNING = frozenset(
     (
@@ -205,7 +209,10 @@ class _Walk:
         if term.short in _ACTIONS:
             _ACTIONS[term.short](self, term, scope, state)
         elif term.short in _NODES:
+            before = len(self.facts.nodes)
             self.nodes(scope).node(term, sure=state.sure, held=state.held, after=state.after)
+            for node in self.facts.nodes[before:]:
+                self._simulates(node_simulation(node))
         elif term.short in _PROCESSES:
             self._process(term, scope, state)
         elif term.short in _SPAWNING:
@@ -328,6 +335,8 @@ class _Walk:
         if is_simulator:  # before the arguments are set: one may contain the former value of its own name
             if state.held:
                 self._simulates(included_simulation(path, given, texts, term.at, sure=state.sure))
+                space = if_known(scope.namespace)
+                self.facts.nodes += included_nodes(path, given, texts, term.at, space, sure=state.sure)
             self.nodes(scope).worlds(given, texts, sure=state.sure)
         for name, value in given.entries.items() if given else ():
             scope.settings[name] = texts.of(value)
@@ -357,6 +366,20 @@ class _Walk:
         if simulation is not None:
             self.simulations.append(simulation)
 
+    def component(self, term: Called, scope: ActionScope, state: _State) -> None:
+        """Follow an action of ros_gz that starts a node: the server, which is never paused, or a bridge."""
+        package, program = _OF_ROS_GZ[term.short]
+        keywords: dict[str, Term] = {}
+        if "namespace" in term.keywords:
+            keywords["namespace"] = term.keywords["namespace"]
+        file = term.given("config_file")
+        if file is not None:
+            table = Table(term.at)
+            table.put(Constant("config_file", term.at), file)
+            keywords["parameters"] = Items([table], term.at)
+        words = {"package": Constant(package, term.at), "executable": Constant(program, term.at)}
+        self._act(Called("Node", term.at, (), {**keywords, **words}), scope, state)
+
     def _process(self, term: Called, scope: ActionScope, state: _State) -> None:
         words = self.nodes(scope).command(term, sure=state.sure, held=state.held, after=state.after)
         texts = [word.text for word in words]
@@ -383,5 +406,6 @@ _ACTIONS: dict[str, Callable[[_Walk, Called, ActionScope, _State], None]] = {
     "IncludeLaunchDescription": _Walk.include,
     "ComposableNodeContainer": _Walk.composed,
     "LoadComposableNodes": _Walk.composed,
+    **dict.fromkeys(_OF_ROS_GZ, _Walk.component),
     **dict.fromkeys(LAUNCHES, _Walk.moveit),
 }

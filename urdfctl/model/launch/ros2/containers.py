@@ -5,7 +5,11 @@ from __future__ import annotations
 from urdfctl.model.launch.ros2.texts import Texts
 from urdfctl.source.launch.terms import Called, Constant, Items, Perhaps, Term
 
-_PROGRAMS = {"robot_state_publisher::RobotStatePublisher": ("robot_state_publisher", "robot_state_publisher")}
+_PROGRAMS = {
+    "robot_state_publisher::RobotStatePublisher": ("robot_state_publisher", "robot_state_publisher"),
+    "ros_gz_sim::GzServer": ("ros_gz_sim", "gzserver"),
+    "ros_gz_bridge::RosGzBridge": ("ros_gz_bridge", "bridge_node"),
+}
 """The components that have to do with robots: package and executable of the same node in a process of its own."""
 _SAME = ("name", "namespace", "parameters", "remappings", "condition")
 

@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from urdfctl.model.launch import Simulation
+from urdfctl.model.launch import Node, Simulation, Word
 from urdfctl.model.launch.ros2.texts import Texts
 from urdfctl.source.launch.terms import Constant, Table
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
+_SERVERS = ("gz_server.launch", "gzserver.launch", "ros_gz_sim.launch")
+"""How the launch files of ros_gz_sim begin that start the server alone, which is never paused (gzserver.cpp)."""
+_SPAWNING = ("gz_spawn_model.launch", "ros_gz_spawn_model.launch")
+_BRIDGING = ("ros_gz_sim.launch", "ros_gz_spawn_model.launch")
+_OF_MODEL = {"entity_name": "name", "topic": "topic", "file": "file", "allow_renaming": "allow_renaming"}
+"""The arguments of the launch files that spawn a model, with the parameters of `create`."""
 _SIMULATORS = {"ros_gz_sim": "gz", "ros_ign_gazebo": "gz", "ros_gz": "gz", "gazebo_ros": "gazebo-classic"}
 
 
@@ -31,8 +37,10 @@ def simulator_of(path: str) -> str | None:
 def included_simulation(path: str, given: Table | None, texts: Texts, at: Place, *, sure: bool) -> Simulation | None:
     """Return what the launch file of a simulator's package starts with some arguments; None if it starts nothing."""
     file, simulator = os.path.basename(path), simulator_of(path)
-    if simulator is None or not any(word in file for word in ("sim", "gazebo", "gzserver")):
+    if simulator is None or not any(word in file for word in ("sim", "gazebo", "gzserver", "gz_server")):
         return None
+    if simulator == "gz" and file.startswith(_SERVERS):
+        return Simulation("gz", at, paused=False, sure=sure)
     entries = given.entries if given else {}
     if simulator != "gz":
         paused = texts.truth(entries["pause"]) if "pause" in entries else False
@@ -40,6 +48,39 @@ def included_simulation(path: str, given: Table | None, texts: Texts, at: Place,
     arguments = texts.of(entries.get("gz_args") or entries.get("ign_args") or Constant("", at))
     is_open = given is not None and not given.whole
     return _gz(arguments, at, sure=sure, is_open=is_open)
+
+
+def included_nodes(
+    path: str, given: Table | None, texts: Texts, at: Place, namespace: str | None, *, sure: bool
+) -> Iterator[Node]:
+    """Yield the nodes that a launch file of ros_gz_sim starts besides the simulator: a spawner of models, a bridge."""
+    file = os.path.basename(path)
+    entries = given.entries if given else {}
+    values = {name: texts.of(value) for name, value in entries.items()}
+    started = []
+    if file.startswith(_SPAWNING):
+        model = {parameter: values[name] for name, parameter in _OF_MODEL.items() if values.get(name)}
+        started.append(("ros_gz_sim", "create", model))
+    if file.startswith(_BRIDGING):
+        started.append(("ros_gz_bridge", "bridge_node", {"config_file": values.get("config_file", UNKNOWN)}))
+    for package, program, parameters in started if simulator_of(path) == "gz" else ():
+        names = tuple(Word(name, at) for name in parameters)
+        yield Node(
+            package=Word(package, at),
+            executable=Word(program, at),
+            name=None,
+            namespace=namespace,
+            at=at,
+            parameters=names,
+            sure=sure,
+            complete=given is None or given.whole,
+            values=tuple(parameters.items()),
+        )
+
+
+def node_simulation(node: Node) -> Simulation | None:
+    """Return what a node starts that is a simulator; None if it is none."""
+    return Simulation("gz", node.at, paused=False, sure=node.sure) if node.runs("ros_gz_sim", "gzserver") else None
 
 
 def commanded_simulation(words: Sequence[str], at: Place, *, sure: bool) -> Simulation | None:

@@ -1,0 +1,136 @@
+"""UC624."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.model.launch import Launch, Node, Word, joined
+from urdfctl.names import nearest
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.common import replaced
+from urdfctl.rules.launch.common import ROS_2, state_publishers
+from urdfctl.rules.launch.steps import PUBLISHES_DESCRIPTION, description_topic, model_spawners, option_of
+from urdfctl.rules.launch_samples import PUBLISHER
+from urdfctl.source.opaque import UNKNOWN
+
+_GZ = """
+      <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"><arg name="gz_args" value="-r empty.sdf"/></include>
+      <node pkg="ros_gz_sim" exec="create" args="-topic %s -name arm"/>"""
+_SPAWN = """
+            <launch>
+              <include file="$(find gazebo_ros)/launch/empty_world.launch"/>%s
+              <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param %s -model arm"/>
+            </launch>
+"""
+_SET = """
+              <param name="robot_description" textfile="$(find arm)/arm.urdf"/>"""
+
+
+def _of_ros2(*nodes: str) -> dict[str, str]:
+    manifest = "".join(
+        f"<exec_depend>{name}</exec_depend>" for name in ("ros_gz_sim", "robot_state_publisher", "xacro")
+    )
+    return {
+        "arm.launch.xml": f"<launch>{''.join(nodes)}</launch>",
+        "arm.urdf": "",
+        "package.xml": f"<package><name>arm</name>{manifest}</package>",
+    }
+
+
+def _of_ros1(parameter: str, set_before: str = _SET) -> dict[str, str]:
+    manifest = "<package><name>arm</name><exec_depend>gazebo_ros</exec_depend></package>"
+    return {"arm.launch": _SPAWN % (set_before, parameter), "arm.urdf": "", "package.xml": manifest}
+
+
+@rule(
+    "UC624",
+    severity=Severity.ERROR,
+    runtime="refuses",
+    authority="ros_gz_sim create.cpp: 'Waiting messages on topic [%s].', until one comes; gazebo_ros spawn_entity.py: 'Waiting for "
+    "entity xml on %s'; spawn_model of ROS 1: rospy.get_param() raises KeyError",
+    bad=[
+        _of_ros2(PUBLISHER, _GZ % "«robot_desc»"),
+        _of_ros2(_GZ % "«robot_description»"),
+        _of_ros1("«robot_descripton»"),
+        _of_ros1("«robot_description»", ""),
+    ],
+    good=[
+        _of_ros2(PUBLISHER, _GZ % "robot_description"),
+        _of_ros2(PUBLISHER, _GZ % "/robot_description"),
+        {**_of_ros2(PUBLISHER, _GZ % "robot_desc"), "publish.py": "node.create_publisher(String, 'robot_desc', 1)\n"},
+        {**_of_ros2(_GZ % "robot_description"), "state.launch.xml": f"<launch>{PUBLISHER}</launch>"},
+        _of_ros1("robot_description"),
+        {**_of_ros1("robot_description", ""), "README.md": "rosparam set robot_description -t arm.urdf\n"},
+    ],
+)
+def model_description_missing(project: Project) -> Iterator[Finding]:
+    """Model is spawned from a topic or parameter that nobody sets.
+
+    With `-topic`, the program waits for a description that never comes. With `-param` of ROS 1, it ends with a KeyError.
+    Either way the robot is not spawned, and its controller manager does not start. It is an error if the launch file
+    publishes the description under another name.
+    """
+    launch = project.launch
+    if launch is None or not launch.complete:
+        return
+    for node in model_spawners(launch):
+        if node.sure and node.complete and node.namespace is not None:
+            yield from _of_topic(project, launch, node) if launch.ros == ROS_2 else _of_parameter(project, launch, node)
+
+
+def _of_topic(project: Project, launch: Launch, node: Node) -> Iterator[Finding]:
+    word = option_of(node, "topic")
+    publishers = state_publishers(launch)
+    known = all(each.namespace is not None and each.complete for each in publishers)
+    if word is None or word.known is None or not known:
+        return
+    asked, offered = description_topic(node, word.text), {description_topic(each): each for each in publishers}
+    if asked in offered or UNKNOWN in asked or any(asked in map(_absolute, _ends(each)) for each in launch.nodes):
+        return
+    if not offered:
+        if not project.mentioned(PUBLISHES_DESCRIPTION) and not project.mentioned(_named(asked)):
+            yield _finding(node, word, f"nothing here publishes '{asked}'", Severity.WARNING)
+    elif not project.mentioned(_named(asked)):
+        topic, publisher = next(iter(offered.items()))
+        sure = all(each.sure for each in launch.nodes)
+        found = _finding(node, word, f"robot_state_publisher publishes '{topic}'", None if sure else Severity.WARNING)
+        fix = replaced(word.at, word.text, topic.lstrip("/")) if nearest(asked, [topic]) else None
+        yield found._replace(notes=(Note("robot_state_publisher is started here", publisher.at),), fix=fix)
+
+
+def _of_parameter(project: Project, launch: Launch, node: Node) -> Iterator[Finding]:
+    word = option_of(node, "param")
+    if word is None or word.known is None or UNKNOWN in "".join(launch.named):
+        return
+    asked = joined(node.namespace or "", word.text)
+    if any(f"{asked}/".startswith(f"{name}/") or name.startswith(f"{asked}/") for name in launch.named if name):
+        return
+    if not all(load.file.exists for load in launch.loads) or any(not one.name for one in launch.inline):
+        return
+    if project.mentioned(_named(asked)):
+        return
+    others = [name for name in launch.named if name.endswith("description")]
+    what = f"the launch file sets '{others[0]}'" if others else "nothing here sets it"
+    message = f"'{node.executable.text}' reads parameter '{asked}', but {what}"
+    fix = replaced(word.at, word.text, others[0].lstrip("/")) if others and nearest(asked, others) else None
+    yield Finding(word.at, message, fix=fix, severity=None if others else Severity.WARNING)
+
+
+def _finding(node: Node, word: Word, what: str, severity: Severity | None) -> Finding:
+    asked = description_topic(node, word.text)
+    return Finding(word.at, f"'{node.executable.text}' waits for topic '{asked}', but {what}", severity=severity)
+
+
+def _named(topic: str) -> str:
+    """What says a topic's or parameter's name."""
+    return rf"\b{re.escape(topic.rpartition('/')[2])}\b"
+
+
+def _ends(node: Node) -> Iterator[str]:
+    """The topics that a node's remappings lead to."""
+    yield from (after for _, after in node.remaps)
+
+
+def _absolute(topic: str) -> str:
+    return f"/{topic.lstrip('/')}"

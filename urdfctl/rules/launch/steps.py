@@ -1,0 +1,70 @@
+"""The steps of a bringup: start the simulator, spawn the model, load and spawn the controllers, publish the description.
+
+A rule about a missing step speaks only if the launch file is wholly known, and no other text of the workspace (a second
+launch file, a script, the commands in a README) does the step: `Project.mentioned`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from urdfctl.model.launch import Launch, Node, Word, joined
+from urdfctl.rule import Project
+
+MODEL_SPAWNERS = {
+    ("gazebo_ros", "spawn_model"): "-model",
+    ("gazebo_ros", "urdf_spawner"): "-model",
+    ("gazebo_ros", "spawn_entity.py"): "-entity",
+    ("ros_gz_sim", "create"): "-name",
+    ("ros_ign_gazebo", "create"): "-name",
+}
+"""The programs that spawn a model, with the option that names it."""
+SPAWNS_CONTROLLERS = (
+    r"\bspawner\b|(?:load|start|switch)_controller|(?:Load|Switch)Controller|ros2 control |controller_manager\.launch_utils|"
+    r"controllers?_spawner|generate_\w*controllers?_launch|controller_manager\s+(?:spawn|load|start)"
+)
+"""What says that a text may spawn controllers."""
+STARTS_SIMULATOR = (
+    r"gz_sim\.launch|gz_server|gzserver|GzServer|gz sim\b|ign gazebo|gz_sim_composition|gazebo\.launch|_world\.launch|"
+    r"gazebo_ros\s+(?:gazebo|debug)|type=.gazebo|(?:launch|run)\s+\S*(?:gazebo|gz|ign|sim)|\bgazebo\s+(?:-|\S+\.world)"
+)
+SPAWNS_MODEL = (
+    r"spawn_(?:entity|model|urdf)|Spawn(?:Entity|Model)|urdf_spawner|EntityFactory|gz model|model-file|"
+    r"(?:executable|exec|type)\s*=\s*.create\b|gazebo\s+create\b|gz_sim\s+create\b|/create\b|gz_spawn_model"
+)
+PUBLISHES_DESCRIPTION = r"robot_state_publisher|robot_description"
+_DESCRIPTION = "robot_description"
+
+
+def model_spawners(launch: Launch) -> list[Node]:
+    """Return the nodes that spawn a model into a simulator."""
+    return [node for node in launch.nodes if (node.package.text, node.executable.text) in MODEL_SPAWNERS]
+
+
+def option_of(node: Node, name: str) -> Word | None:
+    """Return the value of an option of a node, by its word or the parameter of the same name; None if not given."""
+    options = {f"-{name}", f"--{name}"}
+    word = next((after for before, after in pairwise(node.words) if before.text in options), None)
+    if word is not None:
+        return word
+    joint = next((word for word in node.words if word.text.startswith((f"-{name}=", f"--{name}="))), None)
+    if joint is not None:
+        return Word(joint.text.partition("=")[2], joint.at)
+    given = dict(node.values).get(name)
+    at = next((word.at for word in node.parameters if word.text == name), node.at)
+    return Word(given, at) if given else None
+
+
+def description_topic(node: Node, name: str = _DESCRIPTION) -> str:
+    """Return the full name of the topic that a node calls robot_description, or by another name."""
+    own = joined(node.namespace or "", name)
+    renamed = next((after for before, after in node.remaps if before in {name, own}), name)
+    return joined(node.namespace or "", renamed)
+
+
+def declared_controllers(project: Project) -> Iterator[str]:
+    """Yield the names of the controllers that the files declare with a type."""
+    for each in project.controllers.controllers if project.controllers else ():
+        if each.declared_at is not None and each.type is not None:
+            yield each.name
