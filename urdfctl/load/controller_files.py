@@ -14,9 +14,12 @@ from urdfctl.model.controllers.controller_forms import form_of
 from urdfctl.model.launch import GivenParameters, InlineParameters, Launch, ParameterLoad, Rewriting, joined
 from urdfctl.model.robot import Robot
 from urdfctl.source.disk.files import FileProblem, Files
+from urdfctl.source.disk.gate import admits, is_file
+from urdfctl.source.disk.shown import current_folder
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
+from urdfctl.source.workspaces.packages import package_around
 from urdfctl.source.xml.dom import Document
 from urdfctl.source.yaml.replacing import below, with_replacements, with_values
 from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlFile, read_yaml
@@ -58,7 +61,23 @@ class ControllerFiles(NamedTuple):
         nodes: the names of other nodes that are checked.
         """
         controllers = controllers_of(self.files, ros, started, self.references, nodes)
-        return controllers._replace(whole=self.whole, moveit_lists=self.moveit_lists)
+        absent = tuple(_absent(controllers))
+        return controllers._replace(whole=self.whole, moveit_lists=self.moveit_lists, absent=absent)
+
+
+def _absent(controllers: Controllers) -> Iterator[tuple[str, FileReference]]:
+    """The files that `params_file` of a controller names and that do not exist. A relative path depends on the folder
+    that the manager is started in: it is looked for beside the file, and in the package around that."""
+    for controller in controllers.controllers:
+        for value in controller.parameter_files:
+            path, folder = value.text, os.path.dirname(value.at.source.path)
+            if UNKNOWN in path or "$" in path or not path:
+                continue
+            around = {folder, package_around(folder) or folder, current_folder()}
+            paths = [os.path.normpath(os.path.join(each, path)) for each in sorted(around)]
+            if all(map(admits, paths)) and not any(map(is_file, paths)):
+                nearest = next(filter(None, map(file_near, paths)), "")
+                yield controller.name, FileReference(path, value.at, paths[0], exists=False, nearest=nearest)
 
 
 def read_controllers(

@@ -259,6 +259,7 @@ class Controllers(NamedTuple):
     moveit_lists: joints that MoveIt files for ROS 1 list.
     nodes: other nodes whose parameters the user defines.
     shared: ROS 2: the sections for several nodes, with a wildcard as the last part of the path.
+    absent: ROS 2: the files that `params_file` of a controller names and that do not exist, with the controller's name.
     """
 
     files: tuple[ControllersFile, ...]
@@ -270,6 +271,7 @@ class Controllers(NamedTuple):
     moveit_lists: tuple[MoveItList, ...] = ()
     nodes: tuple[Controller, ...] = ()
     shared: tuple[Section, ...] = ()
+    absent: tuple[tuple[str, FileReference], ...] = ()
 
     @property
     def complete(self) -> bool:

@@ -28,6 +28,7 @@ from urdfctl.rules.claims.loop_without_error_gain import loop_without_error_gain
 from urdfctl.rules.claims.mapped_interface_not_exported import mapped_interface_not_exported
 from urdfctl.rules.claims.nothing_to_claim import nothing_to_claim
 from urdfctl.rules.claims.number_not_finite import number_not_finite
+from urdfctl.rules.claims.parameters_file_missing import parameters_file_missing
 from urdfctl.rules.claims.sensor_frame_not_a_link import sensor_frame_not_a_link
 from urdfctl.rules.claims.state_interface_not_exported import state_interface_not_exported
 from urdfctl.rules.claims.state_of_other_data_type import state_of_other_data_type
@@ -63,4 +64,5 @@ FAULTS: tuple[Fault, ...] = (
     integral_without_clamp,
     loop_without_error_gain,
     number_not_finite,
+    parameters_file_missing,
 )

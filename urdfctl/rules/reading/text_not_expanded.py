@@ -10,9 +10,12 @@ from urdfctl.model.controllers import FaultKind
 from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
 
+ROS_2 = 2
 _BRACES = re.compile(r"\$\{[^{}]*\}")
 _ANY_OF_ROS2 = re.compile(r"\$\((?:arg|var|env|eval|find|find-pkg-share|find-pkg-prefix|dirname|command)\b[^()]*\)")
 _ANY_OF_ROS1 = re.compile(r"\$\((?:arg|find|env|optenv|eval|anon|dirname)\b[^()]*\)")
+_EVALUATES = r"allow_substs|subst_value|RewrittenYaml|ReplaceString|IncludeLaunchDescription|<include|include:"
+"""What says that a launch file may evaluate a parameter file, or include one that does."""
 _NAMES = ("joint", "wheel", "interface")
 
 
@@ -44,6 +47,18 @@ _NAMES = ("joint", "wheel", "interface")
                 base:
                   ros__parameters: {left_wheel_names: [«"${side}wheel"»], right_wheel_names: [shoulder], base_frame_id: «"${side}base"»}
             """,
+        },
+        {
+            "robot.urdf": "",
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
+                    arm: {type: position_controllers/JointGroupPositionController}
+                arm:
+                  ros__parameters: {joints: [«"$(var prefix)elbow"»]}
+            """,
+            "options": "--distro=jazzy",
         },
     ],
     good=[SOUND],
@@ -82,10 +97,20 @@ def text_not_expanded(project: Project) -> Iterator[Finding]:
 
 
 def _without_launch(project: Project) -> Iterator[Finding]:
-    """Yield the findings on `${...}`, which no launch file evaluates either. Without a robot, a script may fill it in."""
+    """Yield the findings on `${...}`, which no launch file evaluates either. Without a robot, a script may fill it in.
+
+    `$(...)` is told too, as a warning, if nothing in the workspace asks for its evaluation, nor includes what may.
+    """
     read = _read(project)
     for fault in controllers_in(project).faults:
-        found = _BRACES.search(fault.at.span.text) if fault.kind is FaultKind.UNEXPANDED else None
+        if fault.kind is not FaultKind.UNEXPANDED:
+            continue
+        text = fault.at.span.text
+        found = _BRACES.search(text)
+        left = _ANY_OF_ROS2.search(text) if found is None and project.ros == ROS_2 else None
+        if left and (fault.at.source.path, fault.at.start) in read and not project.mentioned(_EVALUATES):
+            message = f"'{left[0]}' in '{fault.subject}' is not expanded unless a launch file loads the file with allow_substs"
+            yield Finding(fault.at, message, severity=Severity.WARNING)
         if found and (fault.at.source.path, fault.at.start) in read:
             message = f"'{found[0]}' in '{fault.subject}' is not expanded: nothing evaluates it in a controller file"
             is_name = project.robot is not None and any(name in fault.subject for name in _NAMES)
