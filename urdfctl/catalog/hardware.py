@@ -13,6 +13,31 @@ from urdfctl.startup.records import NamedTuple
 Plain = Mapping[str, Any]
 
 
+class Behaviour(NamedTuple):
+    """What a plugin that runs a controller manager, or hardware without one, does in one step, in one distro.
+
+    does: `load`, `init`, `validate`, `read`, `write` or `mimic`. authority: file and lines.
+    first: of the command interfaces of a joint that are claimed together, only the first of these is applied.
+    last: of the command interfaces of a joint that are claimed together, only the last one is applied.
+    lacking: what becomes of a joint that the simulator's model lacks: it is `skipped`, or all hardware `refused`; None if
+        not known.
+    offset: whether a mimic joint is moved with the offset of its <mimic>.
+    needs: parameters of the manager without which it gives up.
+    strict: whether an interface that is described, but not exported, is refused.
+    description: what it gets the robot from: the parameters of a `node`, or a `topic`.
+    """
+
+    does: str
+    authority: str
+    first: tuple[str, ...] = ()
+    needs: tuple[str, ...] = ()
+    strict: bool = True
+    description: str | None = None
+    last: bool = False
+    lacking: str | None = None
+    offset: bool = True
+
+
 class HardwareType(NamedTuple):
     """A hardware plugin in one distro.
 
@@ -23,6 +48,7 @@ class HardwareType(NamedTuple):
     states_commanded: boolean parameters, each with a kind of part whose state interfaces get command interfaces too.
     offered_as: exported names of renamed command interfaces, by declared name.
     exports_own: whether it exports interfaces of its own for each joint, whatever the description lists.
+    behaviour: what it does, step by step, as far as its host does not.
     """
 
     type: str
@@ -41,6 +67,7 @@ class HardwareType(NamedTuple):
     states_commanded: Mapping[str, str] = MappingProxyType({})
     offered_as: Mapping[str, str] = MappingProxyType({})
     exports_own: bool = False
+    behaviour: tuple[Behaviour, ...] = ()
 
 
 class PluginChild(NamedTuple):
@@ -58,24 +85,6 @@ class PluginChild(NamedTuple):
     validators: Mapping[str, object] = NOTHING
     aliases: tuple[str, ...] = ()
     note: str | None = None
-
-
-class Behaviour(NamedTuple):
-    """What a plugin that runs a controller manager does in one step, in one distro.
-
-    does: `load`, `validate`, `read` or `write`. authority: file and lines.
-    first: of the command interfaces of a joint that are claimed together, only the first of these is applied.
-    needs: parameters of the manager without which it gives up.
-    strict: whether an interface that is described, but not exported, is refused.
-    description: what it gets the robot from: the parameters of a `node`, or a `topic`.
-    """
-
-    does: str
-    authority: str
-    first: tuple[str, ...] = ()
-    needs: tuple[str, ...] = ()
-    strict: bool = True
-    description: str | None = None
 
 
 class SimulatorPlugin(NamedTuple):
@@ -161,6 +170,7 @@ def hardware_type(own: Plain, distro: str) -> HardwareType:
         },
         offered_as=own.get("offered_as", {}),
         exports_own=own.get("exports_own", False),
+        behaviour=_behaviours(own, distro),
     )
 
 
@@ -182,7 +192,7 @@ def simulator_plugin(own: Plain, distro: str) -> SimulatorPlugin:
         deprecated=_holds(own.get("deprecated"), distro),
         replacement=own.get("replacement"),
         external="origin" in own,
-        behaviour=tuple(_behaviour(each) for each in own.get("behaviour", ()) if in_distro(each, distro)),
+        behaviour=_behaviours(own, distro),
     )
 
 
@@ -214,6 +224,10 @@ def transmission_type(own: Plain, distro: str) -> TransmissionType:
     )
 
 
+def _behaviours(own: Plain, distro: str) -> tuple[Behaviour, ...]:
+    return tuple(_behaviour(each) for each in own.get("behaviour", ()) if in_distro(each, distro))
+
+
 def _behaviour(own: Plain) -> Behaviour:
     return Behaviour(
         does=own["does"],
@@ -222,6 +236,9 @@ def _behaviour(own: Plain) -> Behaviour:
         needs=tuple(own.get("needs", ())),
         strict=own.get("strict", True),
         description=own.get("description"),
+        last=own.get("last", False),
+        lacking=own.get("lacking"),
+        offset=own.get("offset", True),
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.catalog.hardware import Behaviour
 from urdfctl.control.claims import Claim
 from urdfctl.control.hardware.behaviour import behaviour_of
 from urdfctl.control.session import Configured, Session
@@ -28,6 +29,11 @@ _ROBOT = """
       </plugin>
     </gazebo>
 """
+_IN_MUJOCO = (
+    _ROBOT.partition("<gazebo>")[0]
+    .replace("gz_ros2_control/GazeboSimSystem", "mujoco_ros2_control/MujocoSystemInterface")
+    .replace("</plugin></hardware>", '</plugin><param name="mujoco_model">/opt/arm/scene.xml</param></hardware>')
+)
 _CONTROLLERS = """
     controller_manager:
       ros__parameters:
@@ -48,12 +54,17 @@ _CONTROLLERS = """
     runtime="misbehaves",
     distros=ROS2,
     authority="gz_ros2_control gz_system.cpp write() (jazzy 627-661, humble ign_system.cpp 632-666): if VELOCITY, else if "
-    "POSITION, else if EFFORT; joint_trajectory_controller: with position among the command interfaces it runs no loop",
+    "POSITION, else if EFFORT; mujoco_ros2_control mujoco_system_interface.cpp perform_command_mode_switch(): 'Only one type of "
+    "control mode can be active at a time'; joint_trajectory_controller: with position among the command interfaces it runs no loop",
     whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
-    bad=[{"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«position», velocity"}],
+    bad=[
+        {"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«position», velocity"},
+        {"robot.urdf": _IN_MUJOCO, "controllers.yaml": _CONTROLLERS % "«position», velocity"},
+    ],
     good=[
+        {"robot.urdf": _IN_MUJOCO, "controllers.yaml": _CONTROLLERS % "velocity, position"},
         {"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "position"},
         {
             "robot.urdf": _ROBOT.replace("gz_ros2_control/GazeboSimSystem", "mock_components/GenericSystem").partition(
@@ -72,14 +83,15 @@ def command_overridden_in_simulator(project: Project) -> Iterator[Finding]:
     """
 
     def judge(session: Session, controller: Configured) -> Iterator[Finding]:
-        order = _orders(project, session.distro)
+        writing = _writing(project, session.distro)
         claimed: dict[str, dict[str, Claim]] = {}
         for claim in controller.claims.command:
-            if claim.interface in order.get(claim.component, ()):
+            step = writing.get(claim.component)
+            if step is not None and (step.last or claim.interface in step.first):
                 claimed.setdefault(claim.component, {}).setdefault(claim.interface, claim)
         told: set[Place] = set()
         for joint, by_interface in claimed.items():
-            applied, *others = sorted(by_interface, key=order[joint].index)
+            applied, *others = _in_order(list(by_interface), writing[joint])
             for other in others if applied != _HOLDS else ():
                 at = place_of(controller, by_interface[other], of_interface=True)
                 if at is not None and at not in told:
@@ -94,11 +106,16 @@ def command_overridden_in_simulator(project: Project) -> Iterator[Finding]:
     return of_each_candidate(project, judge)
 
 
-def _orders(project: Project, distro: str) -> dict[str, tuple[str, ...]]:
-    """The command interfaces in the order in which the simulator looks at them, by joint."""
-    orders: dict[str, tuple[str, ...]] = {}
+def _in_order(interfaces: list[str], writing: Behaviour) -> list[str]:
+    """The command interfaces of a joint, the one that is applied first."""
+    return interfaces[::-1] if writing.last else sorted(interfaces, key=writing.first.index)
+
+
+def _writing(project: Project, distro: str) -> dict[str, Behaviour]:
+    """What the simulator does with the commands of a joint, by joint."""
+    found: dict[str, Behaviour] = {}
     for control in project.robot.ros2_controls if project.robot else ():
-        writing = behaviour_of(project.catalog, control.plugin, distro, "write")
-        if writing is not None:
-            orders |= {(part.name or "").strip(): writing.first for part in control.parts if part.kind == "joint"}
-    return orders
+        step = behaviour_of(project.catalog, control.plugin, distro, "write")
+        if step is not None and (step.first or step.last):
+            found |= {(part.name or "").strip(): step for part in control.parts if part.kind == "joint"}
+    return found

@@ -68,7 +68,7 @@ def _of_ros1(loaded: str, spawned: str) -> dict[str, str]:
 def controllers_never_loaded(project: Project) -> Iterator[Finding]:
     """Controllers are spawned, but no parameters are loaded for them.
 
-    The controller manager finds no type for the controllers and loads none. In ROS 2 the node ros2_control_node gets the
+    The controller manager finds no type for the controllers and refuses to load them. In ROS 2 the node ros2_control_node gets the
     controller file in its `parameters`; in ROS 1 `<rosparam command="load">` loads it, which another launch file may do:
     then nothing is reported.
     """

@@ -72,8 +72,8 @@ def controllers_never_spawned(project: Project) -> Iterator[Finding]:
     """Controllers that nothing spawns.
 
     A controller manager starts without controllers. It loads those that a spawner asks for, or a client of its service
-    load_controller. No launch file, script or README of the workspace does that, so no joint moves and no joint states
-    are published.
+    load_controller. No launch file, script or README of the workspace does that: they are
+    not loaded, no joint moves, and no joint states are published.
     """
     launch, names = project.launch, list(dict.fromkeys(declared_controllers(project)))
     if launch is None or not launch.complete or launch.spawns or launch.elsewhere or not names:

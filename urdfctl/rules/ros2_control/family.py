@@ -50,6 +50,7 @@ from urdfctl.rules.ros2_control.mimic_as_parameter import mimic_as_parameter
 from urdfctl.rules.ros2_control.mimic_attribute_without_mimic import mimic_attribute_without_mimic
 from urdfctl.rules.ros2_control.mimic_joint_commanded import mimic_joint_commanded
 from urdfctl.rules.ros2_control.mimic_joint_not_in_component import mimic_joint_not_in_component
+from urdfctl.rules.ros2_control.mimic_offset_not_applied import mimic_offset_not_applied
 from urdfctl.rules.ros2_control.mimic_state_not_mimicked import mimic_state_not_mimicked
 from urdfctl.rules.ros2_control.mimicked_joint_not_in_component import mimicked_joint_not_in_component
 from urdfctl.rules.ros2_control.parameter_empty import parameter_empty
@@ -137,4 +138,5 @@ FAULTS: tuple[Fault, ...] = (
     parameter_empty,
     part_without_prefix,
     mimic_joint_not_in_component,
+    mimic_offset_not_applied,
 )

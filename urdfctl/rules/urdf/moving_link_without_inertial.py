@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from urdfctl.control.hardware.simulator_plugins import loaded_plugins, named_joints, sure_simulator
+from urdfctl.control.hardware.behaviour import lacking_joint
+from urdfctl.control.hardware.simulator_plugins import control_plugins, loaded_plugins, named_joints, sure_simulator
 from urdfctl.model.robot import Robot
-from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
+from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.urdf.bodies import Body, inertial_of, vanishing
 from urdfctl.rules.urdf.tree import Tree
+
+_REFUSED = (
+    "the plugin that runs the controllers refuses a robot with a joint that Gazebo does not have: no controller starts"
+)
 
 
 @rule(
@@ -83,7 +88,15 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
         link = f"link '{body.head.name}' of joint '{joint}'" if joint else f"root link '{body.head.name}'"
         message = f"{link} has no <inertial>; Gazebo drops it {loss}"
         is_empty = severity is Severity.ERROR and not _is_missed(body, robot, tree, driven)
-        yield Finding(body.head.at["name"], message, severity=None if is_empty else severity)
+        notes = (Note(_REFUSED),) if joint in driven and _is_refused(project) else ()
+        yield Finding(body.head.at["name"], message, notes, severity=None if is_empty else severity)
+
+
+def _is_refused(project: Project) -> bool:
+    """Whether the plugin that runs the controllers gives up if the simulator's model lacks a joint."""
+    known = [plugin.any for plugin in control_plugins(project) if plugin.any is not None]
+    steps = [lacking_joint(project.catalog, plugin.id, distro) for plugin in known for distro in project.distros]
+    return bool(steps) and all(step == "refused" for step in steps)
 
 
 def _is_missed(body: Body, robot: Robot, tree: Tree, driven: Collection[str | None]) -> bool:
