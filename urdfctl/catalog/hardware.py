@@ -19,8 +19,7 @@ class Behaviour(NamedTuple):
     does: `load`, `init`, `validate`, `read`, `write` or `mimic`. authority: file and lines.
     first: of the command interfaces of a joint that are claimed together, only the first of these is applied.
     last: of the command interfaces of a joint that are claimed together, only the last one is applied.
-    lacking: what becomes of a joint that the simulator's model lacks: it is `skipped`, or all hardware `refused`; None if
-        not known.
+    lacking: what becomes of a joint that the simulator's model lacks: it is `skipped`, or all hardware is `refused`.
     offset: whether a mimic joint is moved with the offset of its <mimic>.
     needs: parameters of the manager without which it gives up.
     strict: whether an interface that is described, but not exported, is refused.
