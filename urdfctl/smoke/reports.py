@@ -9,6 +9,7 @@ from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.results import Report
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage
+from urdfctl.names import enumerated
 from urdfctl.output.printing import visible
 from urdfctl.report import render
 from urdfctl.report.common import as_json, shown
@@ -77,8 +78,7 @@ def robot_pieces(robot: RobotResult) -> Iterator[Piece]:
     """Yield a line for a robot, and one for each of its controllers with the stages that it passed."""
     yield Piece(visible(f"{heading(robot)} ({conditions(robot)})") + "\n", "bold")
     if not robot.controllers:
-        part = f"not a robot: it hangs on link '{robot.part_of}', which is in another file"
-        yield Piece(f"  {visible(part) if robot.part_of else 'no controllers are declared for this robot'}\n")
+        yield Piece(f"  {visible(_why_nothing(robot))}\n")
     width = max((len(controller.name) for controller in robot.controllers), default=0)
     for controller in robot.controllers:
         yield Piece(f"  {visible(controller.name).ljust(width)}  ")
@@ -86,6 +86,18 @@ def robot_pieces(robot: RobotResult) -> Iterator[Piece]:
         told = explanation(controller)
         reason = f"{' ' if controller.verdict is Verdict.FAILED else '  '}{told}" if told else ""
         yield Piece(f" {stages_reached(controller, robot.linted.ros)}{visible(reason)}\n")
+
+
+def _why_nothing(robot: RobotResult) -> str:
+    """Why a robot, or a launch file, has no controllers."""
+    if robot.part_of:
+        return f"not a robot: it hangs on link '{robot.part_of}', which is in another file"
+    if not robot.lacking:
+        return "no controllers are declared for this robot"
+    several = len(robot.lacking) > 1
+    names = enumerated([f"'{name}'" for name in robot.lacking], "and")
+    what = f"package{'s' if several else ''} {names}, not here"
+    return f"it includes files of {what}: clone {'them' if several else 'it'} beside it, or --package-path FOLDER"
 
 
 def explanation(result: ControllerResult) -> str:

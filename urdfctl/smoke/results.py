@@ -131,6 +131,7 @@ class RobotResult(NamedTuple):
     part_of: the link of another file on which a description hangs that is not a robot.
     interrupted: whether Ctrl-C ended the run before all was tested.
     paired: whether the launch file loads no robot, and this is the only one with the joints of its controllers.
+    lacking: the packages of the files that the launch file includes, if these are not here.
     """
 
     linted: TargetResult
@@ -142,6 +143,7 @@ class RobotResult(NamedTuple):
     part_of: str = ""
     interrupted: bool = False
     paired: bool = False
+    lacking: tuple[str, ...] = ()
 
     def without(self, hidden: Sequence[str]) -> RobotResult:
         """Return the result in which no controller fails for a finding that is hidden: it is warned instead."""

@@ -247,7 +247,8 @@ def _check_tasks(robots: Sequence[CheckedRobot], request: SmokeRequest) -> None:
 def _reported(robots: Sequence[PlannedRobot], results: Sequence[RobotResult]) -> Iterator[int]:
     """Yield the indices of the results to report. Each robot with its controllers is reported once, in whatever order
     launch files start them, unless they are rejected for another reason then. A robot without
-    controllers is reported only if no launch file gives it any."""
+    controllers is reported only if no launch file gives it any. If nothing has controllers, launch files that include
+    what is not here are reported too, each set of missing packages once."""
     among = [
         robot if planned_robot.entry.is_reported(robot.linted) else None
         for planned_robot, robot in zip(robots, results, strict=True)
@@ -262,6 +263,12 @@ def _reported(robots: Sequence[PlannedRobot], results: Sequence[RobotResult]) ->
         if key not in seen and (robot.controllers or robot.linted.path not in driven):
             seen.add(key)
             yield index
+    if not driven:
+        told: dict[tuple[str, ...], int] = {}
+        for index, robot in enumerate(results):
+            if robot.lacking and among[index] is None:
+                told.setdefault(robot.lacking, index)
+        yield from told.values()
 
 
 # -- move, in an engine's worker -------------------------------------------------------------------------------------

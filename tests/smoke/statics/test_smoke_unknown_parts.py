@@ -75,3 +75,37 @@ def test_other_hardware_than_mock_is_refused(tmp_path: Path, monkeypatch: pytest
     monkeypatch.chdir(tmp_path)
     done = command(*SMOKE, "--hardware", "real")
     assert (done.returncode, "unknown hardware 'real'; known is mock" in done.stderr) == (2, True)
+
+
+LAUNCH = """<launch>
+  <include file="$(find arm_bringup)/launch/bringup.launch"/>
+  <include file="$(find {other})/launch/drive.launch"/>
+  <rosparam command="load" file="$(find a)/config/planner.yaml"/>
+</launch>
+"""
+ARM = '<robot name="arm"><link name="base"/><link name="tip"/>{}</robot>'
+FIXED = '<joint name="weld" type="fixed"><parent link="base"/><child link="tip"/></joint>'
+PACKAGE = """<package format="2"><name>{}</name><version>0.0.1</version><description>d</description>
+<maintainer email="a@b.c">a</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend></package>
+"""
+
+
+def test_where_nothing_has_controllers_the_packages_of_included_launch_files_are_named_once(folder: Folder) -> None:
+    folder.write(
+        {
+            "a/package.xml": PACKAGE.format("a"),
+            "a/urdf/arm.urdf": ARM.format(FIXED),
+            "a/config/planner.yaml": "rate: 10\n",
+            "a/launch/one.launch": LAUNCH.format(other="arm_control"),
+            "a/launch/two.launch": LAUNCH.format(other="arm_control"),
+            "a/launch/three.launch": LAUNCH.format(other="a"),
+        }
+    )
+    words = ("smoke", "a", "--engine", "none", "--distro", "noetic")
+    shown = command(*words).stdout
+    both = "it includes files of packages 'arm_bringup' and 'arm_control', not here: clone them beside it"
+    assert shown.count(both) == 1
+    assert "nothing was tested" in shown
+    states = "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n"
+    folder.write({"a/config/arm.yaml": states})
+    assert "not here" not in command(*words, "--controllers", "a/config/arm.yaml").stdout

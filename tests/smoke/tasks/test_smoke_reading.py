@@ -94,10 +94,16 @@ def test_joints_that_are_commanded_in_different_ways_are_not_simulated_together(
     assert tasks(low=loop("shoulder"), high=(FORWARD, high))["high"].why == "it commands joints in different ways"
 
 
+MINE = "what it moves is unknown: describe controllers of type 'my_controllers/Mine' in urdfctl.toml, [[controllers]]"
+
+
 @pytest.mark.parametrize(
     ("controllers", "why"),
     [
-        ({"arm": ("my_controllers/Mine", "joints: [elbow]")}, "its claims are unknown"),
+        (
+            {"arm": ("my_controllers/Mine", "joints: [elbow]")},
+            MINE,
+        ),
         ({"arm": (FORWARD, "joints: [], interface_name: position")}, "it claims no joint"),
     ],
 )

@@ -45,7 +45,7 @@ from urdfctl.smoke.statics.stability import loop_troubles, needs_grip
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
 from urdfctl.smoke.statics.undriven import tied_by, undriven, with_virtual_wheels
-from urdfctl.smoke.statics.unknown_parts import MOCKED, why_unknown
+from urdfctl.smoke.statics.unknown_parts import MOCKED, packages_lacking, why_unknown
 from urdfctl.smoke.statics.velocity_loops import velocity_loop_troubles
 from urdfctl.smoke.statics.written_limits import written_limit_troubles
 from urdfctl.smoke.tasks import ControllerTask, MotionFamily, TaskFile, tasks_of, with_inferred_drives
@@ -141,7 +141,13 @@ class StaticCheck(NamedTuple):
         diagnostics = list(diagnostics_of(troubles, placed, self.suppressed_codes(), self.not_started))
         crashes = [finding for finding in of_lint if finding.code == rule_crashed.code]
         outcome = Outcome([*crashes, *diagnostics], [], linted.outcome.crashed)
-        return RobotResult(linted._replace(outcome=outcome), self.results, self.lifecycle.distro, part_of=self.part_of)
+        return RobotResult(
+            linted._replace(outcome=outcome),
+            self.results,
+            self.lifecycle.distro,
+            part_of=self.part_of,
+            lacking=packages_lacking(self.seen.project),
+        )
 
 
 def _subjects_of(troubles: Iterable[Trouble]) -> set[str]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from urdfctl.lint.target import LintedTarget
 from urdfctl.model.project import Project
 from urdfctl.names import enumerated
@@ -20,6 +22,7 @@ NO_PART = "not simulated: some parts of the robot are not known: {}:{}: {}"
 OR_MOCK = "; or --hardware mock, if only the driver is in there"
 MOCKED = {"driver (mock hardware)": "mock hardware was taken in its place"}
 """What is not tested of controllers whose driver is not in the files."""
+_IN_PACKAGE = r"\$\(find(?:-pkg-share)? ([\w-]+)\)|([A-Za-z][\w-]+)/"
 _PACKAGES = (ProblemKind.PACKAGE_ABSENT, ProblemKind.PACKAGE_NOT_FOUND)
 _ARGUMENTS = (ProblemKind.ARGUMENTS_NEEDED, ProblemKind.UNDEFINED_ARGUMENT)
 
@@ -52,6 +55,13 @@ def _why_of(problems: list[Problem], path: str) -> str:
         first = problems[0]
         return NO_PART.format(shown(first.at.source.path), first.at.source.position(first.at.start)[0], first.message)
     return UNKNOWN_ROBOT
+
+
+def packages_lacking(project: Project) -> tuple[str, ...]:
+    """Return the packages of the files that a launch file includes and that are not here, sorted."""
+    unread = project.launch.unread if project.launch else ()
+    found = (re.match(_IN_PACKAGE, word.text) for word in unread)
+    return tuple(sorted({match[1] or match[2] for match in found if match}))
 
 
 def is_only_the_driver_missing(project: Project) -> bool:

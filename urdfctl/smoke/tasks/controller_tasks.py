@@ -81,7 +81,7 @@ def _task_of(configured: Configured, below: Mapping[str, tuple[ControllerTask, C
     name, kind = configured.name, configured.type
     if kind is None or kind.claims is None:
         is_declared = configured.controller.declared_at is not None
-        return _not_simulated(name, "its claims are unknown" if is_declared else "no known file declares it")
+        return _not_simulated(name, _why_unknown(configured) if is_declared else "no known file declares it")
     claims = configured.claims.command
     if not claims:
         broadcasts = kind.broadcaster or not kind.claims.command
@@ -103,6 +103,13 @@ def _task_of(configured: Configured, below: Mapping[str, tuple[ControllerTask, C
     if why := _why_not(ends):
         return _not_simulated(name, why)
     return _moving(configured, family, class_name, {component: end for component, end in ends.items() if end})
+
+
+def _why_unknown(configured: Configured) -> str:
+    """That it is not known what a controller moves, and how to say it."""
+    given = configured.controller.type
+    kind = f"of type '{given.text}' " if given is not None else ""
+    return f"what it moves is unknown: describe controllers {kind}in urdfctl.toml, [[controllers]]"
 
 
 def _why_not(ends: Mapping[str, ClaimEnd | None]) -> str:
