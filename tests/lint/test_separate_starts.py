@@ -197,3 +197,38 @@ def test_a_launch_file_that_only_shows_a_robot_that_is_not_here_is_named_with_it
     assert last in " ".join(folder.run("lint", ".", "--distro", "jazzy").stdout.split())
     text = "launch/shown.launch.xml  (starts a robot of package 'derrick', not in this workspace)"
     assert text in folder.run("show", ".").stdout
+
+
+def test_show_names_what_is_not_joined_if_there_is_nothing_else(folder: Folder) -> None:
+    folder.write({"package.xml": MANIFEST, "launch/absent.launch.xml": launch(PUBLISHER, package="derrick")})
+    shown = folder.run("show", ".")
+    assert "launch/absent.launch.xml  (starts a robot of package 'derrick'" in shown.stdout, shown.stderr
+
+
+DEMO = """
+from launch_ros.actions import Node
+from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launches import generate_demo_launch
+
+
+def generate_launch_description():
+    config = MoveItConfigsBuilder("crane", package_name="crane").robot_description("crane.urdf").to_moveit_configs()
+    demo = generate_demo_launch(config)
+    demo.add_action(Node(package="controller_manager", executable="spawner", arguments=["{}"]))
+    return demo
+"""
+STATES = "    states: {type: joint_state_broadcaster/JointStateBroadcaster}\n"
+
+
+@pytest.mark.parametrize(("spawned", "expected"), [("turn", []), ("trun", ["UC601"])])
+def test_what_is_added_to_the_demo_of_moveit_is_started_with_it(
+    folder: Folder, spawned: str, expected: list[str]
+) -> None:
+    declared = CONTROLLERS.replace("    turn:", STATES.replace("states", "joint_state_broadcaster") + "    turn:")
+    folder.write({"config/ros2_controllers.yaml": declared, "launch/demo.launch.py": DEMO.format(spawned)})
+    folder.write({f"launch/{name}.launch.py": "" for name in ("rsp", "move_group", "spawn_controllers")})
+    folder.write({"config/moveit_controllers.yaml": "moveit_simple_controller_manager: {controller_names: []}\n"})
+    folder.write({"config/crane.srdf": '<robot name="crane"/>'})
+    given = written(folder)
+    assert starts(given) == [("launch/demo.launch.py", [], ["joint_state_broadcaster", spawned])]
+    assert [code for code in errors(given) if code == "UC601"] == expected

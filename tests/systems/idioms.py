@@ -129,7 +129,7 @@ SWITCHES = {
     "manager description": Switch(("remap", "parameter", "topic"), possible.manager_description),
     "packages": Switch(("one", "two", "three"), possible.not_moveit),
     "build": Switch(("cmake", "python"), possible.build),
-    "demo": Switch(("generated", "by hand", "own nodes"), possible.moveit),
+    "demo": Switch(("generated", "by hand", "own nodes", "merged"), possible.moveit),
     "world": Switch(("included", "programs"), lambda system, _idioms, _position: system.is_simulated),
     "evidence": Switch(
         ("option", "nothing", "dockerfile", "workflow", "devcontainer", "repos", "readme", "several"),

@@ -146,6 +146,9 @@ def _launch(system: System, idioms: Idioms, robot: Robot, package: str) -> dict[
     form = idioms["demo"]
     if form == "by hand":
         files["launch/demo.launch.py"] = _BY_HAND.format(model=robot.model, package=package)
+        files["launch/move_group.launch.py"] = _DEBUGGABLE.format(model=robot.model, package=package)
+    elif form == "merged":
+        files["launch/demo.launch.py"] = _MERGED.format(model=robot.model, package=package)
     elif form == "own nodes":
         names = [spawn.name for spawn in robot.spawned]
         files["launch/demo.launch.py"] = _OWN_NODES.format(model=robot.model, package=package, names=names)
@@ -172,12 +175,14 @@ from launch.actions import IncludeLaunchDescription
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch_ros.actions import Node
 from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launch_utils import DeclareBooleanLaunchArg
 
 
 def generate_launch_description():
     moveit_config = MoveItConfigsBuilder("{model}", package_name="{package}").to_moveit_configs()
     launch_package_path = moveit_config.package_path
     ld = LaunchDescription()
+    ld.add_action(DeclareBooleanLaunchArg("db", default_value=False))
     for name in ("rsp", "move_group", "moveit_rviz"):
         path = str(launch_package_path / f"launch/{{name}}.launch.py")
         ld.add_action(IncludeLaunchDescription(PythonLaunchDescriptionSource(path)))
@@ -194,6 +199,64 @@ def generate_launch_description():
             PythonLaunchDescriptionSource(str(launch_package_path / "launch/spawn_controllers.launch.py"))
         )
     )
+    return ld
+"""
+_DEBUGGABLE = """\
+from launch import LaunchDescription
+from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launch_utils import DeclareBooleanLaunchArg, add_debuggable_node
+
+
+def generate_launch_description():
+    moveit_config = MoveItConfigsBuilder("{model}", package_name="{package}").to_moveit_configs()
+    ld = LaunchDescription()
+    ld.add_action(DeclareBooleanLaunchArg("debug", default_value=False))
+    add_debuggable_node(
+        ld,
+        package="moveit_ros_move_group",
+        executable="move_group",
+        commands_file=str(moveit_config.package_path / "launch" / "gdb_settings.gdb"),
+        output="screen",
+        parameters=[moveit_config.to_dict()],
+        extra_debug_args=["--debug"],
+    )
+    return ld
+"""
+_MERGED = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launches import generate_move_group_launch, generate_spawn_controllers_launch
+
+
+def generate_hardware_launch(moveit_config):
+    parameters = [moveit_config.robot_description, str(moveit_config.package_path / "config/ros2_controllers.yaml")]
+    ld = LaunchDescription(
+        [
+            Node(
+                package="robot_state_publisher",
+                executable="robot_state_publisher",
+                parameters=[moveit_config.robot_description],
+            )
+        ]
+    )
+    ld.add_action(
+        Node(
+            package="controller_manager",
+            executable="ros2_control_node",
+            parameters=parameters,
+            remappings=[("/controller_manager/robot_description", "/robot_description")],
+        )
+    )
+    return ld
+
+
+def generate_launch_description():
+    moveit_config = MoveItConfigsBuilder("{model}", package_name="{package}").to_moveit_configs()
+    ld = LaunchDescription()
+    for part in (generate_hardware_launch, generate_move_group_launch, generate_spawn_controllers_launch):
+        for action in part(moveit_config).entities:
+            ld.add_action(action)
     return ld
 """
 _OWN_NODES = """\

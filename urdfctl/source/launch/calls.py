@@ -6,7 +6,7 @@ A call of another one becomes a term that says what is called with what.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from urdfctl.source.launch.frames import Frame, add, append, extend
 from urdfctl.source.launch.operations import listed, method, shown, text_at
@@ -34,8 +34,35 @@ _PATHS = frozenset({"Path", "PosixPath", "str", "fspath", "abspath", "realpath",
 _ENVIRONMENT = frozenset({"os.getenv", "os.environ.get"})
 _GROWING = frozenset({"add_action", "add_entity"})
 _LOADING = frozenset({"yaml.safe_load", "yaml.load", "yaml.full_load"})
+_OF_DEBUGGER = frozenset({"ld", "condition_name", "commands_file", "extra_debug_args"})
 _LONGEST_CHAIN = 30
 _LISTS = frozenset({"list", "tuple", "sorted"})
+
+
+def entities_of(description: Called, at: Place) -> Items:
+    """Return the actions of a launch description; of one that a function of a package makes, itself in their place."""
+    if description.short != "LaunchDescription":
+        return Items([description], at)
+    first = description.given("initial_entities", 0)
+    own = first.values if isinstance(first, Items) else [first] if first is not None else []
+    return Items([*own, *description.added], at)
+
+
+def _mappings(arguments: Sequence[Term], keywords: Mapping[str, Term], _: Place) -> Iterator[Term]:
+    """What xacro's `process_doc` gives a document that is parsed."""
+    yield from (mappings for mappings in (keywords.get("mappings"), *arguments[1:]) if mappings)
+
+
+def _debuggable(arguments: Sequence[Term], keywords: Mapping[str, Term], at: Place) -> Iterator[Term]:
+    """The node that `add_debuggable_node` adds to a launch description, unless it is debugged (moveit_configs_utils,
+    launch_utils.py): its package and its program may be given by position."""
+    named = dict(zip(("package", "executable"), arguments[1:], strict=False))
+    own = {key: value for key, value in keywords.items() if key not in _OF_DEBUGGER}
+    yield Called("launch_ros.actions.Node", at, (), {**named, **own})
+
+
+_ADDING = {"process_doc": _mappings, "add_debuggable_node": _debuggable}
+"""The functions that add to their first argument, and what they add."""
 
 
 class Calls:
@@ -79,8 +106,8 @@ class Calls:
             return UnknownTerm(at) if items is None else Items(items, at)
         if name in _ENVIRONMENT:
             return self.environment(arguments, at)
-        if short == "process_doc" and isinstance(first, Called):
-            first.added.extend(mappings for mappings in (keywords.get("mappings"), *arguments[1:]) if mappings)
+        if short in _ADDING and isinstance(first, Called):
+            first.added.extend(_ADDING[short](arguments, keywords, at))
         if name in _LOADING and isinstance(first, Called):
             return self._yaml(first, at)
         if name == "dict":

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
-from urdfctl.source.launch.calls import Calls
+from urdfctl.source.launch.calls import Calls, entities_of
 from urdfctl.source.launch.frames import Frame, bound
 from urdfctl.source.launch.operations import (
     binary,
@@ -259,6 +259,8 @@ class Evaluation:
             return Constant(os.path.basename(of.value), at) if node.attr == "name" else UnknownTerm(at)
         if node.attr == "package_path":
             return self._calls.package_of_builder(of, at) or Member(of, node.attr, at)
+        if node.attr == "entities" and isinstance(of, Called):
+            return entities_of(of, at)
         return Member(of, node.attr, at)
 
     def _subscript(self, node: ast.Subscript, frame: Frame) -> Term:

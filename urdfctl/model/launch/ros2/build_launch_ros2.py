@@ -233,6 +233,8 @@ class _Walk:
         texts = self.texts(scope)
         name = texts.of(term.given("name", 0))
         default = term.given("default_value", 1)
+        if default is None and term.short == "DeclareBooleanLaunchArg":  # moveit_configs_utils, launch_utils.py
+            default = Constant("False", term.at)
         if self._includes == 0:
             self.arguments.setdefault(name, None if default is None else texts.of(default))
             choices = term.given("choices")
@@ -315,8 +317,10 @@ class _Walk:
         self.action(nodes_in_container(term, self.texts(scope)), scope, state)
 
     def moveit(self, term: Called, scope: ActionScope, state: _State) -> None:
-        """Add what a function of moveit_configs_utils.launches starts."""
+        """Add what a function of moveit_configs_utils.launches starts, and what is added to its description."""
         self.nodes(scope).moveit(term, sure=state.sure, held=state.held)
+        for added in term.added:
+            self.action(added, scope, state)
 
     # -- included files ----------------------------------------------------------------------------------------------
 
@@ -394,6 +398,7 @@ class _Walk:
 _ACTIONS: dict[str, Callable[[_Walk, Called, ActionScope, _State], None]] = {
     "LaunchDescription": _Walk.description,
     "DeclareLaunchArgument": _Walk.declared,
+    "DeclareBooleanLaunchArg": _Walk.declared,
     "SetLaunchConfiguration": _Walk.set,
     "GroupAction": _Walk.group,
     "PushRosNamespace": _Walk.namespace,
