@@ -41,7 +41,7 @@ def run_show(options: ShowOptions) -> int:
     settings = settings_to_check(config, options, paths)
     outputs = [output_of(text, TEXT_OR_JSON) for text in options.formats or ("text",)]
     run = run_of(words, config, settings, shard=shard_of(options.shard), parallel=options.jobs or None)
-    if not run.targets and options.shard is None:
+    if not run.targets and not run.unjoined and options.shard is None:
         raise UserError(f"no robot, controller file or launch file in {', '.join(paths) or 'this folder'}")
     for name, file in outputs:
         text = _json(run) if name == "json" else "".join(f"{visible(line)}\n" for line in _lines(run))

@@ -62,7 +62,7 @@ class Builder:
         """Return the robot description that it loads."""
         folder = known_path(self.folder)
         if folder is None:
-            return Content(None, None, at)
+            return Content(None, None, at, command=f"cat {self.folder}")
         called = self.calls.get("robot_description")
         given = called.given("mappings", 1) if called else None
         mappings = table_of(given)
