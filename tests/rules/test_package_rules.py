@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from textwrap import dedent
+
 import pytest
 import robots
 from folder import Folder
@@ -155,6 +157,64 @@ def test_of_a_package_that_installs_nothing_each_file_is_told(folder: Folder) ->
         "'arm.urdf' is not installed: CMakeLists.txt does not list it",
         "'controllers.yaml' is not installed: CMakeLists.txt does not list it",
     }
+
+
+CONFIGURED = """
+    import os
+    from ament_index_python.packages import get_package_share_directory
+    from launch import LaunchDescription
+    from launch.actions import IncludeLaunchDescription
+    from launch.substitutions import PathJoinSubstitution
+    from launch_ros.actions import Node
+    from launch_ros.substitutions import FindPackageShare
+
+    def generate_launch_description():
+        file = os.path.join(get_package_share_directory("arm"), "config", "NAME.yaml")
+        joined = PathJoinSubstitution([FindPackageShare("arm"), "config", "NAME.yaml"])
+        robot = os.path.join(get_package_share_directory("arm"), "arm.urdf")
+        publisher = Node(package="robot_state_publisher", executable="robot_state_publisher", arguments=[robot])
+        return LaunchDescription([publisher, STARTED])
+"""
+DESCRIBED = '<param name="robot_description" textfile="$(find arm)/arm.urdf"/>'
+GIVEN = {
+    "an argument of ROS": "Node(package='b', executable='b', arguments=['--ros-args', '-p', f'config_file:={file}'])",
+    "a parameter": "Node(package='b', executable='b', parameters=[{'config_file': joined}])",
+    "an included file": "IncludeLaunchDescription('/opt/b.launch.py', launch_arguments={'params': file}.items())",
+}
+
+
+@pytest.mark.parametrize("started", GIVEN.values(), ids=GIVEN)
+def test_a_missing_file_that_a_program_gets_is_told(folder: Folder, started: str) -> None:
+    written = dedent(CONFIGURED).replace("STARTED", started)
+    files = {"config/bridge.yaml": "", "package.xml": "<package format='3'><name>arm</name></package>"}
+    files |= {"launch/all.launch.py": written.replace("NAME", "brige"), "arm.urdf": "<robot name='r'/>"}
+    missing = "configuration file does not exist: 'arm/config/brige.yaml'; did you mean 'bridge.yaml'?"
+    assert found(folder, files, "UC616", path="launch/all.launch.py") == [("UC616", "warning", missing)]
+    assert (
+        found(
+            folder,
+            {**files, "launch/all.launch.py": written.replace("NAME", "bridge")},
+            "UC616",
+            path="launch/all.launch.py",
+        )
+        == []
+    )
+
+
+@pytest.mark.parametrize(
+    "started",
+    [
+        '<include file="$(find other)/nav.launch"><arg name="map" value="$(find arm)/config/hall.yaml"/></include>',
+        '<node pkg="map_server" type="map_server" name="map" args="$(find arm)/config/hall.yaml"/>',
+        '<node pkg="b" type="b" name="b"><param name="file" value="$(find arm)/config/hall.yaml"/></node>',
+    ],
+)
+def test_a_missing_file_that_a_program_of_ros_1_gets_is_told(folder: Folder, started: str) -> None:
+    files = {"config/floor.yaml": "", "package.xml": "<package><name>arm</name></package>"}
+    files |= {"all.launch": f"<launch>{DESCRIBED}{started}</launch>", "arm.urdf": "<robot name='r'/>"}
+    missing = "configuration file does not exist: 'arm/config/hall.yaml'"
+    assert found(folder, files, "UC616", path="all.launch") == [("UC616", "warning", missing)]
+    assert found(folder, {**files, "config/hall.yaml": ""}, "UC616", path="all.launch") == []
 
 
 def test_a_file_of_a_package_without_build_type_need_not_be_installed(folder: Folder) -> None:

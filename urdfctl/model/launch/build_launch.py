@@ -10,6 +10,7 @@ from itertools import islice
 from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch.launch import Launch
 from urdfctl.model.launch.parts import (
+    FILE_ENDINGS,
     Description,
     InlineParameters,
     LaunchedFile,
@@ -44,7 +45,6 @@ _SPAWNING = {"spawn": True, "load": False, "start": True}
 """The verbs of the program `controller_manager` that load controllers, and whether they start them."""
 
 
-_ARGUMENT_FILES = (".rviz", ".vcg", ".world", ".sdf")
 """The endings of files that programs get as arguments."""
 
 
@@ -199,6 +199,9 @@ class _LaunchBuilder:
     def _include(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         written = element.attrs.get("file", "")
         path = texts.resolve(written)
+        for child in element.elements() if scope.held else ():
+            if child.tagName == "arg":
+                self._named_file(child, scope, texts)
         if any(f"$(find {package})" in written for package in _SIMULATOR_ALONE):
             self._simulation(element, scope, texts)
             return
@@ -229,10 +232,6 @@ class _LaunchBuilder:
         if not scope.held or "world" not in element.attrs.get("file", ""):
             return
         arguments = [child for child in element.elements() if child.tagName == "arg"]
-        for child in arguments:
-            path = texts.resolve(child.attrs.get("value", ""))
-            if path.endswith(_ARGUMENT_FILES):
-                self._reference(child.attrs["value"], child.at["value"], if_known(path), "argument", sure=scope.sure)
         given = [argument for argument in arguments if argument.attrs.get("name") == "paused"]
         paused = texts.truth(given[-1].attrs.get("value", "")) if given else False
         at = given[-1].at if given else element.at
@@ -250,6 +249,7 @@ class _LaunchBuilder:
             self._semantic(element, name, scope, texts)
             return
         if last != _DESCRIPTION and not (last.endswith("_description") and _makes_urdf(element)):
+            self._named_file(element, scope, texts)
             if "value" in element.attrs:
                 self._contained(name, element.at["value"], scope)
             return
@@ -278,6 +278,12 @@ class _LaunchBuilder:
             in_node=scope.in_node,
         )
         (self.descriptions if last == _DESCRIPTION else self.others).append(description)
+
+    def _named_file(self, element: Element, scope: Scope, texts: Substitutions) -> None:
+        """Add the file that an argument or a parameter names."""
+        path = texts.resolve(element.attrs.get("value", ""))
+        if path.endswith(FILE_ENDINGS):
+            self._reference(element.attrs["value"], element.at["value"], if_known(path), "argument", sure=scope.sure)
 
     def _semantic(self, element: Element, name: str, scope: Scope, texts: Substitutions) -> None:
         """Add an SRDF that is set on the parameter server."""
@@ -354,7 +360,7 @@ class _LaunchBuilder:
         at = element.at["args"]
         given = tuple(map(Word, words, at.words(words)))
         for word in words:
-            if word.endswith(_ARGUMENT_FILES):
+            if word.endswith(FILE_ENDINGS):
                 self._reference(word, at, if_known(word), "argument", sure=scope.sure)
         if package.text == "gazebo_ros" and program.text in _SERVERS:
             paused = any(word in ("-u", "--pause") for word in words)

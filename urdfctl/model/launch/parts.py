@@ -222,6 +222,10 @@ class Simulation(NamedTuple):
     clock: Word | None = None
 
 
+FILE_ENDINGS = (".rviz", ".vcg", ".world", ".sdf", ".yaml", ".yml", ".urdf", ".xacro", ".srdf")
+"""How a text ends that is taken for a file where a program, a parameter or an included launch file gets it."""
+
+
 class LaunchedFile(NamedTuple):
     """A file that the launch file uses.
 

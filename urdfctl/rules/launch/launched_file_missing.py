@@ -11,8 +11,18 @@ from urdfctl.rules.launch_samples import BROADCASTER, MANAGER, PUBLISHER, SOUND,
 
 _NEEDED = {"description": "robot description", "parameters": "parameter file", "include": "included launch file"}
 """The uses for which a file must exist, and what messages call such a file."""
-_ARGUMENTS = {".rviz": "RViz configuration", ".vcg": "RViz configuration", ".world": "world file", ".sdf": "SDF file"}
-"""The endings of files that programs get as arguments, and what messages call such a file."""
+_ARGUMENTS = {
+    ".rviz": "RViz configuration",
+    ".vcg": "RViz configuration",
+    ".world": "world file",
+    ".sdf": "SDF file",
+    ".yaml": "configuration file",
+    ".yml": "configuration file",
+    ".urdf": "robot description",
+    ".xacro": "robot description",
+    ".srdf": "SRDF file",
+}
+"""The endings of files that programs, parameters and included launch files get, and what messages call such a file."""
 
 
 @rule(
@@ -21,7 +31,8 @@ _ARGUMENTS = {".rviz": "RViz configuration", ".vcg": "RViz configuration", ".wor
     runtime="refuses",
     authority="roslaunch: 'file does not exist'; launch: 'The following exception occurred ... No such file or directory'; "
     "rcl: 'Error opening YAML file'; xacro: 'No such file or directory'; "
-    "moveit_configs_utils launches.py generate_demo_launch(): includes launch/rsp.launch.py and others of the package",
+    "moveit_configs_utils launches.py generate_demo_launch(): includes launch/rsp.launch.py and others of the package; "
+    "ros_gz_bridge bridge_config.cpp readFromYamlFile(): 'Could not parse config: failed to open file'",
     bad=[
         launched(
             PUBLISHER,
@@ -34,7 +45,10 @@ _ARGUMENTS = {".rviz": "RViz configuration", ".vcg": "RViz configuration", ".wor
             """
       <include file="«$(find-pkg-share arm)/spawn.launch.xml»"/>
       <node pkg="rviz2" exec="rviz2" args="-d «$(find-pkg-share arm)/arm.rviz»"/>
-      <node pkg="ros_gz_sim" exec="create" args="-file «$(find-pkg-share arm)/arm.sdf»"/>""",
+      <node pkg="ros_gz_sim" exec="create" args="-file «$(find-pkg-share arm)/arm.sdf»"/>
+      <node pkg="ros_gz_bridge" exec="parameter_bridge">
+        <param name="config_file" value="«$(find-pkg-share arm)/bridge.yaml»"/>
+      </node>""",
         ),
         {
             "arm.launch": """
@@ -67,17 +81,19 @@ def launched_file_missing(project: Project) -> Iterator[Finding]:
     """Launch file uses a file that does not exist.
 
     The file is the robot description, a parameter file or another launch file. The launch stops there, or the node that
-    reads the file exits. Without its world the simulator exits or is empty, and without its configuration RViz starts
-    with a default view: a warning if the folder has other such files or is missing too, and worth knowing if the file may
-    be made later.
+    reads the file exits. A file that a program, a parameter or an included launch file gets is a warning if the folder has
+    other such files or is missing too, and worth knowing if the file may be made later: without its world the simulator
+    exits or is empty, without its configuration a bridge bridges nothing, and RViz starts with a default view.
     """
-    for reference in project.launch.references if project.launch else ():
+    references = project.launch.references if project.launch else ()
+    needed = {reference.file.path for reference in references if reference.use in _NEEDED}
+    for reference in references:
         if reference.file.exists is False and reference.use in _NEEDED:
             severity = None if reference.sure else Severity.WARNING
             message = f"{_NEEDED[reference.use]} does not exist: '{_shown(reference, project)}'"
             message += meant_file(reference.file)
             yield Finding(reference.file.at, message, fix=file_renamed(reference.file), severity=severity)
-        elif reference.file.exists is False and reference.use == "argument":
+        elif reference.file.exists is False and reference.use == "argument" and reference.file.path not in needed:
             kind = next((kind for end, kind in _ARGUMENTS.items() if (reference.file.path or "").endswith(end)), None)
             if kind and reference.sure:
                 message = f"{kind} does not exist: '{_shown(reference, project)}'{meant_file(reference.file)}"

@@ -336,12 +336,12 @@ class _Walk:
         path = texts.of(source)
         given = table_of(term.given("launch_arguments"))
         is_simulator = simulator_of(path) is not None
-        if is_simulator:  # before the arguments are set: one may contain the former value of its own name
-            if state.held:
+        if state.held:  # before the arguments are set: one may contain the former value of its own name
+            self.nodes(scope).files_given(given, texts, sure=state.sure)
+            if is_simulator:
                 self._simulates(included_simulation(path, given, texts, term.at, sure=state.sure))
                 space = if_known(scope.namespace)
                 self.facts.nodes += included_nodes(path, given, texts, term.at, space, sure=state.sure)
-            self.nodes(scope).worlds(given, texts, sure=state.sure)
         for name, value in given.entries.items() if given else ():
             scope.settings[name] = texts.of(value)
             self._described(name, value, scope)

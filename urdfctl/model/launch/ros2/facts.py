@@ -17,6 +17,7 @@ from urdfctl.model.launch import (
     Spawn,
     Word,
 )
+from urdfctl.model.launch.parts import FILE_ENDINGS
 from urdfctl.model.launch.ros2.texts import Content
 from urdfctl.model.moveit import MoveItFiles
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -54,8 +55,15 @@ class LaunchFacts:
             located, exists = None, None  # depends on the folder that the launch is started in
         reference = FileReference(path, at, located, exists)
         if located is not None:
-            self.references.setdefault((located, at.start), LaunchedFile(reference, use, None, sure))
+            key = located, at.start
+            if key not in self.references or self.references[key].use == "argument":
+                self.references[key] = LaunchedFile(reference, use, None, sure)
         return reference
+
+    def named_file(self, word: Word, *, sure: bool) -> None:
+        """Add a reference to the file that a text names, if it ends as files do and is a known, absolute path."""
+        if word.text.endswith(FILE_ENDINGS) and os.path.isabs(word.text) and UNKNOWN not in word.text:
+            self.reference(word.text, word.at, "argument", sure=sure)
 
     def load(
         self,

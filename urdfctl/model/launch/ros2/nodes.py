@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Sequence
 
 from urdfctl.model.launch import UNCHANGED, Node, Rewriting, Spawn, Word, joined
@@ -19,7 +18,6 @@ from urdfctl.startup.records import NamedTuple
 
 SPAWNERS = ("spawner", "spawner.py")
 _FILE_OPTIONS = ("-file", "--file")
-_SUFFIXES = (".yaml", ".yml", ".urdf", ".xacro", ".rviz", ".sdf", ".world", ".srdf")
 _NAMING = ("controller_name", "controller_names", "controller_info_dict")
 _ALTERNATIVE = {"package": "node_package", "executable": "node_executable", "name": "node_name"}
 """The keywords of a node with their names in older distros."""
@@ -266,12 +264,11 @@ class Nodes:
             if isinstance(value, (Constant, Called)) and self.texts.of(value):
                 yield self._written(value)
 
-    def worlds(self, given: Table | None, texts: Texts, *, sure: bool) -> None:
-        """Add the world files in the arguments of a simulator."""
+    def files_given(self, given: Table | None, texts: Texts, *, sure: bool) -> None:
+        """Add the files in the arguments of an included launch file, such as the world of a simulator."""
         for value in given.entries.values() if given else ():
             for word in texts.of(value).split():
-                if word.endswith((".world", ".sdf")) and os.path.isabs(word) and UNKNOWN not in word:
-                    self.facts.reference(word, value.at, "argument", sure=sure)
+                self.facts.named_file(Word(word, value.at), sure=sure)
 
     def _described_by(self, words: Sequence[Word], executable: str, namespace: str | None, *, sure: bool) -> None:
         """Add the files in a node's arguments.
@@ -285,8 +282,8 @@ class Nodes:
             if word.text.endswith(".urdf") and (executable in DESCRIBED or named):
                 content = as_written(Content(word.text, (), word.at), self.texts, self.facts.exists)
                 self.facts.described(content, executable, namespace, sure=sure)
-            elif word.text.endswith(_SUFFIXES) and os.path.isabs(word.text):
-                self.facts.reference(word.text, word.at, "argument", sure=sure)
+            else:
+                self.facts.named_file(word._replace(text=word.text.rpartition(":=")[2]), sure=sure)
 
 
 def _of_demo(controllers: Word, namespace: str | None, *, sure: bool) -> Iterator[Node]:

@@ -103,6 +103,8 @@ class NodeParameters:
                 self.values[name] = text
             if name == _DESCRIPTION:
                 self._description(value)
+            elif is_text or (isinstance(value, Items) and _is_path(value)):
+                self.facts.named_file(Word(self.texts.of(value), value.at), sure=self.sure)
         if self.executable in MANAGERS and self.namespace is not None and table.entries.keys() - {_DESCRIPTION}:
             node = joined(self.namespace, self.name) if self.name else "/**"
             document = section_of(table, node, self.texts)
