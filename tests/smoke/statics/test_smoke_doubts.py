@@ -11,7 +11,11 @@ from smoking import codes, smoked, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
 from urdfctl.diagnostic import Severity
+from urdfctl.model.geometry import Pose
 from urdfctl.smoke.results import RobotResult
+from urdfctl.smoke.robot import Hinge, LinkBody, Mechanism
+from urdfctl.smoke.statics.undriven import with_own_wheels
+from urdfctl.smoke.tasks import ControllerTask, Drive, MotionFamily
 
 WEAK = Arm(mass=20.0)
 MOCK = "mock_components/GenericSystem"
@@ -143,6 +147,20 @@ def test_a_base_with_virtual_wheels_and_its_own_simulation_is_not_judged(
     upright = Rover().urdf(left="0 1 0", right="0 1 0")
     urdf = in_ros1(upright, ("left_wheel", "right_wheel"), "VelocityJointInterface", simulation)
     assert verdicts(run(tmp_path, urdf, STEERED, distro="noetic"))["mover"] == verdict
+
+
+@pytest.mark.parametrize(
+    ("right", "family"), [("right", MotionFamily.DIFFERENTIAL), ("ghost", MotionFamily.STRUCTURAL)]
+)
+def test_a_base_is_not_driven_with_wheels_that_the_robot_does_not_have(right: str, family: MotionFamily) -> None:
+    hinges = tuple(Hinge(name, "continuous", "base", name, Pose(), (0.0, 1.0, 0.0)) for name in ("left", "right"))
+    mechanism = Mechanism("base", {name: LinkBody(name) for name in ("base", "left", "right")}, hinges)
+    task = ControllerTask(
+        "base", MotionFamily.DIFFERENTIAL, ("left", right), "velocity", drive=Drive(("left",), (right,))
+    )
+    [made] = with_own_wheels(mechanism, [task])
+    assert made.family is family
+    assert made.why == ("" if right == "right" else "its wheel 'ghost' is not a movable joint of the robot")
 
 
 def test_a_link_that_would_be_denser_than_any_metal_is_larger_than_its_shapes(tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ from urdfctl.smoke.statics.simulators import in_simulation
 from urdfctl.smoke.statics.stability import loop_troubles, needs_grip
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
-from urdfctl.smoke.statics.undriven import tied_by, undriven, with_virtual_wheels
+from urdfctl.smoke.statics.undriven import tied_by, undriven, with_own_wheels, with_virtual_wheels
 from urdfctl.smoke.statics.unknown_parts import MOCKED, packages_lacking, why_unknown
 from urdfctl.smoke.statics.velocity_loops import velocity_loop_troubles
 from urdfctl.smoke.statics.written_limits import written_limit_troubles
@@ -210,7 +210,7 @@ def _with_physics(
     mechanism = with_rims(mechanism, shapes)
     transmissions = transmissions_of(project, distro)
     tied = tied_by(robot)
-    driving = with_virtual_wheels(project, distro, mechanism, check.tasks)
+    driving = with_virtual_wheels(project, distro, mechanism, with_own_wheels(mechanism, check.tasks))
     driving = undriven(driving, tied) if tied else with_inferred_drives(mechanism, shapes, driving)
     tasks = with_transmissions(transmissions, driving)
     troubles = [*check.troubles, *unlikely, *transmission_troubles(transmissions, tasks)]

@@ -13,6 +13,7 @@ from urdfctl.smoke.tasks import ControllerTask, Drive, MotionFamily
 
 TIED = "{} of <gazebo> ties links in a way that is not modelled, so that the robot does not stand here"
 VIRTUAL = "the robot's own simulation class moves it, and its controller names wheels that do not roll"
+ABSENT = "its wheel '{}' is not a movable joint of the robot"
 SMALLER = 0.5
 """A wheel of this fraction of the radius that its controller uses is no wheel: it stands for others."""
 
@@ -45,6 +46,17 @@ def _is_virtual(mechanism: Mechanism, drive: Drive) -> bool:
         abs(wheel.axis[1]) < LATERAL or (mechanism.bodies[wheel.hinge.child].radius or 0.0) < SMALLER * drive.radius
         for wheel in wheels_of(mechanism, drive.wheels, drive.base)
     )
+
+
+def with_own_wheels(mechanism: Mechanism, tasks: Iterable[ControllerTask]) -> tuple[ControllerTask, ...]:
+    """Return the tasks of a robot. A base is not driven with wheels that the robot lacks: a driver may offer them."""
+    known = {hinge.name for hinge in mechanism.hinges if hinge.moves}
+    absent = ((task, next((name for name in _joints_of(task) if name not in known), None)) for task in tasks)
+    return tuple(undriven([task], ABSENT.format(name))[0] if name else task for task, name in absent)
+
+
+def _joints_of(task: ControllerTask) -> tuple[str, ...]:
+    return (*task.base.wheels, *task.base.steered) if task.base else ()
 
 
 def undriven(tasks: Iterable[ControllerTask], why: str) -> tuple[ControllerTask, ...]:
