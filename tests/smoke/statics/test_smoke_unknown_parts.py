@@ -109,3 +109,33 @@ def test_where_nothing_has_controllers_the_packages_of_included_launch_files_are
     states = "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n"
     folder.write({"a/config/arm.yaml": states})
     assert "not here" not in command(*words, "--controllers", "a/config/arm.yaml").stdout
+
+
+COMPUTED = """
+import os
+from launch import LaunchDescription
+from launch_ros.actions import Node
+import xacro
+
+HERE = os.path.dirname(__file__)
+CONTROL = os.path.join(HERE, "controllers.yaml")
+
+def generate_launch_description():
+    layout = input("layout: ")
+    text = xacro.process_file(os.path.join(HERE, "robot.urdf.xacro"), mappings={"layout": layout})
+    description = {"robot_description": text.toxml()}
+    return LaunchDescription([
+        Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[description]),
+        Node(package="controller_manager", executable="ros2_control_node", parameters=[description, CONTROL]),
+        Node(package="controller_manager", executable="spawner", arguments=["mover"]),
+    ])
+"""
+
+
+def test_arguments_that_a_launch_file_computes_are_named_with_the_command_that_gives_them(folder: Folder) -> None:
+    chosen = '<xacro:arg name="layout" default="0"/><xacro:if value="$(arg layout)"><link name="table"/></xacro:if>'
+    folder.write({"robot.urdf.xacro": XACRO.format(chosen), "controllers.yaml": CONTROLLERS % "lift"})
+    folder.write({"robot.launch.py": COMPUTED})
+    shown = command("smoke", "robot.launch.py", "--engine", "none", "--distro", "jazzy").stdout
+    assert "the launch file computes argument 'layout' of the robot: urdfctl smoke robot.urdf.xacro" in shown
+    assert "layout:=VALUE" in shown

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from urdfctl.catalog.values import is_known
 from urdfctl.lint.target import LintedTarget
 from urdfctl.model.project import Project
 from urdfctl.names import enumerated
@@ -18,6 +19,7 @@ UNKNOWN_ROBOT = "not simulated: the robot is not known, or some of its parts are
 NO_ROBOT = "not simulated: the launch file starts no known robot: urdfctl smoke ROBOT --controllers {}"
 NO_PACKAGES = "not simulated: the robot needs {}, not here: clone {} beside it, or --package-path FOLDER"
 NO_ARGUMENT = "not simulated: the robot needs {}: urdfctl smoke {} {}"
+COMPUTED = "not simulated: the launch file computes {} of the robot: urdfctl smoke {}"
 NO_PART = "not simulated: some parts of the robot are not known: {}:{}: {}"
 OR_MOCK = "; or --hardware mock, if only the driver is in there"
 MOCKED = {"driver (mock hardware)": "mock hardware was taken in its place"}
@@ -41,7 +43,22 @@ def why_unknown(seen: LintedTarget) -> str:
         return needs + (OR_MOCK if is_only_the_driver_missing(project) else "")
     if project.robot is None and project.launch is not None and seen.result.controllers:
         return NO_ROBOT.format(" ".join(map(shown, seen.result.controllers)))
-    return _why_of(problems, seen.result.path)
+    return _computed(seen) if incomplete and not problems else _why_of(problems, seen.result.path)
+
+
+def _computed(seen: LintedTarget) -> str:
+    """That a launch file gives the robot values that are not known before it runs, and how to give them."""
+    descriptions = seen.project.launch.descriptions if seen.project.launch else ()
+    unknown = [(each, name) for each in descriptions for name, value in each.arguments or () if not is_known(value)]
+    path = unknown[0][0].file.path if unknown and unknown[0][0].file else None
+    if path is None:
+        return UNKNOWN_ROBOT
+    names = list(dict.fromkeys(name for _, name in unknown))
+    quoted = enumerated([f"'{name}'" for name in names], "and")
+    what = f"argument{'s' if len(names) > 1 else ''} {quoted}"
+    files = [f"--controllers {shown(path)}" for path in seen.result.controllers]
+    words = [shown(path), *files, *(f"{name}:=VALUE" for name in names)]
+    return COMPUTED.format(what, " ".join(words))
 
 
 def _why_of(problems: list[Problem], path: str) -> str:
