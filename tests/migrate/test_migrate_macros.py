@@ -65,3 +65,45 @@ def test_a_joint_with_a_transmission_for_each_interface_is_in_the_component_once
         '<command_interface name="velocity"/>'
     )
     assert "<transmission" not in after["knee.urdf"]
+
+
+HAND = """\
+<robot name="hand" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="body"/>
+  <xacro:macro name="simple" params="name number">
+    <transmission name="${name}_${number}_t"><type>transmission_interface/SimpleTransmission</type>
+      <joint name="${name}_${number}"><hardwareInterface>hardware_interface/{kind}</hardwareInterface></joint>
+      <actuator name="${name}_${number}_m"/></transmission>
+  </xacro:macro>
+  <xacro:macro name="hinge" params="name parent *more">
+    <link name="${name}_link"/>
+    <joint name="${name}" type="revolute"><parent link="${parent}"/><child link="${name}_link"/>
+      <limit lower="-1" upper="1" effort="1" velocity="1"/><xacro:insert_block name="more"/></joint>
+  </xacro:macro>
+  <xacro:macro name="arm" params="name">
+    <xacro:hinge name="${name}_1" parent="body"><axis xyz="0 0 1"/></xacro:hinge>
+    <xacro:hinge name="${name}_2" parent="body"><axis xyz="0 0 1"/></xacro:hinge>
+    <xacro:simple name="${name}" number="1"/><xacro:simple name="${name}" number="2"/>
+  </xacro:macro>
+  <xacro:macro name="gripper" params="name">
+    <xacro:hinge name="${name}_joint" parent="body"><axis xyz="0 0 1"/></xacro:hinge>
+    <xacro:hinge name="${name}_finger" parent="body"><mimic joint="${name}_joint"/></xacro:hinge>
+    <transmission name="${name}_t"><type>transmission_interface/SimpleTransmission</type>
+      <joint name="${name}_joint"><hardwareInterface>hardware_interface/{kind}</hardwareInterface></joint>
+      <actuator name="${name}_m"/></transmission>
+  </xacro:macro>
+  <xacro:arm name="arm"/>
+  <xacro:gripper name="gripper"/>
+</robot>
+""".replace("{kind}", "PositionJointInterface")
+
+
+def test_a_joint_that_mimics_another_is_in_the_component_of_that_one_only(folder: Folder) -> None:
+    migrated(folder, {"hand.urdf.xacro": HAND}, "--simulator", "gz")
+    text = expanded(folder, "new/hand.urdf.xacro")
+    components = text.split("<ros2_control")[1:]
+    assert len(components) == 2
+    assert [part.count("gripper_finger") for part in (one.partition("</ros2_control>")[0] for one in components)] == [
+        0,
+        1,
+    ]

@@ -57,12 +57,16 @@ def _mimicking(robot: Robot) -> Iterator[tuple[str, str]]:
 
 
 def _uses_in(uses: Uses, component: Component, robot: int) -> Iterator[tuple[str, str]]:
-    """The joints of a component in a robot: as they are written, and their names."""
+    """The joints of a component in a robot: as they are written, and their names.
+
+    Those of a macro that the component calls belong to it, too; those of other components of the robot do not.
+    """
+    own = {key_of_element(item.element): item for item in component.items}
     for key, its_uses in uses.by_element.items():
-        names = next((item.names for item in component.items if key_of_element(item.element) == key), None)
         for use in its_uses:
-            if use.robot == robot:
-                yield from zip(names or ("",) * 9, (joint.name or "" for joint in use.value.joints), strict=False)
+            item = next((own[one] for one in (key, *use.calls) if one in own), None)
+            if item is not None and use.robot == robot:
+                yield from zip(item.names or ("",) * 9, (joint.name or "" for joint in use.value.joints), strict=False)
 
 
 def _joints(uses: Uses, component: Component, robot: int) -> set[str]:
