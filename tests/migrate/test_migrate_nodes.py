@@ -154,6 +154,17 @@ def test_variables_and_remappings_apply_to_the_nodes_after_them(folder: Folder, 
 LaunchConfiguration("n"), " > 3"])""",
             "$(eval &quot;not ('$(var gui)'.lower() == 'true') and $(var n) &gt; 3&quot;)",
         ),
+        (
+            "gui == true and pi > 3",
+            """PythonExpression(["('", LaunchConfiguration("gui"), "'.lower() == 'true') == True and pi > 3"])""",
+            "$(eval &quot;('$(var gui)'.lower() == 'true') == True and pi &gt; 3&quot;)",
+        ),
+        (
+            "find('arm') + optenv('SIDE', 'left')",
+            """PythonExpression(["'", FindPackageShare("arm"), "' + '", \
+EnvironmentVariable("SIDE", default_value="left"), "'"])""",
+            "$(eval &quot;'$(find-pkg-share arm)' + '$(env SIDE 'left')'&quot;)",
+        ),
     ],
 )
 def test_expressions_get_the_text_of_their_arguments(folder: Folder, written: str, in_python: str, in_xml: str) -> None:

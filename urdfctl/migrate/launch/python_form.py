@@ -178,12 +178,12 @@ def _part(kind: str, text: str, default: str | None) -> str:
 
 
 def _expression(text: str) -> str:
-    """The parts of an expression of $(eval), with the arguments in it."""
+    """The parts of an expression of $(eval), with the substitutions in it."""
     shown: list[str] = []
     before = ""
     for part in parts_of(text):
         if isinstance(part, Used):
-            shown += [python_text(before + part.before), f"LaunchConfiguration({python_text(part.name)})"]
+            shown += [python_text(before + part.before), _part(part.kind, part.name, part.default)]
             before = part.after
         else:
             before += part

@@ -112,8 +112,11 @@ def _part(kind: str, text: str, default: str | None) -> str:
     if kind == "written":
         return text
     if kind == "eval":
-        parts = (
-            f"{one.before}$(var {one.name}){one.after}" if isinstance(one, Used) else one for one in parts_of(text)
-        )
-        return f"$(eval &quot;{xml_text(''.join(parts))}&quot;)"
+        return f"$(eval &quot;{''.join(map(_in_expression, parts_of(text)))}&quot;)"
     return xml_text(text)
+
+
+def _in_expression(part: str | Used) -> str:
+    if not isinstance(part, Used):
+        return xml_text(part)
+    return f"{xml_text(part.before)}{_part(part.kind, part.name, part.default)}{xml_text(part.after)}"
