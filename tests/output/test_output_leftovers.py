@@ -195,3 +195,18 @@ def test_a_process_runs_until_it_ends(system: str, monkeypatch: pytest.MonkeyPat
     assert not processes.is_running(child.pid, 0)
     assert not processes.is_running(10**18, 0)
     assert processes.is_running(1, 0)
+
+
+@needs_posix
+def test_a_fork_does_not_delete_the_folder_of_the_process_that_made_it() -> None:
+    folder = scratch_folder()
+    with folder as own:
+        child = os.fork()
+        if child == 0:
+            try:
+                folder.cleanup()
+            finally:
+                os._exit(0)
+        os.waitpid(child, 0)
+        assert os.path.isdir(own)
+    assert not os.path.exists(own)

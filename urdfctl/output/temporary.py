@@ -119,6 +119,12 @@ def prefix() -> str:
     return f".urdfctl-{machine_name()}-{process}-{start_of(process) or 0}-"
 
 
+def is_of_this_process(path: str) -> bool:
+    """Return whether this process made a temporary file or folder, and not the one that it is a fork of."""
+    named = _NAME.fullmatch(os.path.basename(path))
+    return named is not None and int(named["process"]) == os.getpid()
+
+
 def machine_name() -> str:
     """Return a name for this machine, or this container: only here are the numbers of its processes known."""
     if sys.platform == "win32":

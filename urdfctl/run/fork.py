@@ -89,9 +89,9 @@ class ForkPool:
         inbox, outbox = os.pipe() if self.standby else (None, None)
         pid = os.fork()
         if pid == 0:
-            os.close(reading)
             status = 1
             try:
+                os.close(reading)
                 self._close_outboxes(outbox)
                 restrict(self.limits)
                 _work_on(self._jobs(numbers), self.function, self.limits, pipe=writing, inbox=inbox)
