@@ -302,3 +302,55 @@ def test_the_empty_default_of_an_argument_for_the_world_is_a_world(folder: Folde
     inside = '    <arg name="world" value="$(var map)"/>\n  '
     in_xml = included(inside).replace("<launch>", '<launch>\n  <arg name="map" default=""/>', 1)
     assert '<arg name="map" default="empty.sdf"/>' in after(folder, "base.launch.xml", in_xml)
+
+
+DESCRIBED = """\
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.substitutions import Command, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    share = FindPackageShare("base")
+    text = Command(["xacro ", PathJoinSubstitution([share, "urdf", "base.xacro"])])
+    return LaunchDescription([
+        IncludeLaunchDescription(PathJoinSubstitution([FindPackageShare("gazebo_ros"), "launch", "gazebo.launch.py"])),
+        Node(package="robot_state_publisher", executable="robot_state_publisher", {where}
+             parameters=[{{"robot_description": text}}]),
+        Node(package="gazebo_ros", executable="spawn_entity.py", arguments=["-topic", "it", "-entity", "base"]),
+    ])
+"""
+RUN_BY_CLASSIC = """\
+  <gazebo>
+    <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+      {inner}<parameters>$(find base)/config/c.yaml</parameters>
+    </plugin>
+  </gazebo>
+"""
+IN_FRONT = "<ros>\n        <namespace>front</namespace>\n      </ros>\n      "
+
+
+@pytest.mark.parametrize(
+    ("where", "inner", "expected"),
+    [
+        ("remappings=[('robot_description', 'it')],", "", "/it"),
+        ("namespace='front',", "", "/front/robot_description"),
+        ("namespace='front',", IN_FRONT, ""),
+        ("remappings=[('robot_description', 'it')],", IN_FRONT, "/it"),
+        ("", "", ""),
+    ],
+)
+def test_the_manager_reads_the_description_where_it_is_published(
+    folder: Folder, where: str, inner: str, expected: str
+) -> None:
+    files = {
+        "launch/base.launch.py": DESCRIBED.format(where=where),
+        "urdf/base.xacro": base(RUN_BY_CLASSIC.format(inner=inner)),
+        "config/c.yaml": "controller_manager:\n  ros__parameters:\n    update_rate: 100\n",
+    }
+    text = migrated(folder, files, "--from", "humble", "--to", "jazzy", "--simulator", "gz")["urdf/base.xacro"]
+    assert text.count("<ros>") == bool(expected or inner)
+    assert text.count("<remapping>") == bool(expected)
+    assert not expected or f"<remapping>robot_description:={expected}</remapping>" in text

@@ -280,3 +280,10 @@ def generate_launch_description():
     found = migrated(folder, {"urdf/base.xacro": robot, "launch/base.launch.py": launch}, "--to", "jazzy")
     assert "<!-- TODO(urdfctl) - plugin 'my_gripper' is built for Gazebo Classic - port it" in found["urdf/base.xacro"]
     assert "UC632" not in found["MIGRATION.md"]
+
+
+@pytest.mark.parametrize(("body", "is_told"), [("left_wheel", True), ("body", False)])
+def test_the_pose_of_a_link_that_moves_is_not_that_of_the_model(folder: Folder, body: str, is_told: bool) -> None:
+    old = plugin("gazebo_ros_p3d", f"<bodyName>{body}</bodyName>\n<topicName>truth</topicName>")
+    report = migrated(folder, {"urdf/base.xacro": base(old)}, *TO_GZ)["MIGRATION.md"]
+    assert (f"not that of link '{body}': read that from /tf" in report) is is_told

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.migrate.classic.bridge import BRIDGE, BRIDGE_INSTALL
+from urdfctl.migrate.classic.build_files import BUILD_FILES
 from urdfctl.migrate.classic.comments import COMMENTS
 from urdfctl.migrate.classic.environment import ENVIRONMENT, MODEL_PATHS
 from urdfctl.migrate.classic.gone_packages import GONE_PACKAGES
@@ -46,6 +47,7 @@ PACKAGE_STEPS: tuple[Step, ...] = (
     GONE_PACKAGES,
     ENVIRONMENT,
     CLASSIC_MANIFEST,
+    BUILD_FILES,
     MODEL_PATHS,
     BRIDGE_INSTALL,
 )

@@ -27,6 +27,8 @@ VARIABLES: Mapping[str, str] = {
 }
 _NAME = re.compile(rb"(?<!\w)GAZEBO_(?:MODEL|RESOURCE|PLUGIN)_PATH(?!\w)")
 _OF_XML = (".xacro", ".urdf", ".gazebo")
+_NEAR = 300
+"""Bytes around the name of a variable in which its value is mostly written."""
 
 
 def _variables(packages: MigratedPackages) -> Iterator[Proposal]:
@@ -82,9 +84,13 @@ def _paths(folder: str, *, is_used: bool) -> Iterator[str]:
 
 def _is_set(packages: MigratedPackages, name: str) -> bool:
     """Whether a launch file or a hook of the packages says where the models of a package are."""
-    names = (b"GZ_SIM_RESOURCE_PATH", b"IGN_GAZEBO_RESOURCE_PATH")
-    texts = (packages.read(path).data for path in packages.files(*HOOKS, ".py", ".xml"))
-    return any(name.encode() in text and any(one in text for one in names) for text in texts)
+    near = re.compile(rb"(?s)(?<![\w-])%s(?![\w-])" % re.escape(name.encode()))
+    for path in packages.files(*HOOKS, ".py", ".xml"):
+        text = packages.read(path).data
+        for found in re.finditer(rb"(?:GZ_SIM|IGN_GAZEBO)_RESOURCE_PATH", text):
+            if near.search(text, max(found.start() - _NEAR, 0), found.end() + _NEAR):
+                return True
+    return False
 
 
 def _added(export: Element, lines: list[str]) -> Edit | None:

@@ -25,7 +25,7 @@ def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
         return
     for path in packages.files("package.xml"):
         source = packages.read(path)
-        root = root_of(source) if b"gazebo" in source.data else None
+        root = root_of(source) if b"gazebo" in source.data or not packages.was_in_gz else None
         if root is None or root.tagName != "package":
             continue
         known = {content(one) for one in root.elements()}

@@ -8,8 +8,10 @@ from collections.abc import Iterator
 from urdfctl.catalog.hardware import SimulatorPlugin
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.axles import axles
+from urdfctl.migrate.classic.bodies import OF_MODEL, moving_body
 from urdfctl.migrate.classic.choice import is_chosen, keeps_classic, replaced
 from urdfctl.migrate.classic.loose_sensors import LOOSE
+from urdfctl.migrate.classic.published import AUTHORITY, published_elsewhere, reading
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.sensor_topics import SENSORS
 from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, dropped_settings, flush, library_of, system_text
@@ -51,6 +53,7 @@ _WITH_LOOP = rb"(?<![\w.])((?:position|velocity)_pid)(?=[\"'\s\],])"
 _OF_GZ = ("gz-", "gz_", "ign_", "ign-", "ignition-")
 _KEPT = ("parameters", "ros", "hold_joints", "controller_manager_name")
 _TRICYCLE = "gazebo_ros_tricycle_drive"
+_POSE = "gazebo_ros_p3d"
 _AUTHORITY = "gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _CONTROL = "gz_ros2_control doc/index.rst; rosdistro#41224: gazebo_ros2_control ends with iron"
 
@@ -72,7 +75,13 @@ def _control(packages: MigratedPackages) -> Iterator[Proposal]:
         entry = ReportEntry(
             EntryKind.DONE, f"the plugin for ros2_control became '{host.names[0]}'", element.at, authority=_CONTROL
         )
-        yield Proposal(tuple(_for_gz(packages, element, host)), entries=(entry,))
+        entries, edits = [entry], list(_for_gz(packages, element, host))
+        topic = published_elsewhere(packages, element)
+        if topic and not packages.options.keep_classic:
+            edits.append(reading(element, topic))
+            what = f"the controller manager reads the robot description from {topic}, where it is published"
+            entries.append(ReportEntry(EntryKind.DECIDED, what, element.at, authority=AUTHORITY))
+        yield Proposal(tuple(edits), entries=tuple(entries))
 
 
 def _for_gz(packages: MigratedPackages, element: Element, host: SimulatorPlugin) -> Iterator[Edit]:
@@ -180,6 +189,9 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
             if dropped := dropped_settings(element, system):
                 message = f"'{system.filename}' does not have {', '.join(dropped)} of '{library}': dropped"
                 entries.append(ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
+            if library == _POSE and (body := moving_body(packages, element)):
+                message = f"gz publishes the pose of the model, not that of link '{body}': read that from /tf"
+                entries.append(ReportEntry(EntryKind.FOR_YOU, message, element.at, authority=OF_MODEL))
             yield Proposal(tuple(replaced(packages, element, text)), entries=tuple(entries))
         elif library in NO_SUCCESSOR and child(element, "urdfctl") is None:
             yield for_you(element.at, _without_successor(element, library))

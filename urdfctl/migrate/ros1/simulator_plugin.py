@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
@@ -28,6 +28,7 @@ from urdfctl.migrate.edits.markup import (
 from urdfctl.migrate.edits.places import ElementKey, key_of, key_of_element, plugin_elements
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.controller_addresses import addresses, declared_again
 from urdfctl.migrate.ros1.controller_map import controller_maps
 from urdfctl.migrate.ros1.described import described_for, spaces_of_description
 from urdfctl.migrate.ros1.followers import is_mimic_plugin, mimic_plugins
@@ -113,6 +114,7 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
     ]
     entries += [ReportEntry(EntryKind.DECIDED, note, element.at, authority=_JOINED)] if note else []
     entries += _chosen(element, files, _fitting(packages, robots))
+    entries += declared_again(element, files, robots)
     if created:
         message = "no launch file says which controllers the robot has: a new file has the joint state broadcaster"
         entries.append(ReportEntry(EntryKind.DECIDED, message, file=created[0][0]))
@@ -145,8 +147,8 @@ def _joined(packages: MigratedPackages, space: str) -> tuple[str, str]:
 
 def _chosen(element: Element, files: list[str], fitting: list[str]) -> Iterator[ReportEntry]:
     """The entry on the choice of a controller file among several."""
-    others = [one for one in _addresses(fitting[1:]) if one not in files]
-    if others and files == _addresses(fitting[:1]):
+    others = [one for one in addresses(fitting[1:]) if one not in files]
+    if others and files == addresses(fitting[:1]):
         more = "1 more controller file names" if len(others) == 1 else f"{len(others)} more controller files name"
         message = f"'{files[0]}' is chosen: {more} only joints of the robot"
         yield ReportEntry(EntryKind.DECIDED, message, element.at, option=f"<parameters>{others[0]}</parameters>")
@@ -191,7 +193,7 @@ def controller_files(packages: MigratedPackages, robots: list[LoadedTarget]) -> 
         files = (file for file in started.files if not file.is_moveit and file.path not in again)
         paths += (file.path for file in files if file.form or file.path in alone)
         known |= {each.full_name for each in declared}
-    return _addresses(paths or _fitting(packages, robots)[:1])
+    return addresses(paths or _fitting(packages, robots)[:1])
 
 
 def _fitting(packages: MigratedPackages, robots: list[LoadedTarget]) -> list[str]:
@@ -199,17 +201,6 @@ def _fitting(packages: MigratedPackages, robots: list[LoadedTarget]) -> list[str
     joints = {name for one in robots if one.project.robot for name in one.project.robot.joint_names}
     fitting = {path: names for path, names in _joints_by_file(packages).items() if names <= joints}
     return sorted(fitting, key=lambda path: (-len(fitting[path]), path))
-
-
-def _addresses(paths: Iterable[str]) -> list[str]:
-    return [address for path in dict.fromkeys(paths) if (address := _address(path))]
-
-
-def _address(path: str) -> str | None:
-    """The address of a file in its package, as xacro writes it."""
-    folder = package_around(os.path.dirname(path))
-    name = package_name(os.path.join(folder, "package.xml")) if folder else None
-    return f"$(find {name})/{os.path.relpath(path, folder).replace(os.sep, '/')}" if folder and name else None
 
 
 def _new_file(element: Element, namespace: str) -> tuple[str, str, str] | None:
