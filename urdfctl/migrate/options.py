@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import Enum
+from types import MappingProxyType
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.startup.records import NamedTuple
@@ -30,6 +32,7 @@ class MigrationOptions(NamedTuple):
     only: the parts to migrate; all if empty.
     steps: the names of the steps to take; all if empty.
     skipped: the names of the steps to leave out.
+    successors: names of the project's own with those that replace them: types, plugins, topics, packages.
     """
 
     target: str
@@ -41,6 +44,7 @@ class MigrationOptions(NamedTuple):
     only: frozenset[Part] = frozenset()
     steps: frozenset[str] = frozenset()
     skipped: frozenset[str] = frozenset()
+    successors: Mapping[str, str] = MappingProxyType({})
 
     def takes(self, name: str, part: Part) -> bool:
         """Return whether the user wants a step."""

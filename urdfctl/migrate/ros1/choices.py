@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 from urdfctl.migrate.launch.actions import Text
@@ -57,6 +57,21 @@ def chosen(element: Element, condition: str, *, is_true: bool) -> Iterator[None]
     finally:
         for child, name in changed:
             child.attrs[name] = condition
+        for child in list(element.children()):
+            element.removeChild(child)
+        for child in children:
+            element.appendChild(child)
+
+
+@contextmanager
+def without(element: Element, removed: Sequence[Element]) -> Iterator[None]:
+    """Return a context in which an element lacks some of its children."""
+    children = list(element.children())
+    for one in removed:
+        element.removeChild(one)
+    try:
+        yield
+    finally:
         for child in list(element.children()):
             element.removeChild(child)
         for child in children:

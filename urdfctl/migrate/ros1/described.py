@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from itertools import pairwise
 
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
-from urdfctl.migrate.launch.actions import Text, plain
+from urdfctl.migrate.launch.actions import Text, is_literal, parsed, plain, words_of
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of
@@ -17,11 +18,36 @@ _PUBLISHER = "robot_state_publisher"
 _MOST_DEPTH = 8
 
 
-def is_description(element: Element) -> bool:
-    """Return whether a `<param>` sets a robot description."""
-    last = attribute(element, "name").rpartition("/")[2]
-    has_source = "command" in element.attrs or "textfile" in element.attrs
-    return has_source and (last == _DESCRIPTION or last.endswith("_description"))
+def is_description(element: Element, names: Collection[str]) -> bool:
+    """Return whether an element sets a robot description.
+
+    names: the names of the parameters that are descriptions.
+    """
+    return _sets_text(element) and attribute(element, "name").rpartition("/")[2] in names
+
+
+def _sets_text(element: Element) -> bool:
+    return element.tagName == "param" and ("command" in element.attrs or "textfile" in element.attrs)
+
+
+def description_names(packages: MigratedPackages) -> frozenset[str]:
+    """Return the names of the parameters that launch files set to a robot description.
+
+    Those are robot_description, and what a simulator or a publisher reads instead of it; all that are called so if
+    nothing says which they read.
+    """
+    every = [one for root in launch_roots(packages).values() for one in elements(root)]
+    last = {attribute(one, "name").rpartition("/")[2] for one in every if _sets_text(one)}
+    named = {name for name in last if name == _DESCRIPTION or name.endswith(f"_{_DESCRIPTION.partition('_')[2]}")}
+    read = {_DESCRIPTION}
+    for one in every:
+        if one.tagName == "remap" and names_description(parsed(attribute(one, "from"))):
+            read.add(attribute(one, "to").rpartition("/")[2])
+        words = words_of(parsed(attribute(one, "args"))) if one.tagName == "node" else ()
+        for option, value in pairwise(words):
+            if plain(option) == "-param" and is_literal(option):
+                read |= {plain(value).rpartition("/")[2]} if is_literal(value) else named
+    return frozenset(last & read if last & read - {_DESCRIPTION} or _DESCRIPTION in last else named)
 
 
 def names_description(old: Text) -> bool:
@@ -43,9 +69,10 @@ def launch_roots(packages: MigratedPackages) -> dict[str, Element]:
 def idle_publisher(packages: MigratedPackages) -> Element | None:
     """Return the only robot_state_publisher of launch files that set no description; None if several differ."""
     found: dict[str, Element] = {}
+    names = packages.found(description_names)
     for root in launch_roots(packages).values():
         every = list(elements(root))
-        if not any(element.tagName == "param" and is_description(element) for element in every):
+        if not any(is_description(element, names) for element in every):
             found |= {_said(one): one for one in every if _is_publisher(one)}
     return next(iter(found.values())) if len(found) == 1 else None
 
@@ -68,11 +95,9 @@ def spaces_of_description(packages: MigratedPackages) -> frozenset[str]:
     roots = launch_roots(packages)
     contexts = _contexts(packages, roots)
     nodes = [(path, one) for path, root in roots.items() for one in elements(root) if _is_publisher(one)]
+    names = packages.found(description_names)
     chosen = nodes or [
-        (path, one)
-        for path, root in roots.items()
-        for one in elements(root)
-        if one.tagName == "param" and is_description(one)
+        (path, one) for path, root in roots.items() for one in elements(root) if is_description(one, names)
     ]
     return frozenset(
         "/".join(part for part in (space, _own_space(one)) if part) for path, one in chosen for space in contexts[path]

@@ -14,7 +14,10 @@ from urdfctl.migrate.edits.markup import elements, root_of
 from urdfctl.migrate.launch.actions import Action, Text, parsed
 from urdfctl.migrate.launch.expressions import Used, parts_of
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.described import description_names, is_description
 from urdfctl.migrate.ros1.left_over import addressed_files
+from urdfctl.migrate.ros1.roslaunch_values import around
+from urdfctl.migrate.ros1.set_descriptions import is_overridden
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
@@ -30,11 +33,15 @@ class IncludedFile(NamedTuple):
     arguments: its arguments with the texts of their defaults; None for one without.
     sets: the names that are set when it has run: its own, and those of the files that it includes.
     starts: whether it starts a simulator, or a file does that it includes.
+    spawns: whether it starts controllers, or a file does that it includes.
+    describes: the descriptions that it sets whatever its arguments are, or a file does that it includes.
     """
 
     arguments: Mapping[str, str | None]
     sets: frozenset[str]
     starts: bool = False
+    spawns: bool = False
+    describes: frozenset[str] = frozenset()
 
 
 def included_file(packages: MigratedPackages, written: str, folder: str, depth: int = 0) -> IncludedFile:
@@ -44,10 +51,13 @@ def included_file(packages: MigratedPackages, written: str, folder: str, depth: 
     """
     arguments: dict[str, str | None] = {}
     sets: set[str] = set()
-    starts = False
+    starts = spawns = False
+    describes: frozenset[str] = frozenset()
     local = written.replace("$(dirname)", folder)
     for path in sorted({local} & {*packages.files()} or addressed_files(packages, written)):
         root = root_of(packages.read(path))
+        if root is not None and root.tagName == "launch" and depth < _MOST_DEPTH:
+            describes |= descriptions_in(packages, root, os.path.dirname(path), depth)
         for element in elements(root) if root is not None and root.tagName == "launch" else ():
             name = element.attrs.get("name", "")
             if element.tagName == "arg" and element.parentNode is not None and _is_of_file(element):
@@ -58,9 +68,30 @@ def included_file(packages: MigratedPackages, written: str, folder: str, depth: 
                 inner = included_file(packages, element.attrs.get("file", ""), os.path.dirname(path), depth + 1)
                 sets |= inner.sets | {one.attrs.get("name", "") for one in element.elements() if one.tagName == "arg"}
                 starts |= inner.starts or _WORLDS.match(element.attrs.get("file", "")) is not None
+                spawns |= inner.spawns
             elif element.tagName == "node":
                 starts |= element.attrs.get("type") in _SERVERS
-    return IncludedFile(arguments, frozenset(sets), starts)
+                spawns |= element.attrs.get("pkg") == "controller_manager"
+    return IncludedFile(arguments, frozenset(sets), starts, spawns, describes)
+
+
+def descriptions_in(packages: MigratedPackages, root: Element, folder: str, depth: int = 0) -> frozenset[str]:
+    """Return the commands and files of the descriptions that a launch file sets in its own namespace, whatever its
+    arguments are, itself or by files that it includes."""
+    found: set[str] = set()
+    names = packages.found(description_names)
+    for element in elements(root):
+        if any({"if", "unless", "ns"} & one.attrs.keys() for one in (element, *around(element))):
+            continue
+        if is_description(element, names) and not is_overridden(element, names):
+            found.add(" ".join((element.attrs.get("command") or element.attrs["textfile"]).split()))
+        elif element.tagName == "include":
+            written = element.attrs.get("file", "")
+            given = {one.attrs.get("name"): one.attrs.get("value") for one in element.elements()}
+            if given.get("load_robot_description") == "true":  # so do the packages of MoveIt's Setup Assistant
+                found.add(written)
+            found |= included_file(packages, written, folder, depth + 1).describes
+    return frozenset(found)
 
 
 def _is_of_file(argument: Element) -> bool:
@@ -69,16 +100,16 @@ def _is_of_file(argument: Element) -> bool:
 
 
 def passed_on(
-    element: Element, given: Mapping[str, Text], around: Mapping[str, str], names: Mapping[str, str | None]
+    element: Element, given: Mapping[str, Text], outer: Mapping[str, str], names: Mapping[str, str | None]
 ) -> Iterator[tuple[str, Text]]:
     """Yield the arguments that an include of ROS 2 must have besides those given.
 
-    around: the arguments of the file that includes another, with their defaults.
+    outer: the arguments of the file that includes another, with their defaults.
     names: the arguments of the included file, with their defaults.
     """
     passes_all = element.attrs.get("pass_all_args", "").strip().lower() in ("true", "1")
     for name, default in names.items():
-        if name in given or name not in around:
+        if name in given or name not in outer:
             continue
         if passes_all:
             yield name, parsed(f"$(arg {name})")
@@ -124,7 +155,7 @@ def _read_by(actions: Sequence[Action], included: Mapping[Text, IncludedFile]) -
             if part.kind == "arg":
                 found.add(part.text)
             elif part.kind == "eval":
-                found |= {used.name for used in parts_of(part.text) if isinstance(used, Used)}
+                found |= {used.name for used in parts_of(part.text) if isinstance(used, Used) and used.kind == "arg"}
         its = included.get(action.value or ()) if action.kind == "include" else None
         if its is not None:
             found |= its.arguments.keys() - {name for name, _ in action.pairs}

@@ -14,8 +14,8 @@ from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.written import WrittenLaunch, as_python, as_xml
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.migrate.ros1.described import idle_publisher, spaces_of_description
-from urdfctl.migrate.ros1.included import IncludedFile, included_file
+from urdfctl.migrate.ros1.described import description_names, idle_publisher, spaces_of_description
+from urdfctl.migrate.ros1.included import IncludedFile, descriptions_in, included_file
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
@@ -83,6 +83,10 @@ def _migrated(packages: MigratedPackages, path: str, root: Element, target: Laun
     reading = LaunchReading(target)
     actions = reading.actions(root)
     left = list(reading.left)
+    described = sorted(descriptions_in(packages, root, os.path.dirname(path)))
+    if len(described) > 1:
+        shown = ", ".join(f"'{one}'" for one in described)
+        left.append(f"each of {shown} has a robot_state_publisher now: keep one, in ROS 1 the last of them counted")
     if target.started == "gz":
         gz = gz_for(packages, path)
         left += gz.left(actions)
@@ -121,6 +125,7 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         simulator=simulated_by(packages),
         started=started_by_launch_files(packages),
         own=frozenset(own_packages(packages)),
+        renamed=frozenset(options.successors),
         ending=f".launch.{options.launch}",
         is_controllers_file=lambda written: os.path.basename(written) in controllers,
         controllers_in=lambda written: _controllers_in(packages, written),
@@ -130,6 +135,7 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         files_of=lambda node: _files_of(packages, node),
         publisher=packages.found(idle_publisher),
         described_in=packages.found(spaces_of_description),
+        descriptions=packages.found(description_names),
     )
 
 

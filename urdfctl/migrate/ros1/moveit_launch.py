@@ -17,6 +17,12 @@ from urdfctl.source.workspaces.packages import package_name
 
 _AUTHORITY = "moveit2 moveit_configs_utils launches.py; moveit.picknik.ai, MoveIt Setup Assistant"
 _NO_DESCRIPTION = "add .robot_description(file_path=...) with the robot's description"
+_FAKE = "fake_moveit_controller_manager.launch.xml"
+_WITHOUT_FAKE = (
+    "MoveIt 2 has no fake controllers, which moved the robot of demo.launch: start ros2_control_node there with "
+    "mock_components/GenericSystem, and spawn the controllers of moveit_controllers.yaml"
+)
+_EXECUTED = "moveit2 moveit_plugins: no fake controllers; moveit_configs_utils launches.py: generate_demo_launch"
 _MADE: Mapping[str, tuple[str, str]] = {
     "move_group.launch": ("move_group", "generate_move_group_launch"),
     "moveit_rviz.launch": ("moveit_rviz", "generate_moveit_rviz_launch"),
@@ -58,6 +64,8 @@ def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:
             what = "moveit_configs_utils makes the launch files of MoveIt, and loads the parameters of the others"
             manifest = os.path.join(package.folder, "package.xml")
             entries = [ReportEntry(EntryKind.DONE, what, file=manifest, authority=_AUTHORITY)]
+            if _FAKE in old:
+                entries.append(ReportEntry(EntryKind.FOR_YOU, _WITHOUT_FAKE, file=manifest, authority=_EXECUTED))
             if package.needs_description:
                 entries += [ReportEntry(EntryKind.FOR_YOU, _NO_DESCRIPTION, file=path) for path in made]
             yield Proposal(_install(packages, package.folder), created, deleted, tuple(entries))

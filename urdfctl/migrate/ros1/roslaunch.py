@@ -14,7 +14,7 @@ from urdfctl.migrate.launch.actions import (
     literal,
     parsed,
 )
-from urdfctl.migrate.ros1.choices import LoadedFile, choices_in, chosen
+from urdfctl.migrate.ros1.choices import LoadedFile, choices_in, chosen, without
 from urdfctl.migrate.ros1.described import is_description, names_description
 from urdfctl.migrate.ros1.description_commands import about_command, command_in, description_command
 from urdfctl.migrate.ros1.doubles import as_double
@@ -38,6 +38,14 @@ from urdfctl.migrate.ros1.roslaunch_values import (
     parameter_name,
     root_around,
     value_of,
+)
+from urdfctl.migrate.ros1.set_descriptions import (
+    SetDescription,
+    conditions_of,
+    descriptions_of,
+    is_overridden,
+    overriding,
+    said,
 )
 from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
@@ -67,7 +75,8 @@ class LaunchReading(Notes):
         The files of a spawner are those that it may need.
         """
         found = kept_apart(list(self._children(root, root)), self._included)
-        if (self.unpauses or must_run(found)) and (started := running(found)) != found:
+        spawns = must_run(found) or any(one.spawns for one in self._included.values())
+        if (self.unpauses or spawns) and (started := running(found)) != found:
             found = started
             self.decided.append(DECIDED)
         if self.target.started != "none" and self._needs_simulated_time(found):
@@ -87,7 +96,6 @@ class LaunchReading(Notes):
         return starts and not is_set and (nodes or len(inner) > 1)
 
     def _children(self, parent: Element, root: Element) -> Iterator[Action]:
-        description = self._description(parent)
         files = self._parameter_files(parent)
         node = parent.firstChild
         while node is not None:
@@ -96,30 +104,34 @@ class LaunchReading(Notes):
                 if text and "<" not in text:
                     yield Action("comment", text)
             elif isinstance(node, Element):
-                for action in self._with_choices(node, root, description, files):
+                for action in self._with_choices(node, root, self._descriptions(node), files):
                     yield self._conditional(action, node)
             node = node.nextSibling
 
     def _with_choices(
-        self, element: Element, root: Element, description: Text, files: Sequence[LoadedFile]
+        self, element: Element, root: Element, described: Sequence[SetDescription] | None, files: Sequence[LoadedFile]
     ) -> Iterator[Action]:
-        """The actions of an element. Conditions inside of a node or an include choose between two of these."""
+        """The actions of an element. Conditions inside of a node or an include choose between two of these, and those
+        of the descriptions that it may have; None for what has none."""
         choices = choices_in(element) if element.tagName in ("node", "include") else []
         if element.attrs.get("type") == "spawner":
-            choices = list(dict.fromkeys((*choices, *(text for one in files for text in one.conditions))))
-        if not choices:
-            yield from self._element(element, root, description, files)
-            return
-        if len(choices) > _MOST_CHOICES:
+            choices += [text for one in files for text in one.conditions]
+        choices = list(dict.fromkeys((*choices, *conditions_of(described or ()))))
+        is_too_much = len(choices) > _MOST_CHOICES
+        if is_too_much:
             self.left.append(f"choose inside of '{_name_of(element)}' by {', '.join(choices)}: all of it is written")
-            yield from self._element(element, root, description, files)
+        if not choices or is_too_much:
+            yield from self._element(element, root, said(described or ()), files)
             return
         first, both = choices[0], []
         for is_true in (True, False):
             with chosen(element, first, is_true=is_true):
                 left = [one.when(first, is_true=is_true) for one in files]
                 kept = [one for one in left if one is not None]
-                both.append(list(self._with_choices(element, root, description, kept)))
+                texts = [one.when(first, is_true=is_true) for one in described or ()]
+                own = [one for one in texts if one is not None]
+                has_none = bool(described) and not own
+                both.append([] if has_none else list(self._with_choices(element, root, own, kept)))
         if both[0] == both[1]:
             yield from both[0]
             return
@@ -142,6 +154,7 @@ class LaunchReading(Notes):
         attrs = element.attrs
         if element.tagName == "arg":
             self.defaults[attrs.get("name", "")] = attrs.get("default", attrs.get("value", ""))
+            self.required |= set() if attrs.keys() & {"default", "value"} else {attrs.get("name", "")}
             if "value" in attrs:
                 yield Action("let", attrs.get("name", ""), command_in(attrs["value"]) or parsed(attrs["value"]))
             else:
@@ -155,27 +168,28 @@ class LaunchReading(Notes):
         elif element.tagName == "include":
             yield from self._include(element)
         elif element.tagName == "node":
-            yield from self._node(element, files)
+            yield from self._node(element, description, files)
         elif element.tagName == "param":
-            yield from self._param(element, description)
+            yield from self._param(element)
         elif element.tagName == "rosparam":
             yield from self._rosparam(element)
         elif element.tagName == "remap" and not names_description(remapping(element)[0]):
             yield Action("set_remap", remaps=(remapping(element),))
         elif element.tagName == "env":
-            yield Action("set_env", attrs.get("name", ""), parsed(attrs.get("value", "")))
+            yield _variable(element)
         elif element.tagName in _WITHOUT_COUNTERPART:
             self.left.append(f"<{element.tagName}> {_WITHOUT_COUNTERPART[element.tagName]}")
 
-    def _node(self, element: Element, files: Sequence[LoadedFile]) -> Iterator[Action]:
+    def _node(self, element: Element, description: Text, files: Sequence[LoadedFile]) -> Iterator[Action]:
         """The actions for a node, with the parameters that the file sets by the node's name."""
         pairs, own_files = self._given(element)
-        for action in migrated_node(self, element, self._description(element), [one.address for one in files]):
+        for action in migrated_node(self, element, description, [one.address for one in files]):
             if action.kind != "node" or action.name == "spawner":
                 yield action
             else:
                 given = tuple((name, as_double(action.name, name, value)) for name, value in pairs)
-                yield action._replace(pairs=(*given, *action.pairs), files=(*own_files, *action.files))
+                own = action._replace(pairs=(*given, *action.pairs), files=(*own_files, *action.files))
+                yield self.with_shell(own)
 
     def _given(self, node: Element) -> tuple[list[tuple[str, Text]], list[Text]]:
         """The parameters, and the files with parameters, that the file sets outside of a node by its name."""
@@ -208,6 +222,12 @@ class LaunchReading(Notes):
             if child.tagName == "arg"
         )
         packages = [part.text for part in file if part.kind == "find"]
+        variables = [one for one in element.elements() if one.tagName == "env"]
+        if variables:  # they are for what the include starts
+            with without(element, variables):
+                included = tuple(self._include(element))
+            yield Action("group", inner=(*map(_variable, variables), *included))
+            return
         if packages and packages[0] in _OF_WORLD:
             of_world = dict.fromkeys(ARGUMENTS_OF_WORLD)
             yield from simulator_actions(
@@ -272,15 +292,10 @@ class LaunchReading(Notes):
 
     # -- parameters ----------------------------------------------------------------------------------------------------
 
-    def _description(self, parent: Element) -> Text:
-        """The command that prints the robot description in a group of actions, or around it."""
-        around: Element | None = parent
-        while isinstance(around, Element):
-            for element in around.elements():
-                if element.tagName == "param" and is_description(element):
-                    return description_command(element)
-            around = around.parentNode if isinstance(around.parentNode, Element) else None
-        return ()
+    def _descriptions(self, element: Element) -> list[SetDescription] | None:
+        """The descriptions that a robot_state_publisher may have; None for other elements."""
+        is_its = element.attrs.get("pkg") == "robot_state_publisher"
+        return descriptions_of(element, self.target.descriptions) if is_its else None
 
     def _parameter_files(self, parent: Element) -> list[LoadedFile]:
         found = []
@@ -293,12 +308,16 @@ class LaunchReading(Notes):
             around = around.parentNode if isinstance(around.parentNode, Element) else None
         return found
 
-    def _param(self, element: Element, description: Text) -> Iterator[Action]:
-        name = element.attrs.get("name", "")
-        if is_description(element):
+    def _param(self, element: Element) -> Iterator[Action]:
+        name, names = element.attrs.get("name", ""), self.target.descriptions
+        if is_description(element, names):
             self.left += about_command(element.attrs.get("command", ""))
-            if not _has_publisher(root_around(element)):
-                yield self.publisher(element, description)
+            if not _has_publisher(root_around(element)) and not is_overridden(element, names):
+                action = self.publisher(element)
+                for text, negated in overriding(element, names):
+                    condition = ActionCondition(parsed(text), not negated)
+                    action = Action("group", inner=(action,), condition=condition)
+                yield action
             return
         last = name.rpartition("/")[2]
         if "value" in element.attrs and self._is_given(element):
@@ -309,21 +328,20 @@ class LaunchReading(Notes):
         else:
             self.left.append(f"ROS 2 has no global parameters: give '{name}' to the node that reads it")
 
-    def publisher(self, element: Element, description: Text) -> Action:
+    def publisher(self, element: Element) -> Action:
         """Return the node that publishes the description which a parameter sets."""
+        description = description_command(element)
         space = element.attrs.get("name", "").rpartition("/")[0]
         if self.target.publisher is not None:  # it is in a launch file without the description, and dropped there
             node = state_publisher(self.target.publisher)
             own = namespace_of(self.target.publisher)
-            return node._replace(
-                value=parsed(f"/{own}") if own else None, description=description or description_command(element)
-            )
+            return node._replace(value=parsed(f"/{own}") if own else None, description=description)
         return Action(
             "node",
             "robot_state_publisher",
             value=parsed(space) if space else None,
             package="robot_state_publisher",
-            description=description or description_command(element),
+            description=description,
         )
 
     def _rosparam(self, element: Element) -> Iterator[Action]:
@@ -356,6 +374,10 @@ class LaunchReading(Notes):
             files=(file,),
             remaps=((literal("~/robot_description"), parsed(topic)),) if self.target.remaps_description else (),
         )
+
+
+def _variable(element: Element) -> Action:
+    return Action("set_env", element.attrs.get("name", ""), parsed(element.attrs.get("value", "")))
 
 
 def _name_of(element: Element) -> str:

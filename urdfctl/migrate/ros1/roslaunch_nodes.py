@@ -22,6 +22,7 @@ from urdfctl.migrate.ros1.described import described_for, names_description
 from urdfctl.migrate.ros1.doubles import as_double
 from urdfctl.migrate.ros1.included import IncludedFile
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
+from urdfctl.migrate.ros1.node_attributes import flags_of, lost_attributes, lost_commands
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of, parameters_of, unread_parameters_of
 from urdfctl.migrate.ros1.spawned_names import SpawnedName, full_name
 from urdfctl.source.xml.dom import Element
@@ -35,6 +36,7 @@ class LaunchTarget(NamedTuple):
     simulator: what runs its controllers.
     started: the simulator that launch files start.
     own: the packages that are migrated.
+    renamed: other packages, which have a successor that the user names.
     ending: the ending of migrated launch files.
     is_controllers_file: returns whether a written file name is that of a controller file.
     controllers_in: returns the names of the controllers in a controller file, by its written name.
@@ -48,6 +50,7 @@ class LaunchTarget(NamedTuple):
     spawned: the controllers that are spawned by a name with slashes, by their full names.
     files_of: returns the addresses of the controller files that have a section for a node, by the node's name.
     described_in: the namespaces in which the description is published.
+    descriptions: the names of the parameters that are descriptions.
     included: returns what is known of an included launch file, by its written address.
     """
 
@@ -59,6 +62,7 @@ class LaunchTarget(NamedTuple):
     is_controllers_file: Callable[[str], bool]
     controllers_in: Callable[[str], list[str]]
     remaps_description: bool
+    renamed: frozenset[str] = frozenset()
     describes: bool = False
     has_manager: bool = False
     moveit: frozenset[str] = frozenset()
@@ -68,6 +72,7 @@ class LaunchTarget(NamedTuple):
     spawned: Mapping[str, SpawnedName] = {}
     files_of: Callable[[str], list[str]] = lambda _: []
     described_in: frozenset[str] = frozenset()
+    descriptions: frozenset[str] = frozenset({"robot_description"})
     included: Callable[[str], IncludedFile] = lambda _: IncludedFile({}, frozenset())
 
     @property
@@ -83,6 +88,7 @@ class Notes:
     decided: the choices that were made.
     unpauses: whether a spawner of models lets the simulation run.
     defaults: the defaults of the arguments so far.
+    required: the arguments so far that have none.
     """
 
     def __init__(self, target: LaunchTarget) -> None:
@@ -91,6 +97,27 @@ class Notes:
         self.decided: list[str] = []
         self.unpauses = False
         self.defaults: dict[str, str] = {}
+        self.required: set[str] = set()
+
+    def words_of(self, word: Text, *, unknown: int) -> int:
+        """Return the number of words that an argument has by default; 1 for other words."""
+        if len(word) != 1 or word[0].kind != "arg":
+            return 1
+        name = word[0].text
+        return (
+            unknown
+            if name in self.required or name not in self.defaults
+            else len(words_of(parsed(self.defaults[name])))
+        )
+
+    def with_shell(self, action: Action) -> Action:
+        """Return a node that is started by a shell if a word of its command line is several words by default, or none.
+
+        roslaunch split the command line after it put the arguments in.
+        """
+        if all(self.words_of(word, unknown=1) == 1 for word in action.words):
+            return action
+        return action._replace(flags=(*action.flags, ("shell", "True")))
 
     def names_controllers(self, written: str) -> bool:
         """Return whether a file name is that of a controller file, by the defaults of the arguments in it."""
@@ -120,7 +147,6 @@ _SAME = frozenset(
 _ARGUMENTS = {"world": "world_name", "gui": "gui", "pause": "paused", "verbose": "verbose"}
 """The arguments of gazebo.launch.py, with their names in empty_world.launch of ROS 1."""
 ARGUMENTS_OF_WORLD = tuple(_ARGUMENTS.values())
-_NUMBER = re.compile(r"\d+(\.\d*)?")
 _POSES = ("-x", "-y", "-z", "-R", "-P", "-Y")
 _OF_ROS1 = ("-urdf", "-sdf", "-unpause", "-wait", "-b")
 """Options of ROS 1's spawn_model that ROS 2's spawn_entity.py does not have, or has with another meaning."""
@@ -131,6 +157,8 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
     package, program = element.attrs.get("pkg", ""), element.attrs.get("type", "")
     words = words_of(parsed(element.attrs.get("args", "")))
     reading.left += lost_attributes(element)
+    if package in ("gazebo_ros", "controller_manager"):
+        reading.left += lost_commands(element)
     if package == "controller_manager" and program == "unspawner":
         names = " ".join(plain(word) for word in words if is_literal(word))
         text = f"'unspawner {names}' waited, and stopped the controllers when it ended: ROS 2 has 'ros2 run "
@@ -160,7 +188,7 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
 def _command(reading: Notes, element: Element, words: Sequence[Text]) -> Iterator[Action]:
     """A command of ROS 1; nothing if it is left to a person, because a node of no package ends the launch."""
     program = element.attrs.get("type", "")
-    known = published(words, tuple(_flags(element.attrs))) if program == "rostopic" else None
+    known = published(words, tuple(flags_of(element.attrs))) if program == "rostopic" else None
     if known is not None:
         yield known
     else:
@@ -172,7 +200,7 @@ def _other_node(reading: Notes, element: Element) -> Action:
     """A node of any other package, with what is left to a person."""
     package, program = element.attrs.get("pkg", ""), element.attrs.get("type", "")
     new = _RENAMED.get((package, program), (package, program))
-    if not has_successor(element, reading.target.own):
+    if not has_successor(element, reading.target.own | reading.target.renamed):
         reading.left.append(f"check that package '{package}' exists for ROS 2, and the name of '{program}'")
     for name in unread_parameters_of(element):
         what = f"parameter '{name}'" if name else "parameters of this <rosparam>"
@@ -207,49 +235,11 @@ def _plain(element: Element, package: str, program: str) -> Action:
         pairs=tuple((name, as_double(program, name, value)) for name, value in parameters_of(element)),
         files=tuple(files),
         remaps=tuple(remaps),
-        flags=tuple(_flags(attrs)),
+        flags=tuple(flags_of(attrs)),
         env=tuple(
             (one.attrs.get("name", ""), parsed(one.attrs.get("value", ""))) for one in children if one.tagName == "env"
         ),
     )
-
-
-def _flags(attrs: Mapping[str, str]) -> Iterator[tuple[str, str]]:
-    """The options of a node in ROS 2 for its attributes in ROS 1 (roslaunch/XML/node on wiki.ros.org; launch_ros Node)."""
-    if attrs.get("output") in {"screen", "log"}:
-        yield "output", attrs["output"]
-    if _is_true(attrs.get("respawn")):
-        yield "respawn", "True"
-        delay = attrs.get("respawn_delay", "")
-        if _NUMBER.fullmatch(delay):
-            yield "respawn_delay", str(float(delay))
-    if _is_true(attrs.get("required")):
-        yield "on_exit", "shutdown"
-    if attrs.get("launch-prefix") and "$(" not in attrs["launch-prefix"]:
-        yield "prefix", attrs["launch-prefix"]
-
-
-def _is_true(text: str | None) -> bool:
-    return (text or "").strip().lower() in ("true", "1")
-
-
-def lost_attributes(element: Element) -> Iterator[str]:
-    """Yield what a person must do because of attributes of a node that have no counterpart."""
-    attrs, node = element.attrs, f"node '{element.attrs.get('name') or element.attrs.get('type', '')}'"
-    if "machine" in attrs:
-        yield f"{node} ran on machine '{attrs['machine']}': start its launch file there"
-    if attrs.get("cwd") == "node":
-        yield f'{node} had cwd="node", the folder of its program: give it cwd=FOLDER if it reads files from there'
-    if _is_true(attrs.get("clear_params")):
-        yield f"{node} had clear_params: parameters of ROS 2 end with their node, nothing is left to clear"
-    delay = attrs.get("respawn_delay", "")
-    if delay and not _NUMBER.fullmatch(delay):
-        yield f'{node} had respawn_delay="{delay}": give it respawn_delay=SECONDS'
-    if "$(" in attrs.get("launch-prefix", ""):
-        yield f'{node} had launch-prefix="{attrs["launch-prefix"]}": give it prefix=[...]'
-    for name in ("respawn", "required"):
-        if "$(" in attrs.get(name, ""):
-            yield f'{node} had {name}="{attrs[name]}": make two nodes of it, each with its condition'
 
 
 def remapping(element: Element) -> tuple[Text, Text]:
@@ -295,14 +285,8 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
         else []
     )
     known = tuple(file for file in files if reading.names_controllers(_file_text(file)))
-    flags = (("shell", "True"),) if any(_has_several(reading, name) for name in names) else ()
+    flags = (("shell", "True"),) if any(reading.words_of(name, unknown=0) != 1 for name in names) else ()
     yield Action("node", "spawner", package="controller_manager", words=(*names, *manager), files=known, flags=flags)
-
-
-def _has_several(reading: Notes, word: Text) -> bool:
-    """Whether a word is an argument that may have several words: in ROS 2 only a shell splits them."""
-    default = reading.defaults.get(word[0].text, "") if len(word) == 1 and word[0].kind == "arg" else "literal"
-    return len(default.split()) != 1
 
 
 def _option(word: Text) -> tuple[str, Text | None]:

@@ -96,7 +96,7 @@ def given_by_name(root: Element) -> list[tuple[Element, Element, str]]:
     nodes = {_full_name(one): one for one in every if one.tagName == "node" and one.attrs.get("name")}
     found = []
     for one in every:
-        is_inside = any(around.tagName == "node" for around in _around(one))
+        is_inside = any(outer.tagName == "node" for outer in around(one))
         if one.tagName not in ("param", "rosparam") or is_inside or {"if", "unless"} & one.attrs.keys():
             continue
         name = _full_name(one)
@@ -115,18 +115,18 @@ def _full_name(element: Element, named: str | None = None) -> str:
     own = element.attrs.get("param" if element.tagName == "rosparam" else "name", "") if named is None else named
     if own.startswith("/"):
         return own.strip("/")
-    spaces = [around.attrs.get("ns", "") for around in reversed(list(_around(element)))]
+    spaces = [outer.attrs.get("ns", "") for outer in reversed(list(around(element)))]
     return "/".join(part.strip("/") for part in (*spaces, element.attrs.get("ns", ""), own) if part.strip("/"))
 
 
-def _around(element: Element) -> Iterator[Element]:
-    """The elements around another one, from the inside."""
-    around = element.parentNode
-    while isinstance(around, Element):
-        yield around
-        around = around.parentNode
+def around(element: Element) -> Iterator[Element]:
+    """Yield the elements around another one, from the inside."""
+    outer = element.parentNode
+    while isinstance(outer, Element):
+        yield outer
+        outer = outer.parentNode
 
 
 def root_around(element: Element) -> Element:
     """Return the root of the file of an element."""
-    return next(reversed(list(_around(element))), element)
+    return next(reversed(list(around(element))), element)

@@ -1,0 +1,146 @@
+"""The description that a node of a migrated launch file has, where several parameters set one in ROS 1."""
+
+from __future__ import annotations
+
+import pytest
+from folder import Folder
+from ros1_packages import arm, migrated, transmission
+
+PARAM = '<param name="{name}" command="$(find xacro)/xacro $(find arm)/urdf/{file}.xacro"{more}/>'
+PUBLISHER = '<node pkg="robot_state_publisher" type="robot_state_publisher" name="rsp"/>'
+SPAWN = '<node pkg="gazebo_ros" type="spawn_model" name="s" args="-urdf -model arm -param {}"/>'
+
+
+def param(file: str, more: str = "", name: str = "robot_description") -> str:
+    return PARAM.format(name=name, file=file, more=more)
+
+
+def launched(folder: Folder, *lines: str) -> str:
+    launch = f'<launch><arg name="real" default="false"/>{"".join(lines)}</launch>'
+    robot = arm(transmission("EffortJointInterface"))
+    files = {"launch/arm.launch": launch, "urdf/one.xacro": robot, "urdf/two.xacro": robot}
+    after = migrated(folder, files, "--simulator", "gz")
+    return " ".join(after["launch/arm.launch.py"].split())
+
+
+IF_REAL = (' if="$(arg real)"', ' unless="$(arg real)"')
+IN_GROUPS = ['<group if="$(arg real)">{}</group>', '<group unless="$(arg real)">{}</group>']
+
+
+@pytest.mark.parametrize("publisher", ["", PUBLISHER])
+@pytest.mark.parametrize(
+    "params",
+    [
+        [param("one", IF_REAL[0]), param("two", IF_REAL[1])],
+        [IN_GROUPS[0].format(param("one")), IN_GROUPS[1].format(param("two"))],
+    ],
+)
+def test_each_condition_has_its_own_description(folder: Folder, params: list[str], publisher: str) -> None:
+    text = launched(folder, *params, publisher)
+    assert text.count('executable="robot_state_publisher"') == 2
+    first, _, second = text.partition("IfCondition(")
+    assert "/urdf/one.xacro" in first
+    assert "/urdf/two.xacro" not in first
+    assert "/urdf/two.xacro" in second.partition("UnlessCondition(")[0]
+
+
+def test_the_last_description_replaces_those_before_it(folder: Folder) -> None:
+    text = launched(folder, param("one"), param("two"), SPAWN.format("robot_description"))
+    assert text.count('executable="robot_state_publisher"') == 1
+    assert "/urdf/two.xacro" in text
+    assert "/urdf/one.xacro" not in text
+
+
+def test_a_description_that_is_replaced_under_a_condition_is_published_otherwise(folder: Folder) -> None:
+    text = launched(folder, param("one"), param("two", IF_REAL[0]))
+    before, _, after = text.partition('UnlessCondition(LaunchConfiguration("real"))')
+    assert "/urdf/one.xacro" in before
+    assert "/urdf/two.xacro" in after
+    assert 'IfCondition(LaunchConfiguration("real"))' in after
+
+
+def test_a_publisher_under_a_condition_has_the_description_of_that_condition(folder: Folder) -> None:
+    groups = [IN_GROUPS[0].format(param("one") + PUBLISHER), IN_GROUPS[1].format(param("two"))]
+    text = launched(folder, *groups)
+    assert text.count('executable="robot_state_publisher"') == 1
+    assert "/urdf/one.xacro" in text
+    assert "/urdf/two.xacro" not in text
+
+
+def test_a_text_that_no_publisher_and_no_simulator_reads_is_no_description(folder: Folder) -> None:
+    lines = [param("one"), param("two", name="box_description"), SPAWN.format("robot_description")]
+    text = launched(folder, *lines)
+    assert text.count('executable="robot_state_publisher"') == 1
+    assert "give 'box_description' to the node that reads it" in text
+
+
+def test_a_description_of_another_name_that_the_simulator_reads_is_published(folder: Folder) -> None:
+    text = launched(folder, param("one"), param("two", name="box_description"), SPAWN.format("box_description"))
+    assert text.count('executable="robot_state_publisher"') == 2
+
+
+MANY = """\
+<launch>
+  <arg name="pose" default="-x 0 -y 1"/><arg name="x" default="2"/><arg name="more" default=""/>
+  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/one.xacro"/>
+  <node pkg="gazebo_ros" type="spawn_model" name="s" args="-urdf -model arm -param robot_description {words}"/>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(("words", "shell"), [("$(arg pose)", True), ("-x $(arg x)", False), ("$(arg more)", True)])
+def test_a_command_line_with_several_words_in_an_argument_is_split_by_a_shell(
+    folder: Folder, words: str, shell: bool
+) -> None:
+    files = {"launch/arm.launch": MANY.format(words=words), "urdf/one.xacro": arm(transmission("EffortJointInterface"))}
+    after = migrated(folder, files, "--simulator", "gz")["launch/arm.launch.py"]
+    assert ("shell=True" in after) is shell
+
+
+WORLD = """\
+<launch>
+  <arg name="paused" default="true"/>
+  <include file="$(find gazebo_ros)/launch/empty_world.launch"><arg name="paused" value="$(arg paused)"/>
+    <env name="GAZEBO_MODEL_PATH" value="$(find arm)/models"/></include>
+  {include}
+</launch>
+"""
+SPAWNER = '<launch><node name="c" pkg="controller_manager" type="spawner" args="ctl"/></launch>'
+
+
+@pytest.mark.parametrize(
+    ("include", "paused"), [('<include file="$(find arm)/launch/control.launch"/>', "false"), ("", "true")]
+)
+def test_a_simulation_whose_controllers_are_started_by_another_file_is_not_paused(
+    folder: Folder, include: str, paused: str
+) -> None:
+    files = {"launch/world.launch": WORLD.format(include=include), "launch/control.launch": SPAWNER}
+    text = migrated(folder, files, "--simulator", "gz")["launch/world.launch.py"]
+    assert f'DeclareLaunchArgument("paused", default_value="{paused}")' in text
+    variable = text.index('SetEnvironmentVariable("GZ_SIM_RESOURCE_PATH", [FindPackageShare("arm"), "/models"])')
+    assert text.index("GroupAction(") < variable < text.index("IncludeLaunchDescription(\n")
+
+
+def test_what_a_parameter_of_the_simulator_ran_is_named(folder: Folder) -> None:
+    node = '<node pkg="gazebo_ros" type="spawn_model" name="s" args="-urdf -model a -file /tmp/a.urdf">{}</node>'
+    made = '<param name="made" command="rosrun xacro xacro -o /tmp/a.urdf $(find arm)/urdf/one.xacro"/>'
+    after = migrated(folder, {"launch/arm.launch": f"<launch>{node.format(made)}</launch>"}, "--simulator", "gz")
+    assert (
+        "-o /tmp/a.urdf $(find arm)/urdf/one.xacro' was run for parameter 'made': run it before"
+        in after["MIGRATION.md"]
+    )
+
+
+def test_descriptions_of_files_that_are_started_together_are_named(folder: Folder) -> None:
+    robot = arm(transmission("EffortJointInterface"))
+    include = '<include file="$(find arm)/launch/upload.launch"/>'
+    files = {
+        "launch/upload.launch": f"<launch>{param('one')}</launch>",
+        "launch/both.launch": f"<launch>{include}{param('two')}{PUBLISHER}</launch>",
+        "launch/one.launch": f"<launch>{include}</launch>",
+        "urdf/one.xacro": robot,
+        "urdf/two.xacro": robot,
+    }
+    after = migrated(folder, files, "--simulator", "gz")
+    assert "has a robot_state_publisher now: keep one" in after["launch/both.launch.py"]
+    assert "has a robot_state_publisher now: keep one" not in after["launch/one.launch.py"]
