@@ -118,7 +118,7 @@ def generate(command: str, *words: Path, args: Mapping[str, str] | None = None, 
 def migrate(*paths: Path, to: str, **options: Any) -> Migration:
     """Return what `urdfctl migrate` would change: `changes`, files with their bytes before and after, and `lines`, the
     report. Nothing is written."""
-    from urdfctl.commands.migrate import migration_of, settings_in
+    from urdfctl.commands.migrate import migration_of, settings_in, with_own_names
     from urdfctl.migrate import engine
     from urdfctl.migrate.steps import STEPS
     from urdfctl.migrate.trial.linting import Lint
@@ -129,7 +129,9 @@ def migrate(*paths: Path, to: str, **options: Any) -> Migration:
         closing(Scratch(given.paths or [os.curdir])) as scratch,
     ):
         lint = Lint(scratch, lambda results, _number: results)
-        return engine.migrate(scratch, migration_of(given), settings_in(scratch, given), lint, STEPS)
+        return engine.migrate(
+            scratch, with_own_names(migration_of(given), scratch, given), settings_in(scratch, given), lint, STEPS
+        )
 
 
 def explain(*what: str, **options: Any) -> str:

@@ -16,6 +16,7 @@ from urdfctl.commands.progress import with_progress
 from urdfctl.commands.words import configured, settings_from
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
+from urdfctl.migrate.commits import check_repositories, commit_steps
 from urdfctl.migrate.engine import MENDING, Migration, migrate
 from urdfctl.migrate.options import MigrationOptions, Part
 from urdfctl.migrate.proof import commands_for
@@ -77,6 +78,9 @@ class MigrateOptions(ReadingOptions, AnswerOptions):
     hardware: str | None = option(CONTROLLERS, "Plugin of the real hardware: PACKAGE/CLASS.", metavar="PLUGIN")
     diff: bool = option(OUTPUT, "Show the changes as a diff, the default. Exit with status 1 if there are any.")
     in_place: bool = option(OUTPUT, "Change the files.")
+    commits: bool = option(
+        OUTPUT, "Change the files, with one commit for each step. Nothing may be uncommitted before."
+    )
     force: bool = option(OUTPUT, "Change files with uncommitted changes, and write to a folder that is not empty.")
     output: str | None = option(
         OUTPUT,
@@ -127,8 +131,8 @@ def _migrate(options: MigrateOptions, answer: CommandAnswer) -> int:
         return 0
     gc.set_threshold(_OBJECTS)
     paths = options.paths or [os.curdir]
-    if sum([options.diff, options.in_place, options.output is not None]) > 1:
-        raise UserError("--diff, --in-place and -o exclude each other")
+    if sum([options.diff, options.in_place, options.commits, options.output is not None]) > 1:
+        raise UserError("--diff, --in-place, --commits and -o exclude each other")
     answer.messages(restore_unfinished())
     with closing(Scratch(paths)) as scratch:
         _check_destination(options, [scratch.real(folder) for folder in scratch.folders])
@@ -138,6 +142,7 @@ def _migrate(options: MigrateOptions, answer: CommandAnswer) -> int:
             raise UserError(
                 f"no package in {where}: migrate needs a package.xml, which says what ROS builds and installs"
             )
+        migration = with_own_names(migration, scratch, options)
         result = migrate(scratch, migration, settings_in(scratch, options), Lint(scratch, with_progress), STEPS)
         return _finish(result, scratch, options, migration, answer)
 
@@ -149,6 +154,12 @@ def settings_in(scratch: Scratch, options: MigrateOptions) -> Settings:
     return settings._replace(
         distro=None, simulator=None, workspace=scratch.root, package_paths=(*settings.package_paths, *scratch.others)
     )
+
+
+def with_own_names(migration: MigrationOptions, scratch: Scratch, options: MigrateOptions) -> MigrationOptions:
+    """Return a migration that also knows the names of the project's own, and their successors."""
+    config = configured([scratch.real(folder) for folder in scratch.folders], options)
+    return migration._replace(successors=dict(config.successors))
 
 
 def migration_of(options: MigrateOptions) -> MigrationOptions:
@@ -212,6 +223,8 @@ def _steps(option_name: str, texts: Sequence[str]) -> frozenset[str]:
 def _check_destination(options: MigrateOptions, folders: Sequence[str]) -> None:
     """Raise UserError if files would be lost, or written outside of the workspace."""
     check_output(options.output, options.report)
+    if options.commits:
+        check_repositories(folders)
     if options.force:
         return
     if options.output is not None and os.path.isdir(options.output) and os.listdir(options.output):
@@ -232,10 +245,12 @@ def _finish(
     result: Migration, scratch: Scratch, options: MigrateOptions, migration: MigrationOptions, answer: CommandAnswer
 ) -> int:
     """Write the result where the user wants it, and return the exit status."""
-    is_written = options.in_place or options.output is not None
+    is_written = _is_written(options)
     made = _reported(result, scratch, options, migration)
     if options.output is not None:
         problems = write_copy(scratch, made.base, options.output, made.report)
+    elif options.commits:
+        problems = commit_steps(result, STEPS, migration.target, made.report)
     elif options.in_place:
         problems = write_changes(result.changes, made.report)
     else:
@@ -259,10 +274,14 @@ def _finish(
     return int(is_failed or (bool(result.changes) and not is_written))
 
 
+def _is_written(options: MigrateOptions) -> bool:
+    return options.in_place or options.commits or options.output is not None
+
+
 def _reported(result: Migration, scratch: Scratch, options: MigrateOptions, migration: MigrationOptions) -> _Written:
     """The report of a migration, if there is one to write. UserError if it cannot be written there."""
     base = os.path.commonpath([scratch.real(folder) for folder in scratch.folders])
-    is_written = options.in_place or options.output is not None
+    is_written = _is_written(options)
     path = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
     check_output(path)
     proof = commands_for(scratch, result.changes, migration.target, base)

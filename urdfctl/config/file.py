@@ -36,6 +36,7 @@ class Config(NamedTuple):
     additions: the project's own controllers and hardware.
     per_file_ignores: pairs of a pattern like those of `exclude`, and codes that are not reported there.
     baseline: the file of known findings, relative to the current folder.
+    successors: pairs of a name of the project's own and the one that a migration writes instead.
     """
 
     file: str | None = None
@@ -54,6 +55,7 @@ class Config(NamedTuple):
     per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
     robots: tuple[ConfiguredRobot, ...] = ()
     baseline: str | None = None
+    successors: tuple[tuple[str, str], ...] = ()
 
     def excludes(self, path: str) -> bool:
         """Return whether a file in a folder is skipped."""
@@ -186,6 +188,7 @@ def _config(table: Mapping[str, Any], file: str) -> Config:
         per_file_ignores=tuple((pattern, _codes(ignores, pattern)) for pattern in ignores),
         robots=robots_of(table, file),
         baseline=_baseline(folder, table["baseline"], file) if "baseline" in table else None,
+        successors=tuple(table.get("migrate", {}).get("names", {}).items()),
     )
 
 

@@ -21,7 +21,7 @@ from urdfctl.migrate.todo import without_punctuation
 from urdfctl.migrate.trial.acceptance import Before, Objection, before
 from urdfctl.migrate.trial.attempt import Attempt, Key, Noted
 from urdfctl.migrate.trial.memory import Memory
-from urdfctl.migrate.trial.scratch import Scratch
+from urdfctl.migrate.trial.scratch import Scratch, WrittenFile
 from urdfctl.migrate.trial.trials import Trials
 from urdfctl.output.change import Change, bytes_of
 from urdfctl.source.disk.gate import is_file
@@ -43,10 +43,12 @@ class Migration(NamedTuple):
 
     changes: the files to change, create or delete.
     lines: the report.
+    steps: the same changes by the steps that make them, in order.
     """
 
     changes: tuple[Change, ...]
     lines: tuple[ReportLine, ...]
+    steps: tuple[tuple[str, tuple[Change, ...]], ...] = ()
 
 
 def migrate(
@@ -67,6 +69,7 @@ def migrate(
     noted: Sequence[Noted] = ()
     left_out: dict[Key, str] = {}
     robots: Sequence[LoadedTarget] = ()
+    states: list[tuple[str, Mapping[str, WrittenFile]]] = []
     for _ in range(MOST_PASSES):
         target = lint(settings._replace(distro=options.target))
         packages = MigratedPackages(
@@ -80,6 +83,7 @@ def migrate(
             wanted += [step for step in mending if options.takes(step.name, step.part)]
         trials = Trials(packages, wanted, state, lint=lint, settings=settings, earlier=noted)
         attempt, found = trials.best()
+        states += trials.states()
         noted = attempt.noted
         left_out = {**{key: why for key, why in left_out.items() if key not in attempt.touched}, **attempt.barred}
         if not attempt.barred or not attempt.touched:
@@ -90,8 +94,19 @@ def migrate(
     if changes or left_out:
         lines += [*_not_done(scratch, left_out, found), *_left(scratch, first, attempt, found)]
     from_ros1 = options.source in ROS1 or any(result.ros == 1 for _, result in first)
-    lines += inventory(scratch, options.target, changes, from_ros1=from_ros1)
-    return Migration(changes, tuple(lines))
+    lines += inventory(scratch, options, changes, from_ros1=from_ros1)
+    return Migration(changes, tuple(lines), tuple(_by_step(scratch, states)))
+
+
+def _by_step(
+    scratch: Scratch, states: Sequence[tuple[str, Mapping[str, WrittenFile]]]
+) -> Iterator[tuple[str, tuple[Change, ...]]]:
+    """Yield the steps that changed anything, each with its changes."""
+    last: Mapping[str, WrittenFile] = {}
+    for name, state in states:
+        if changes := scratch.changes_between(last, state):
+            yield name, changes
+        last = state
 
 
 def _done(scratch: Scratch, noted: Iterable[Noted]) -> Iterator[ReportLine]:

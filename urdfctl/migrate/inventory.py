@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.catalog.distros import ROS2, since
+from urdfctl.migrate.distro.names import OWN
+from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.step import EntryKind
 from urdfctl.migrate.trial.scratch import Scratch
@@ -16,6 +18,7 @@ from urdfctl.startup.records import NamedTuple
 
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".hh")
 _MOST_BYTES = 1 << 20
+_BUILD_FILE = "CMakeLists.txt"
 
 
 class _Code(NamedTuple):
@@ -148,21 +151,29 @@ _STAMPED_IN_HUMBLE = _STAMPED._replace(
 )
 
 
-def inventory(scratch: Scratch, target: str, changed: Iterable[Change], *, from_ros1: bool) -> Iterator[ReportLine]:
+def inventory(
+    scratch: Scratch, options: MigrationOptions, changed: Iterable[Change], *, from_ros1: bool
+) -> Iterator[ReportLine]:
     """Yield what is left to a person: code that the target does not have, and topics that changed with the controllers.
 
     changed: what the migration changed. from_ros1: whether the packages were for ROS 1.
     """
-    yield from _code(scratch, target)
+    target = options.target
+    own = [
+        _Code(rf"(?<![\w/]){re.escape(old)}(?![\w/])", f"names '{old}', which is '{new}' now: change it here", OWN)
+        for old, new in options.successors.items()
+    ]
+    yield from _code(scratch, target, own)
     for change in changed if from_ros1 else ():
         if change.after is not None and change.file.endswith((".yaml", ".yml")):
             yield from _topics(change, target)
 
 
-def _code(scratch: Scratch, target: str) -> Iterator[ReportLine]:
+def _code(scratch: Scratch, target: str, own: Sequence[_Code]) -> Iterator[ReportLine]:
     for path in scratch.files():
         ending = os.path.splitext(path)[1]
         kinds = [code for code in _LOST if ending in code.endings and target in code.distros]
+        kinds += own if ending in _CODE or os.path.basename(path) == _BUILD_FILE else []
         data = _read(path) if kinds else b""
         if not data or (not ending and not data.startswith(b"#!")):
             continue

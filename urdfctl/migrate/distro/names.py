@@ -17,6 +17,7 @@ from urdfctl.source.disk.files import is_launch
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.workspaces.packages import package_name
 
+OWN = "urdfctl.toml: migrate.names"
 _READ = (*XML, *HOOKS, ".yaml", ".yml", ".py")
 
 
@@ -34,6 +35,8 @@ def part_of(path: str) -> Part | None:
 
 def _names_in(part: Part, packages: MigratedPackages) -> Iterator[Proposal]:
     moves = [move for move in name_moves() if part.value in move.parts and packages.reaches(move.since)]
+    if packages.options.successors:
+        moves.append(MovedNames(packages.options.target, OWN, (part.value,), packages.options.successors))
     if not moves:
         return
     own = {package_name(path) for path in packages.files("package.xml")}

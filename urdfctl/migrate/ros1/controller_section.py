@@ -9,6 +9,7 @@ from urdfctl.catalog.catalog import Catalog, catalog_with
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.entries import ControllerType, ParameterEntry
 from urdfctl.catalog.map_parameters import matching
+from urdfctl.migrate.distro.names import OWN
 from urdfctl.migrate.edits.yaml_edits import MapEdits, Path, leaves
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import MapItem
@@ -68,18 +69,23 @@ def section_of(packages: MigratedPackages, item: MapItem, source: SourceText) ->
     if not isinstance(item.entry.value, Map):
         return None
     if kind is None:
-        return _unported(item, item.entry.value, source) if not catalog.distros_of(item.type) else None
+        own = packages.options.successors.get(item.type, "")
+        return _unported(item, item.entry.value, source, own) if not catalog.distros_of(item.type) else None
     writer = _SectionWriter(item, kind, source, catalog)
     extra = dict(replacement.parameters) if replacement else {}
     return writer.section(extra, packages)
 
 
-def _unported(item: MapItem, parameters: Map, source: SourceText) -> ControllerSection:
-    """A controller of a type that its owner must port, as it is."""
+def _unported(item: MapItem, parameters: Map, source: SourceText, own: str) -> ControllerSection:
+    """A controller of a type that its owner must port, as it is; of its successor if the owner names that."""
     todo = f"port the controller type '{item.type}' of '{item.name}' to ROS 2"
     lines = (line for line in _block(parameters, source, MapEdits(source)) if not line.startswith("type:"))
     entry = ReportEntry(EntryKind.FOR_YOU, todo, item.entry.key.at)
-    return ControllerSection(item.type, "".join(f"{line}\n" for line in lines), None, (entry,), todo)
+    if own:
+        what = f"controller '{item.name}' of type '{item.type}' became '{own}'"
+        entry = ReportEntry(EntryKind.DONE, what, item.entry.key.at, authority=OWN)
+        todo = ""
+    return ControllerSection(own or item.type, "".join(f"{line}\n" for line in lines), None, (entry,), todo)
 
 
 class _SectionWriter:

@@ -11,7 +11,6 @@ from urdfctl.errors import UserError
 from urdfctl.output.change import Change, bytes_of
 from urdfctl.output.scratch import scratch_folder
 from urdfctl.source.disk.files import folders_upwards
-from urdfctl.source.disk.folders import delete_folder
 from urdfctl.source.disk.gate import is_file, walk
 from urdfctl.source.disk.gitignore import GitIgnore
 from urdfctl.source.workspaces.packages import package_around, package_folders, package_name
@@ -67,7 +66,6 @@ class Scratch:
 
     def close(self) -> None:
         """Delete the copy."""
-        delete_folder(self.root)  # which may be nested more deeply than cleanup can go
         self._temporary.cleanup()
 
     def of(self, real: str) -> str:
@@ -136,6 +134,18 @@ class Scratch:
         """Return what was written, with real paths; `before` is None for a new file, `after` for a deleted one."""
         found = ((path, before, bytes_of(path)) for path, before in self._originals.items())
         return tuple(sorted(Change(self.real(path), old, new) for path, old, new in found if old != new))
+
+    def changes_between(
+        self, before: Mapping[str, WrittenFile], after: Mapping[str, WrittenFile]
+    ) -> tuple[Change, ...]:
+        """Return what differs between two states, with real paths."""
+
+        def content(state: Mapping[str, WrittenFile], path: str) -> bytes | None:
+            return state[path].after if path in state else self._originals.get(path)
+
+        paths = sorted(path for path in {**before, **after} if before.get(path) != after.get(path))
+        found = ((self.real(path), content(before, path), content(after, path)) for path in paths)
+        return tuple(Change(*one) for one in found if one[1] != one[2])
 
     def files(self, *, with_links: bool = False) -> Iterator[str]:
         """Yield the files in the folders to migrate, in order, except those that git ignores.

@@ -66,6 +66,11 @@ class Trials:
             attempt, found = self._attempt(barred)
         return self._without_all(searches, attempt)
 
+    def states(self) -> Iterator[tuple[str, Mapping[str, WrittenFile]]]:
+        """Yield the steps of the last attempt in order, each with what differs from the user's files after it."""
+        for step, stage in zip(self.steps, self._stages[1:], strict=False):
+            yield step.name, stage.written
+
     def _without_all(self, searches: Mapping[Kind, _Suspects], attempt: Attempt) -> tuple[Attempt, list[Objection]]:
         """The attempt without all that may be responsible, or without anything if that does not help."""
         everyone = {key: suspects.why for suspects in searches.values() for key in suspects.all}
@@ -110,10 +115,15 @@ class Trials:
     def _candidates(self, attempt: Attempt, objection: Objection) -> list[Key]:
         """The steps that may be responsible for an objection: first those that changed its file, the last one first.
 
-        What lint finds is no reason to leave out a step without which the target cannot read the file.
+        What lint finds is no reason to leave out a step without which the target cannot read the file, and a warning
+        about a file that such a step wrote is none to leave out what others change elsewhere.
         """
         own, files = os.path.realpath(objection.file), {os.path.realpath(file) for file in objection.files}
         needed = {step.name for step in self.steps if step.is_needed and objection.finding is not None}
+        written = self.packages.scratch.written.get(own)
+        is_new = written is not None and written.is_new
+        if objection.is_warning and is_new and any((name, own) in attempt.touched for name in needed):
+            return []
         touched = [key for key in reversed(attempt.touched) if key[0] not in needed]
         direct = [key for key in touched if key[1] == own]
         return direct + [key for key in touched if key[1] in files and key not in direct]
