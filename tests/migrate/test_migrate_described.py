@@ -77,6 +77,8 @@ def test_a_text_that_no_publisher_and_no_simulator_reads_is_no_description(folde
 def test_a_description_of_another_name_that_the_simulator_reads_is_published(folder: Folder) -> None:
     text = launched(folder, param("one"), param("two", name="box_description"), SPAWN.format("box_description"))
     assert text.count('executable="robot_state_publisher"') == 2
+    assert 'remappings=[("robot_description", "box_description")]' in text
+    assert '"-topic", "box_description"' in text
 
 
 MANY = """\
@@ -144,3 +146,53 @@ def test_descriptions_of_files_that_are_started_together_are_named(folder: Folde
     after = migrated(folder, files, "--simulator", "gz")
     assert "has a robot_state_publisher now: keep one" in after["launch/both.launch.py"]
     assert "has a robot_state_publisher now: keep one" not in after["launch/one.launch.py"]
+
+
+JOINTS = """\
+<launch>
+  <arg name="paused" default="false"/>
+  <arg name="joints" default="-J knee 0.5 -J hip 1"/>
+  <arg name="unpause" value="$(eval '' if arg('paused') else '-unpause')"/>
+  <param name="robot_description"
+    command="xacro $(find arm)/urdf/one.xacro xyz:='$(arg paused) 1 2' who:='a b' $(arg joints)"/>
+  <node pkg="gazebo_ros" type="spawn_model" name="s"
+    args="-urdf -model arm -param robot_description $(arg unpause) $(arg joints)"/>
+</launch>
+"""
+
+
+def test_options_in_arguments_that_the_spawner_of_gz_refuses_are_left_out(folder: Folder) -> None:
+    files = {"launch/arm.launch": JOINTS, "urdf/one.xacro": arm(transmission("EffortJointInterface"))}
+    text = " ".join(migrated(folder, files, "--simulator", "gz")["launch/arm.launch.py"].split())
+    assert 'arguments=["-name", "arm", "-topic", "robot_description"]' in text
+    assert "'$(arg joints)' gave the spawner -J, which 'create' does not have" in text
+    assert """ xyz:='", LaunchConfiguration("paused"), " 1 2' who:='a b' ", LaunchConfiguration("joints")]""" in text
+
+
+def test_a_description_that_an_included_file_publishes_is_not_published_again(folder: Folder) -> None:
+    include = '<include file="$(find arm)/launch/upload.launch"/>'
+    files = {
+        "launch/upload.launch": f"<launch>{param('one')}</launch>",
+        "launch/both.launch": f"<launch>{include}{param('one')}{SPAWN.format('robot_description')}</launch>",
+        "urdf/one.xacro": arm(transmission("EffortJointInterface")),
+    }
+    after = migrated(folder, files, "--simulator", "gz")
+    assert 'package="robot_state_publisher"' in after["launch/upload.launch.py"]
+    assert 'package="robot_state_publisher"' not in after["launch/both.launch.py"]
+    assert "keep one" not in after["launch/both.launch.py"]
+
+
+def test_words_between_quotes_are_one_word_of_a_command_line(folder: Folder) -> None:
+    node = """<node pkg="arm" type="a" name="a" args="--name 'two words' &quot;$(find arm)/a b&quot;"/>"""
+    launch = {"launch/arm.launch": f"<launch>{node}</launch>"}
+    text = " ".join(migrated(folder, launch)["launch/arm.launch.py"].split())
+    assert 'arguments=["--name", "two words", [FindPackageShare("arm"), "/a b"]]' in text
+    in_xml = migrated(folder, launch, "--launch", "xml")["launch/arm.launch.xml"]
+    assert """args="--name 'two words' '$(find-pkg-share arm)/a b'\"""" in in_xml
+
+
+def test_tests_of_rostest_and_programs_without_an_ending_are_listed(folder: Folder) -> None:
+    files = {"test/arm.test": "<launch/>", "nodes/mover": "\n#!/usr/bin/env python\nimport rospy\n"}
+    report = migrated(folder, files)["MIGRATION.md"]
+    assert "`test/arm.test:1`: is a test of rostest" in report
+    assert "`nodes/mover:3`: is a node of rospy" in report

@@ -99,6 +99,12 @@ _LOST = (
         endings=(".yaml", ".yml"),
     ),
     _Code(
+        r"<launch\b",
+        "is a test of rostest, which was not migrated: write it with launch_testing",
+        "docs.ros.org, launch_testing: tests that start processes",
+        endings=(".test",),
+    ),
+    _Code(
         r"(?m)^\s*Class: rviz/",
         "is a configuration of RViz 1, which was not migrated: save it anew in RViz 2",
         "docs.ros.org, rviz: the names of its classes differ",
@@ -175,7 +181,7 @@ def _code(scratch: Scratch, target: str, own: Sequence[_Code]) -> Iterator[Repor
         kinds = [code for code in _LOST if ending in code.endings and target in code.distros]
         kinds += own if ending in _CODE or os.path.basename(path) == _BUILD_FILE else []
         data = _read(path) if kinds else b""
-        if not data or (not ending and not data.startswith(b"#!")):
+        if not data or (not ending and not data.lstrip().startswith(b"#!")):
             continue
         text = data.decode("utf-8", "replace")
         for code in kinds:

@@ -118,19 +118,39 @@ def joined(*texts: Text) -> Text:
     return tuple(parts)
 
 
+_PIECES = re.compile(r"\s+|[^\s'\"]+|['\"]")
+
+
 def words_of(text: Text) -> tuple[Text, ...]:
-    """Return the words of a command line; a substitution never contains a blank."""
+    """Return the words of a command line, with their quotes; a substitution never contains a blank.
+
+    A blank between quotes does not end a word. Quotes without their partner are taken as they are.
+    """
+    is_paired = all(plain(text).count(quote) % 2 == 0 for quote in "'\"")
     words: list[list[PartOfText]] = [[]]
+    open_quote = ""
     for part in text:
         if part.kind != "text":
             words[-1].append(part)
             continue
-        for index, piece in enumerate(re.split(r"\s+", part.text)):
-            if index:
+        for piece in _PIECES.findall(part.text):
+            if piece.isspace() and not open_quote:
                 words.append([])
-            if piece:
+                continue
+            if is_paired and piece in ("'", '"') and open_quote in ("", piece):
+                open_quote = "" if open_quote else piece
+            last = words[-1][-1] if words[-1] else None
+            if last is not None and last.kind == "text":
+                words[-1][-1] = PartOfText("text", last.text + piece)
+            else:
                 words[-1].append(PartOfText("text", piece))
     return tuple(tuple(word) for word in words if word)
+
+
+def without_quotes(word: Text) -> Text:
+    """Return a word of a command line without the quotes in it."""
+    found = [part._replace(text=re.sub("['\"]", "", part.text)) if part.kind == "text" else part for part in word]
+    return tuple(part for part in found if part.text or part.kind != "text")
 
 
 def all_actions(actions: tuple[Action, ...]) -> Iterator[Action]:

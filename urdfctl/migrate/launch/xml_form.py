@@ -68,7 +68,7 @@ def _attributes(node: Action) -> Iterator[tuple[str, str]]:
     if node.value:
         yield "namespace", _text(node.value)
     if node.words:
-        yield "args", " ".join(_text(word) for word in node.words)
+        yield "args", " ".join(map(_word, node.words))
     yield from _flags(node)
 
 
@@ -94,6 +94,12 @@ def _children(node: Action) -> Iterator[str]:
         yield f'<env name="{name}" value="{_text(value)}"/>'
     for old, new in node.remaps:
         yield f'<remap from="{_text(old)}" to="{_text(new)}"/>'
+
+
+def _word(word: Text) -> str:
+    """A word of a command line, in quotes if it has blanks."""
+    has_blank = any(part.kind == "text" and " " in part.text for part in word)
+    return f"'{_text(word)}'" if has_blank else _text(word)
 
 
 def _text(text: Text) -> str:

@@ -5,7 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.migrate.launch.actions import PartOfText, Text, is_literal, joined, literal, parsed, plain, words_of
+from urdfctl.migrate.launch.actions import (
+    PartOfText,
+    Text,
+    is_literal,
+    joined,
+    literal,
+    parsed,
+    plain,
+    without_quotes,
+    words_of,
+)
 from urdfctl.source.xml.dom import Element
 
 _XACRO = re.compile(r"(^|/)xacro(\.py)?$")
@@ -24,13 +34,13 @@ def description_command(element: Element) -> Text:
 
 def _is_own_program(text: str) -> bool:
     """Whether a command prints a description by a program that is neither xacro nor cat."""
-    words = [plain(_without_quotes(word)) for word in words_of(parsed(text))]
+    words = [plain(without_quotes(word)) for word in words_of(parsed(text))]
     return bool(words and words[0]) and not any(map(_XACRO.search, words)) and not re.search(r"(^|/)cat$", words[0])
 
 
 def _wrapper_in(text: str) -> str:
     """The program that runs xacro in a command, and changes its output; empty if xacro runs alone."""
-    words = [plain(_without_quotes(word)) for word in words_of(parsed(text))]
+    words = [plain(without_quotes(word)) for word in words_of(parsed(text))]
     first = next((index for index, word in enumerate(words) if _XACRO.search(word)), 0)
     return next((word.rpartition("/")[2] for word in words[:first] if word not in _STARTERS), "")
 
@@ -49,7 +59,7 @@ def command_in(text: str) -> Text:
 
 
 def _command(text: str) -> Text:
-    words = [_without_quotes(word) for word in words_of(parsed(text))]
+    words = [without_quotes(word) for word in words_of(parsed(text))]
     if len(words) == 1 and len(words[0]) == 1 and words[0][0].kind == "arg":
         return words[0]  # the argument holds the whole command
     if _is_own_program(text):
@@ -65,16 +75,11 @@ def _command(text: str) -> Text:
     return joined(tuple(shown))
 
 
-def _without_quotes(word: Text) -> Text:
-    found = [part._replace(text=re.sub("['\"]", "", part.text)) if part.kind == "text" else part for part in word]
-    return tuple(part for part in found if part.text)
-
-
 def _quoted(word: Text) -> Iterator[PartOfText]:
-    """A word of a command; the value of an argument in quotes, because it may be empty."""
-    head = word[0].text if word and word[0].kind == "text" else ""
-    if ":=" in head and len(word) > 1:
-        yield PartOfText("text", f"{head}'")
+    """A word of a command; the value of an argument in quotes, because it may be empty or have blanks."""
+    name, mark, rest = (word[0].text if word and word[0].kind == "text" else "").partition(":=")
+    if mark and (len(word) > 1 or " " in rest):
+        yield PartOfText("text", f"{name}:='{rest}")
         yield from word[1:]
         yield PartOfText("text", "'")
     else:

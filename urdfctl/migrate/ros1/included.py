@@ -10,7 +10,7 @@ import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.migrate.edits.markup import elements, root_of
+from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.launch.actions import Action, Text, parsed
 from urdfctl.migrate.launch.expressions import Used, parts_of
 from urdfctl.migrate.packages import MigratedPackages
@@ -75,16 +75,22 @@ def included_file(packages: MigratedPackages, written: str, folder: str, depth: 
     return IncludedFile(arguments, frozenset(sets), starts, spawns, describes)
 
 
-def descriptions_in(packages: MigratedPackages, root: Element, folder: str, depth: int = 0) -> frozenset[str]:
+def descriptions_in(
+    packages: MigratedPackages, root: Element, folder: str, depth: int = 0, *, own: bool = True
+) -> frozenset[str]:
     """Return the commands and files of the descriptions that a launch file sets in its own namespace, whatever its
-    arguments are, itself or by files that it includes."""
+    arguments are, itself or by files that it includes.
+
+    own: whether those that it sets itself count.
+    """
     found: set[str] = set()
     names = packages.found(description_names)
     for element in elements(root):
         if any({"if", "unless", "ns"} & one.attrs.keys() for one in (element, *around(element))):
             continue
-        if is_description(element, names) and not is_overridden(element, names):
-            found.add(" ".join((element.attrs.get("command") or element.attrs["textfile"]).split()))
+        is_main = attribute(element, "name").rpartition("/")[2] == "robot_description" or len(names) == 1
+        if is_main and is_description(element, names) and not is_overridden(element, names):
+            found |= {said_by(element)} if own else set()
         elif element.tagName == "include":
             written = element.attrs.get("file", "")
             given = {one.attrs.get("name"): one.attrs.get("value") for one in element.elements()}
@@ -92,6 +98,11 @@ def descriptions_in(packages: MigratedPackages, root: Element, folder: str, dept
                 found.add(written)
             found |= included_file(packages, written, folder, depth + 1).describes
     return frozenset(found)
+
+
+def said_by(description: Element) -> str:
+    """Return the command or the file of a description."""
+    return " ".join((description.attrs.get("command") or description.attrs["textfile"]).split())
 
 
 def _is_of_file(argument: Element) -> bool:

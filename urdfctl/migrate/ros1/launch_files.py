@@ -16,10 +16,10 @@ from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.described import description_names, idle_publisher, spaces_of_description
 from urdfctl.migrate.ros1.included import IncludedFile, descriptions_in, included_file
+from urdfctl.migrate.ros1.launch_target import LaunchTarget
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
-from urdfctl.migrate.ros1.roslaunch_nodes import LaunchTarget
 from urdfctl.migrate.ros1.spawned_names import spawned_names
 from urdfctl.migrate.shared.controller_files import installed_path, sections, type_names
 from urdfctl.migrate.shared.hardware import simulated_by, started_by_launch_files
@@ -54,7 +54,9 @@ def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:
         yield Proposal(edits)
     for path, root in wanted:
         target = _target(packages)._replace(left=frozenset(left), own_package=_package(path))
-        yield from _migrated(packages, path, root, target._replace(included=_included_by(packages, path)))
+        published = descriptions_in(packages, root, os.path.dirname(path), own=False)
+        target = target._replace(included=_included_by(packages, path), published=published)
+        yield from _migrated(packages, path, root, target)
 
 
 def _included_by(packages: MigratedPackages, path: str) -> Callable[[str], IncludedFile]:

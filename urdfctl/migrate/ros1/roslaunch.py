@@ -16,25 +16,24 @@ from urdfctl.migrate.launch.actions import (
 )
 from urdfctl.migrate.ros1.choices import LoadedFile, choices_in, chosen, without
 from urdfctl.migrate.ros1.described import is_description, names_description
-from urdfctl.migrate.ros1.description_commands import about_command, command_in, description_command
+from urdfctl.migrate.ros1.description_commands import about_command, command_in
 from urdfctl.migrate.ros1.doubles import as_double
-from urdfctl.migrate.ros1.included import IncludedFile, kept_apart, passed_on
+from urdfctl.migrate.ros1.included import IncludedFile, kept_apart, passed_on, said_by
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
+from urdfctl.migrate.ros1.launch_target import LaunchTarget
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT
 from urdfctl.migrate.ros1.pausing import DECIDED, must_run, running
 from urdfctl.migrate.ros1.roslaunch_nodes import (
     ARGUMENTS_OF_WORLD,
-    LaunchTarget,
     Notes,
+    description_publisher,
     migrated_node,
     remapping,
     simulator_actions,
-    state_publisher,
 )
 from urdfctl.migrate.ros1.roslaunch_values import (
     given_by_name,
     inline_parameters,
-    namespace_of,
     parameter_name,
     root_around,
     value_of,
@@ -312,8 +311,9 @@ class LaunchReading(Notes):
         name, names = element.attrs.get("name", ""), self.target.descriptions
         if is_description(element, names):
             self.left += about_command(element.attrs.get("command", ""))
-            if not _has_publisher(root_around(element)) and not is_overridden(element, names):
-                action = self.publisher(element)
+            is_published = said_by(element) in self.target.published or is_overridden(element, names)
+            if not is_published and not _has_publisher(root_around(element)):
+                action = description_publisher(self.target, element)
                 for text, negated in overriding(element, names):
                     condition = ActionCondition(parsed(text), not negated)
                     action = Action("group", inner=(action,), condition=condition)
@@ -327,22 +327,6 @@ class LaunchReading(Notes):
             yield Action("set_parameter", "use_sim_time", value)
         else:
             self.left.append(f"ROS 2 has no global parameters: give '{name}' to the node that reads it")
-
-    def publisher(self, element: Element) -> Action:
-        """Return the node that publishes the description which a parameter sets."""
-        description = description_command(element)
-        space = element.attrs.get("name", "").rpartition("/")[0]
-        if self.target.publisher is not None:  # it is in a launch file without the description, and dropped there
-            node = state_publisher(self.target.publisher)
-            own = namespace_of(self.target.publisher)
-            return node._replace(value=parsed(f"/{own}") if own else None, description=description)
-        return Action(
-            "node",
-            "robot_state_publisher",
-            value=parsed(space) if space else None,
-            package="robot_state_publisher",
-            description=description,
-        )
 
     def _rosparam(self, element: Element) -> Iterator[Action]:
         file = element.attrs.get("file")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
 from urdfctl.migrate.classic.starting import SPAWN, WITHOUT_SUCCESSOR
@@ -15,70 +15,19 @@ from urdfctl.migrate.launch.actions import (
     literal,
     parsed,
     plain,
+    without_quotes,
     words_of,
 )
 from urdfctl.migrate.ros1.command_nodes import COMMANDS, published
 from urdfctl.migrate.ros1.described import described_for, names_description
+from urdfctl.migrate.ros1.description_commands import description_command
 from urdfctl.migrate.ros1.doubles import as_double
-from urdfctl.migrate.ros1.included import IncludedFile
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
+from urdfctl.migrate.ros1.launch_target import LaunchTarget
 from urdfctl.migrate.ros1.node_attributes import flags_of, lost_attributes, lost_commands
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of, parameters_of, unread_parameters_of
-from urdfctl.migrate.ros1.spawned_names import SpawnedName, full_name
+from urdfctl.migrate.ros1.spawned_names import full_name
 from urdfctl.source.xml.dom import Element
-from urdfctl.startup.records import NamedTuple
-
-
-class LaunchTarget(NamedTuple):
-    """What a launch file is migrated to.
-
-    distro: that of the migrated robot.
-    simulator: what runs its controllers.
-    started: the simulator that launch files start.
-    own: the packages that are migrated.
-    renamed: other packages, which have a successor that the user names.
-    ending: the ending of migrated launch files.
-    is_controllers_file: returns whether a written file name is that of a controller file.
-    controllers_in: returns the names of the controllers in a controller file, by its written name.
-    remaps_description: whether the controller manager reads the description from ~/robot_description.
-    describes: whether robot_state_publisher may be started without a description.
-    has_manager: whether the file already starts a controller manager.
-    moveit: the packages whose launch files MoveIt makes.
-    left: the launch files that are left to a person, by package and name.
-    own_package: the package of the launch file; empty if it has none.
-    publisher: the robot_state_publisher of the launch files without a description, which is started where that is set.
-    spawned: the controllers that are spawned by a name with slashes, by their full names.
-    files_of: returns the addresses of the controller files that have a section for a node, by the node's name.
-    described_in: the namespaces in which the description is published.
-    descriptions: the names of the parameters that are descriptions.
-    included: returns what is known of an included launch file, by its written address.
-    """
-
-    distro: str
-    simulator: str
-    started: str
-    own: frozenset[str]
-    ending: str
-    is_controllers_file: Callable[[str], bool]
-    controllers_in: Callable[[str], list[str]]
-    remaps_description: bool
-    renamed: frozenset[str] = frozenset()
-    describes: bool = False
-    has_manager: bool = False
-    moveit: frozenset[str] = frozenset()
-    left: frozenset[tuple[str, str]] = frozenset()
-    own_package: str = ""
-    publisher: Element | None = None
-    spawned: Mapping[str, SpawnedName] = {}
-    files_of: Callable[[str], list[str]] = lambda _: []
-    described_in: frozenset[str] = frozenset()
-    descriptions: frozenset[str] = frozenset({"robot_description"})
-    included: Callable[[str], IncludedFile] = lambda _: IncludedFile({}, frozenset())
-
-    @property
-    def simulated(self) -> bool:
-        """Whether a simulator runs the controllers."""
-        return self.simulator in ("gz", "gazebo-classic")
 
 
 class Notes:
@@ -109,6 +58,11 @@ class Notes:
             if name in self.required or name not in self.defaults
             else len(words_of(parsed(self.defaults[name])))
         )
+
+    def options_in(self, word: Text) -> list[str]:
+        """Return the words that look like options in the default of an argument, also in its expression."""
+        is_argument = len(word) == 1 and word[0].kind == "arg"
+        return re.findall(r"(?<![\w.)-])-[A-Za-z_]\w*", self.defaults.get(word[0].text, "")) if is_argument else []
 
     def with_shell(self, action: Action) -> Action:
         """Return a node that is started by a shell if a word of its command line is several words by default, or none.
@@ -155,7 +109,7 @@ _OF_ROS1 = ("-urdf", "-sdf", "-unpause", "-wait", "-b")
 def migrated_node(reading: Notes, element: Element, description: Text, files: Sequence[Text]) -> Iterator[Action]:
     """Yield the actions for a node. What is left to a person is added to the reading."""
     package, program = element.attrs.get("pkg", ""), element.attrs.get("type", "")
-    words = words_of(parsed(element.attrs.get("args", "")))
+    words = split_words(element.attrs.get("args", ""))
     reading.left += lost_attributes(element)
     if package in ("gazebo_ros", "controller_manager"):
         reading.left += lost_commands(element)
@@ -167,12 +121,12 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
         yield from _spawner(reading, element, words, files)
     elif package == "gazebo_ros" and program == "spawn_model":
         reading.unpauses |= any(plain(word) == "-unpause" for word in words)
-        yield from [_spawned_model(reading.target, element, words)] if reading.target.started != "none" else []
+        yield from [_spawned_model(reading, element, words)] if reading.target.started != "none" else []
     elif package == "gazebo_ros":
         world = next((word for word in words if not plain(word).startswith("-") or not is_literal(word)), ())
         yield from simulator_actions(reading, {"world_name": world} if world else {})
     elif package == "robot_state_publisher":
-        yield state_publisher(element)._replace(description=description)
+        yield state_publisher(element, reading.target.apart)._replace(description=description)
     elif package == "joint_state_publisher":
         yield _joint_states(element)
     elif package == "tf2_ros" or (package == "tf" and program == "static_transform_publisher"):
@@ -231,7 +185,7 @@ def _plain(element: Element, package: str, program: str) -> Action:
         value=parsed(attrs["ns"]) if attrs.get("ns") else None,
         package=package,
         node_name=parsed(attrs.get("name", "")),
-        words=words_of(parsed(attrs.get("args", ""))),
+        words=split_words(attrs.get("args", "")),
         pairs=tuple((name, as_double(program, name, value)) for name, value in parameters_of(element)),
         files=tuple(files),
         remaps=tuple(remaps),
@@ -240,6 +194,11 @@ def _plain(element: Element, package: str, program: str) -> Action:
             (one.attrs.get("name", ""), parsed(one.attrs.get("value", ""))) for one in children if one.tagName == "env"
         ),
     )
+
+
+def split_words(args: str) -> tuple[Text, ...]:
+    """Return the words of the command line of a node, which roslaunch splits as a shell does."""
+    return tuple(map(without_quotes, words_of(parsed(args))))
 
 
 def remapping(element: Element) -> tuple[Text, Text]:
@@ -300,7 +259,8 @@ def _file_text(file: Text) -> str:
     return "".join(part.text if part.kind == "text" else f"$({part.kind} {part.text})" for part in file)
 
 
-def _spawned_model(target: LaunchTarget, element: Element, words: Sequence[Text]) -> Action:
+def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> Action:
+    target = reading.target
     shown: list[Text] = []
     rest = iter(words)
     for word in rest:
@@ -315,7 +275,15 @@ def _spawned_model(target: LaunchTarget, element: Element, words: Sequence[Text]
             values = [next(rest, ()) for _ in range(WITHOUT_SUCCESSOR[option])]
             shown += [] if option in _OF_ROS1 else [word, *values]
         elif not option:
-            shown.append(word)
+            lost = [one for one in reading.options_in(word) if one in WITHOUT_SUCCESSOR]
+            shown += [] if lost else [word]
+            reading.unpauses |= "-unpause" in lost
+            told = [one for one in lost if one not in _OF_ROS1]
+            if told:
+                text = (
+                    f"'{_file_text(word)}' gave the spawner {', '.join(dict.fromkeys(told))}, which 'create' does not"
+                )
+                reading.left.append(f"{text} have: set initial_value of the state interfaces instead of -J")
     space = element.attrs.get("ns")
     return Action(
         "node",
@@ -331,12 +299,13 @@ def _topic_of(target: LaunchTarget, node: Element, parameter: Text) -> Text:
     """The topic on which robot_state_publisher publishes the description that was a parameter, whatever its name."""
     if not is_literal(parameter):
         return parameter
-    space, slash, _ = plain(parameter).rpartition("/")
+    space, slash, last = plain(parameter).rpartition("/")
+    topic = last if last in target.apart else "robot_description"
     own = "/".join(part for part in ("" if slash and not space else namespace_of(node), space.strip("/")) if part)
     published = described_for(target.described_in, own)
     if "$(" not in f"{published}{own}" and own != published:
-        return literal("/".join(("", *filter(None, [published]), "robot_description")))
-    return literal(f"{space}{slash}robot_description")
+        return literal("/".join(("", *filter(None, [published]), topic)))
+    return literal(f"{space}{slash}{topic}")
 
 
 def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Action]:
@@ -346,15 +315,40 @@ def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Act
         yield Action("include", value=parsed(CLASSIC_FILE), pairs=tuple((new, value) for new, value in named if value))
 
 
-def state_publisher(element: Element) -> Action:
-    """Return robot_state_publisher with the parameters that ROS 2 has (robot_state_publisher README)."""
+def state_publisher(element: Element, apart: Collection[str] = ()) -> Action:
+    """Return robot_state_publisher with the parameters that ROS 2 has (robot_state_publisher README).
+
+    apart: the names of the parameters whose description has a topic of that name.
+    """
     node = _plain(element, "robot_state_publisher", "robot_state_publisher")
     known = ("publish_frequency", "ignore_timestamp", "frame_prefix")
     pairs = [(name, value) for name, value in node.pairs if name in known]
     prefixes = [value for name, value in node.pairs if name == "tf_prefix" and value]
     pairs += [("frame_prefix", joined(value, literal("/"))) for value in prefixes]
-    remaps = tuple(pair for pair in node.remaps if not names_description(pair[0]))
+    remaps = tuple(
+        pair for pair in node.remaps if not names_description(pair[0]) or plain(pair[1]).rpartition("/")[2] in apart
+    )
     return node._replace(pairs=tuple(pairs), remaps=remaps)
+
+
+def description_publisher(target: LaunchTarget, element: Element) -> Action:
+    """Return the node that publishes the description which a parameter sets."""
+    description = description_command(element)
+    space, _, last = element.attrs.get("name", "").rpartition("/")
+    remaps = ((literal("robot_description"), literal(last)),) if last in target.apart else ()
+    if target.publisher is not None:  # it is in a launch file without the description, and dropped there
+        node = state_publisher(target.publisher)
+        own = namespace_of(target.publisher)
+        own_remaps = (*node.remaps, *remaps)
+        return node._replace(value=parsed(f"/{own}") if own else None, description=description, remaps=own_remaps)
+    return Action(
+        "node",
+        "robot_state_publisher",
+        value=parsed(space) if space else None,
+        package="robot_state_publisher",
+        description=description,
+        remaps=remaps,
+    )
 
 
 def _joint_states(element: Element) -> Action:
