@@ -9,7 +9,7 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import child, content, indent_of, indented, step_of
 from urdfctl.migrate.edits.places import key_of, key_of_element
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.model.launch.parts import Node, joined
+from urdfctl.model.launch import Node, joined
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
