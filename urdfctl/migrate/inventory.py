@@ -8,16 +8,14 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.catalog.distros import ROS2, since
 from urdfctl.migrate.distro.names import OWN
+from urdfctl.migrate.moved_topics import CODE, beginning, moved_topics
 from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.step import EntryKind
 from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.output.change import Change
-from urdfctl.source.disk.files import first_bytes
 from urdfctl.startup.records import NamedTuple
 
-_CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".hh")
-_MOST_BYTES = 1 << 20
 _BUILD_FILE = "CMakeLists.txt"
 
 
@@ -32,7 +30,7 @@ class _Code(NamedTuple):
     message: str
     authority: str
     distros: tuple[str, ...] = ROS2
-    endings: tuple[str, ...] = _CODE
+    endings: tuple[str, ...] = CODE
 
 
 _LOST = (
@@ -62,7 +60,7 @@ _LOST = (
         "uses gazebo_msgs, which only Gazebo Classic serves: gz has the services of ros_gz_interfaces",
         "ros_gz README: ros_gz_interfaces",
         since("jazzy"),
-        endings=("", *_CODE),
+        endings=("", *CODE),
     ),
     _Code(
         r"#\s*include\s*[<\"]gazebo/(?:gazebo|common|physics|sensors)[^>\"]*[>\"]",
@@ -77,11 +75,19 @@ _LOST = (
         since("lyrical"),
     ),
     _Code(
+        r"(?<![\w.])dynamic_joint_states\b",
+        "names /dynamic_joint_states, which joint_state_broadcaster does not publish any more: use "
+        "state_interfaces_broadcaster or gpio_controllers",
+        "ros2_controllers#2107: publish_dynamic_joint_states",
+        since("lyrical"),
+        endings=("", *CODE),
+    ),
+    _Code(
         r"(?s)\A(?!.*generate_launch_description).*?/(?:cmd_vel|reference)_unstamped\b",
         "publishes Twist on a topic that is gone: publish TwistStamped on the topic without '_unstamped'",
         "ros2_controllers#812, #958: ~/cmd_vel is always geometry_msgs/msg/TwistStamped",
         since("jazzy"),
-        endings=("", *_CODE),
+        endings=("", *CODE),
     ),
     _Code(
         r"(?m)\bgoal_time:\s*0(?:\.0*)?\s*$",
@@ -113,50 +119,6 @@ _LOST = (
 )
 
 
-class _Moved(NamedTuple):
-    """A topic that changes with a controller: before, after, and the type of the controller, as in ROS 1."""
-
-    pattern: str
-    message: str
-    authority: str
-
-
-_OF_ROS1 = (
-    _Moved(
-        r"(?:effort_controllers/Joint(?:Position|Velocity)|velocity_controllers/JointPosition)Controller\b",
-        "controllers that became PidController read ~/reference of type control_msgs/msg/MultiDOFCommand, not "
-        "~/command of type Float64: change who publishes it",
-        "ros2_controllers pid_controller.cpp: ControllerCommandMsg",
-    ),
-    _Moved(
-        r"(?:position_controllers/JointPosition|velocity_controllers/JointVelocity|effort_controllers/JointEffort)"
-        r"Controller\b",
-        "the controllers of single joints read ~/commands of type std_msgs/msg/Float64MultiArray now, not ~/command of "
-        "type Float64: change who publishes it",
-        "ros2_controllers forward_controllers_base.cpp",
-    ),
-    _Moved(
-        r"(?:position|velocity|effort)_controllers/JointGroup(?:Position|Velocity|Effort)Controller\b",
-        "the controllers of groups of joints read ~/commands now, not ~/command: change who publishes it",
-        "ros2_controllers forward_controllers_base.cpp",
-    ),
-    _Moved(
-        r"_controllers/JointTrajectoryController\b",
-        "trajectories are read from ~/joint_trajectory now, not from ~/command",
-        "ros2_controllers joint_trajectory_controller.cpp",
-    ),
-)
-_STAMPED = _Moved(
-    r"\b(?:diff_drive_controller/DiffDriveController|ackermann_steering_controller/|mecanum_drive_controller/)",
-    "it reads geometry_msgs/msg/TwistStamped, not Twist: change who publishes its velocities",
-    "ros2_controllers diff_drive_controller.cpp: create_subscription<TwistStamped>",
-)
-_STAMPED_IN_HUMBLE = _STAMPED._replace(
-    message="it reads geometry_msgs/msg/TwistStamped unless use_stamped_vel is false, which keeps Twist",
-    authority="ros2_controllers humble diff_drive_controller_parameter.yaml: use_stamped_vel",
-)
-
-
 def inventory(
     scratch: Scratch, options: MigrationOptions, changed: Iterable[Change], *, from_ros1: bool
 ) -> Iterator[ReportLine]:
@@ -170,17 +132,15 @@ def inventory(
         for old, new in options.successors.items()
     ]
     yield from _code(scratch, target, own)
-    for change in changed if from_ros1 else ():
-        if change.after is not None and change.file.endswith((".yaml", ".yml")):
-            yield from _topics(change, target)
+    yield from moved_topics(scratch, target, changed, from_ros1=from_ros1)
 
 
 def _code(scratch: Scratch, target: str, own: Sequence[_Code]) -> Iterator[ReportLine]:
     for path in scratch.files():
         ending = os.path.splitext(path)[1]
         kinds = [code for code in _LOST if ending in code.endings and target in code.distros]
-        kinds += own if ending in _CODE or os.path.basename(path) == _BUILD_FILE else []
-        data = _read(path) if kinds else b""
+        kinds += own if ending in CODE or os.path.basename(path) == _BUILD_FILE else []
+        data = beginning(path) if kinds else b""
         if not data or (not ending and not data.lstrip().startswith(b"#!")):
             continue
         text = data.decode("utf-8", "replace")
@@ -191,21 +151,3 @@ def _code(scratch: Scratch, target: str, own: Sequence[_Code]) -> Iterator[Repor
                 yield ReportLine(
                     EntryKind.FOR_YOU, code.message, file=scratch.real(path), line=line, authority=code.authority
                 )
-
-
-def _read(path: str) -> bytes:
-    """The beginning of a file; nothing of a link, whose file is listed by itself, or of what is no regular file."""
-    try:
-        return b"" if os.path.islink(path) else first_bytes(path, _MOST_BYTES)
-    except OSError:
-        return b""
-
-
-def _topics(change: Change, target: str) -> Iterator[ReportLine]:
-    before, after = ((data or b"").decode("utf-8", "replace") for data in (change.before, change.after))
-    stamped = _STAMPED if target in since("jazzy") else _STAMPED_IN_HUMBLE
-    for text, each in (*((before, moved) for moved in _OF_ROS1), (after, stamped)):
-        found = re.search(each.pattern, text)
-        if found is not None:
-            line = after.count("\n", 0, max(after.find(found[0]), 0)) + 1
-            yield ReportLine(EntryKind.FOR_YOU, each.message, file=change.file, line=line, authority=each.authority)
