@@ -18,6 +18,8 @@ from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.migrate.commits import check_repositories, commit_steps
 from urdfctl.migrate.engine import MENDING, Migration, migrate
+from urdfctl.migrate.fleet import PackageRow, as_page, as_text, rows_of
+from urdfctl.migrate.fleet import as_json as table_as_json
 from urdfctl.migrate.options import MigrationOptions, Part
 from urdfctl.migrate.proof import commands_for
 from urdfctl.migrate.report import as_json, as_markdown
@@ -110,6 +112,11 @@ class MigrateOptions(ReadingOptions, AnswerOptions):
     report: str | None = option(
         OUTPUT,
         "Write the report to this file (.md or .json). Default: MIGRATION.md beside the packages.",
+        metavar="FILE",
+    )
+    table: str | None = option(
+        OUTPUT,
+        "Write a table of the packages to this file: a page (.html), .json, or text. '-' prints it.",
         metavar="FILE",
     )
     list_changes: bool = option(
@@ -222,7 +229,7 @@ def _steps(option_name: str, texts: Sequence[str]) -> frozenset[str]:
 
 def _check_destination(options: MigrateOptions, folders: Sequence[str]) -> None:
     """Raise UserError if files would be lost, or written outside of the workspace."""
-    check_output(options.output, options.report)
+    check_output(options.output, options.report, None if options.table == "-" else options.table)
     if options.commits:
         check_repositories(folders)
     if options.force:
@@ -256,6 +263,9 @@ def _finish(
     else:
         _show(result.changes, answer)
         problems = write_changes((), made.report)
+    if not problems and options.table:
+        rows = rows_of([scratch.real(folder) for folder in scratch.folders], result.lines, made.base)
+        problems = _write_table(options.table, rows, migration.target, answer)
     answer.messages(problems)
     if problems:
         return 2
@@ -272,6 +282,19 @@ def _finish(
     )
     is_failed = options.fail_on == "left" and counts[EntryKind.FOR_YOU] > 0
     return int(is_failed or (bool(result.changes) and not is_written))
+
+
+def _write_table(path: str, rows: Sequence[PackageRow], target: str, answer: CommandAnswer) -> list[str]:
+    """Write the table of the packages, or print it; return what prevented it."""
+    if path == "-":
+        answer.text(as_text(rows))
+        return []
+    is_page, is_json = path.endswith((".html", ".htm")), path.endswith(".json")
+    text = as_page(rows, target) if is_page else table_as_json(rows, target) if is_json else as_text(rows)
+    problems = write_changes((), (path, encoded(text)))
+    if not problems:
+        answer.file(path, FileState.WRITTEN)
+    return problems
 
 
 def _is_written(options: MigrateOptions) -> bool:

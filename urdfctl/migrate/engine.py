@@ -15,7 +15,7 @@ from urdfctl.migrate.inventory import inventory
 from urdfctl.migrate.options import MigrationOptions
 from urdfctl.migrate.origins import check_direction, origins
 from urdfctl.migrate.packages import Lint, Linted, MigratedPackages
-from urdfctl.migrate.report import ReportLine
+from urdfctl.migrate.report import NOT_CHANGED, NOT_READ, ReportLine
 from urdfctl.migrate.step import EntryKind, Step
 from urdfctl.migrate.todo import without_punctuation
 from urdfctl.migrate.trial.acceptance import Before, Objection, before
@@ -150,7 +150,7 @@ def _plain(text: str) -> bytes:
 def _not_done(scratch: Scratch, left_out: Mapping[Key, str], found: Iterable[Objection]) -> Iterator[ReportLine]:
     """Yield the report's lines on what was left out, and the objections that no step is responsible for."""
     for (step, file), why in left_out.items():
-        message = scratch.shown(f"not changed by step '{step}': {why}")
+        message = scratch.shown(f"{NOT_CHANGED} '{step}': {why}")
         yield ReportLine(EntryKind.FOR_YOU, message, step, scratch.real(file))
     for objection in found:
         if objection.finding is None:
@@ -171,7 +171,7 @@ def _left(scratch: Scratch, source: Linted, attempt: Attempt, found: Iterable[Ob
         yield ReportLine(EntryKind.FOR_YOU, message, "", scratch.real(finding.at.file), finding.at.line)
     unread = (one for key, one in errors.items() if key in known and one.code in _UNREADABLE)
     for finding in grouped([one for one in unread if scratch.has(one.at.file)]):
-        message = f"the file is not migrated, because it cannot be read ({finding.code}: {finding.message})"
+        message = f"{NOT_READ}, because it cannot be read ({finding.code}: {finding.message})"
         yield ReportLine(EntryKind.FOR_YOU, message, "", scratch.real(finding.at.file), finding.at.line)
 
 

@@ -17,6 +17,10 @@ _TITLES = {
 }
 
 
+NOT_CHANGED = "not changed by step"
+"""How the lines begin about a step that was left out of a file."""
+NOT_READ = "the file is not migrated"
+"""How the lines begin about a file that cannot be read."""
 _QUOTED = re.compile(r"'([^'\n]*)'")
 _FEWEST_SIMILAR = 3
 _MOST_NAMES, _MOST_PLACES = 4, 6

@@ -11,6 +11,7 @@ from urdfctl.diagnostic import Edit
 from urdfctl.fix.edits import Shift, Splice, Taken, clash, edited
 from urdfctl.migrate.edits.python_edits import is_python
 from urdfctl.migrate.packages import Lint, Linted, MigratedPackages
+from urdfctl.migrate.report import NOT_CHANGED
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.migrate.todo import with_todos
 from urdfctl.migrate.trial.acceptance import Before, Objection, objections
@@ -113,7 +114,7 @@ class Attempt:
     def _is_admitted(self, step: Step, proposal: Proposal) -> bool:
         files = [os.path.realpath(file) for file in proposal.files]
         for path in _broken(proposal):
-            message = f"not changed by step '{step.name}': the result would be no valid Python"
+            message = f"{NOT_CHANGED} '{step.name}': the result would be no valid Python"
             self.noted.append(Noted(step.name, ReportEntry(EntryKind.FOR_YOU, message, file=path)))
             return False
         return all(self.packages.may_change(file) and (step.name, file) not in self.barred for file in files)
@@ -131,7 +132,7 @@ class Attempt:
     def _note_left(self, step: Step, proposals: Iterable[Proposal]) -> None:
         """Note the files of proposals that clash with themselves, or with others until the last round."""
         for file in sorted({file for proposal in proposals for file in proposal.files}):
-            message = f"not changed by step '{step.name}': its changes overlap"
+            message = f"{NOT_CHANGED} '{step.name}': its changes overlap"
             self.noted.append(Noted(step.name, ReportEntry(EntryKind.FOR_YOU, message, file=file)))
 
     def _edit(self, splices: dict[str, set[Splice]]) -> Iterator[str]:
