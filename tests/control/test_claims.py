@@ -117,7 +117,7 @@ def test_a_parameter_that_the_distro_does_not_read_claims_nothing() -> None:
     assert new is not None
     read_by_new = {"publish_rate": 50, "joints": ["shoulder"]}
     assert [claims(each, "it", read_by_new, joints) for each in (old, new)] == [
-        Claims(state=(Claim("elbow", "hardware_interface/JointStateInterface"),)),
+        Claims(state=(Claim("elbow", "hardware_interface/JointStateInterface", best_effort=True),)),
         Claims(state=(Claim("shoulder", "hardware_interface/JointStateInterface", "joints", 0),)),
     ]
 

@@ -110,12 +110,13 @@ class _Evaluation:
     def _of_rule(self, rule: ClaimRule) -> Iterator[Claim]:
         if not _names_item(rule) and not self._holds(rule, None):
             return
-        if not rule.prefix and not rule.best_effort:
+        is_best_effort = rule.best_effort or rule.all
+        if not rule.prefix and not is_best_effort:
             yield from self._claims(rule)
             return
         prefix = self._filled(rule.prefix, None)
         for claim in self._claims(rule):
-            yield claim._replace(component=prefix + claim.component, best_effort=rule.best_effort)
+            yield claim._replace(component=prefix + claim.component, best_effort=is_best_effort)
 
     def _claims(self, rule: ClaimRule) -> Iterator[Claim]:
         if rule.all:

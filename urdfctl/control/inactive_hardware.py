@@ -1,7 +1,8 @@
 """Hardware that the controller manager is configured to leave inactive or unconfigured.
 
-Unconfigured hardware has no interfaces to claim. Inactive hardware has them, but from jazzy 4.38 on its controllers are
-refused too, unless the manager is configured to allow them (controller_manager.cpp, init_resource_manager).
+Unconfigured hardware has no interfaces to claim. Inactive hardware has them, but from jazzy 4.38 on controllers that
+command it are refused too, unless the manager is configured to allow them (controller_manager.cpp,
+init_resource_manager; prepare_command_mode_switch gets the command interfaces alone).
 """
 
 from __future__ import annotations
@@ -41,17 +42,22 @@ def inactive_hardware(session: Session, controller: Configured) -> Iterator[Inac
         states.append("inactive")
     for state in states:
         names = manager.parameters.value(f"{_STATES}.{state}")
-        for hardware in sorted(_claimed(session, controller)):
+        for hardware in sorted(_needed(session, controller, state)):
             named = _named(names, hardware)
             if named is not None:
                 yield Inactive(hardware, state, named)
 
 
-def _claimed(session: Session, controller: Configured) -> set[str]:
-    """The hardware components with interfaces that the controller claims."""
+def _needed(session: Session, controller: Configured, state: str) -> set[str]:
+    """The hardware components that the controller cannot be activated without, if they stay in a state.
+
+    A controller of all interfaces takes those that are there. The state of inactive hardware may be read.
+    """
     components: set[str] = set()
-    for kind in ClaimKind:
+    for kind in ClaimKind if state == "unconfigured" else (ClaimKind.COMMAND,):
         for claim in controller.claimed(kind):
+            if claim.best_effort:
+                continue
             offers = session.hardware.of(kind, claim.component)
             components.update(offer.by for offer in offers if offer.interface == claim.interface and offer.by)
     return components

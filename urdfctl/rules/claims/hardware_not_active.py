@@ -55,6 +55,17 @@ _CONTROLLERS = """
                 controller_manager:
                   ros__parameters:
                     update_rate: 100
+                    hardware_components_initial_state: {unconfigured: [arm_hardware]}
+                    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+            """,
+            "options": "--start=states",
+        },
+        {
+            "robot.urdf": _ROBOT,
+            "controllers.yaml": """
+                controller_manager:
+                  ros__parameters:
+                    update_rate: 100
                     states: {type: joint_state_broadcaster/JointStateBroadcaster}
                     arm: {type: forward_command_controller/ForwardCommandController}
                 arm:
@@ -69,8 +80,8 @@ def hardware_not_active(project: Project) -> Iterator[Finding]:
     """Controller of hardware that is not activated.
 
     The controller manager is configured to leave the hardware inactive or unconfigured. Unconfigured hardware has no
-    interfaces to claim. Inactive hardware has them, but from jazzy on its controllers are refused too, unless the
-    manager is configured to allow them. Activate the hardware first, for example with hardware_spawner.
+    interfaces to claim. Inactive hardware has them, but from jazzy on controllers that command it are refused too,
+    unless the manager is configured to allow them. Activate the hardware first, for example with hardware_spawner.
     """
     if _is_activated(project):
         return
