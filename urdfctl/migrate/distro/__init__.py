@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from urdfctl.migrate.distro.activation import ACTIVATION
 from urdfctl.migrate.distro.controller_commands import CONTROLLER_COMMANDS
 from urdfctl.migrate.distro.launch_python import LAUNCH_PYTHON
 from urdfctl.migrate.distro.launch_xml import LAUNCH_XML
@@ -20,6 +21,7 @@ STEPS: tuple[Step, ...] = (
     MIMIC,
     TYPES,
     DEPENDENCIES,
+    ACTIVATION,
     PARAMETERS,
     STAMPED,
     STAMPED_TOPICS,
