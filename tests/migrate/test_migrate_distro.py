@@ -152,6 +152,36 @@ def test_an_old_name_is_replaced_although_the_robot_is_said_to_be_for_a_distro_w
     assert "allow_nonzero_velocity_at_trajectory_end" not in after  # its default did not change after kilted
 
 
+@pytest.mark.parametrize(
+    ("given", "wanted"),
+    [
+        (
+            "joints: [a]\ncommand_interfaces: [velocity]\nopen_loop_control: true\n",
+            (
+                "joints: [a]\ncommand_interfaces: [velocity]\ninterpolate_from_desired_state: true\n"
+                "gains.a.ff_velocity_scale: 1.0\n"
+            ),
+        ),
+        (
+            "joints: [a]\ncommand_interfaces: [position]\nopen_loop_control: true\n",
+            "joints: [a]\ncommand_interfaces: [position]\ninterpolate_from_desired_state: true\n",
+        ),
+        (
+            "joints: [a]\ncommand_interfaces: [velocity]\nopen_loop_control: false\ngains.a.p: 2.0\n",
+            "joints: [a]\ncommand_interfaces: [velocity]\ngains.a.p: 2.0\n",
+        ),
+    ],
+)
+def test_velocities_in_open_loop_are_passed_on_by_the_gains(folder: Folder, given: str, wanted: str) -> None:
+    assert parameters_after(folder, JTC, given, *HUMBLE, "--to", "jazzy") == wanted + AS_BEFORE
+
+
+def test_the_solver_that_moveit_no_longer_has_becomes_the_one_for_the_same_chains(folder: Folder) -> None:
+    given = "arm:\n  kinematics_solver: lma_kinematics_plugin/LMAKinematicsPlugin\n"
+    after = migrated(folder, {"config/kinematics.yaml": given}, *HUMBLE, "--to", "jazzy")["config/kinematics.yaml"]
+    assert after == given.replace("lma_", "kdl_").replace("LMA", "KDL")
+
+
 def test_names_change_as_whole_values_and_not_in_comments_or_other_words(folder: Folder) -> None:
     world = '<!-- ignition-gazebo-x-system --><sdf><plugin filename="libignition-gazebo-imu-system.so"/></sdf>\n'
     sensor = "<sensor><ignition_frame_id>f</ignition_frame_id></sensor>"

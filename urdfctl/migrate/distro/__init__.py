@@ -9,6 +9,7 @@ from urdfctl.migrate.distro.launch_xml import LAUNCH_XML
 from urdfctl.migrate.distro.mimic import MIMIC
 from urdfctl.migrate.distro.moveit import MOVEIT
 from urdfctl.migrate.distro.names import NAMES
+from urdfctl.migrate.distro.open_loop import OPEN_LOOP
 from urdfctl.migrate.distro.parameters import PARAMETERS
 from urdfctl.migrate.distro.spawner_types import SPAWNER_TYPES
 from urdfctl.migrate.distro.stamped import STAMPED, STAMPED_TOPICS
@@ -22,6 +23,7 @@ STEPS: tuple[Step, ...] = (
     TYPES,
     DEPENDENCIES,
     ACTIVATION,
+    OPEN_LOOP,
     PARAMETERS,
     STAMPED,
     STAMPED_TOPICS,
