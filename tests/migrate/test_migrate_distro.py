@@ -56,6 +56,7 @@ def parameters_after(folder: Folder, kind: str, parameters: str, *words: str) ->
 
 DIFF = "diff_drive_controller/DiffDriveController"
 JTC = "joint_trajectory_controller/JointTrajectoryController"
+PID = "pid_controller/PidController"
 AS_BEFORE = "allow_nonzero_velocity_at_trajectory_end: true\n"
 
 
@@ -174,6 +175,16 @@ def test_an_old_name_is_replaced_although_the_robot_is_said_to_be_for_a_distro_w
 )
 def test_velocities_in_open_loop_are_passed_on_by_the_gains(folder: Folder, given: str, wanted: str) -> None:
     assert parameters_after(folder, JTC, given, *HUMBLE, "--to", "jazzy") == wanted + AS_BEFORE
+
+
+@pytest.mark.parametrize(
+    ("switch", "gain"), [("", "0.0"), ("enable_feedforward: false\n", "0.0"), ("enable_feedforward: true\n", "0.9")]
+)
+def test_a_feedforward_that_was_off_stays_off(folder: Folder, switch: str, gain: str) -> None:
+    given = "dof_names: [a]\ncommand_interface: velocity\nreference_and_state_interfaces: [velocity]\n"
+    gains = "gains.a: {p: 1.0, feedforward_gain: %s}\n"
+    after = parameters_after(folder, PID, given + switch + gains % "0.9", "--from", "jazzy", "--to", "kilted")
+    assert after == given + gains % gain
 
 
 def test_the_solver_that_moveit_no_longer_has_becomes_the_one_for_the_same_chains(folder: Folder) -> None:

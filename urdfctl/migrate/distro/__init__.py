@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from urdfctl.migrate.distro.activation import ACTIVATION
 from urdfctl.migrate.distro.controller_commands import CONTROLLER_COMMANDS
+from urdfctl.migrate.distro.feedforward import FEEDFORWARD
 from urdfctl.migrate.distro.launch_python import LAUNCH_PYTHON
 from urdfctl.migrate.distro.launch_xml import LAUNCH_XML
 from urdfctl.migrate.distro.mimic import MIMIC
@@ -24,6 +25,7 @@ STEPS: tuple[Step, ...] = (
     DEPENDENCIES,
     ACTIVATION,
     OPEN_LOOP,
+    FEEDFORWARD,
     PARAMETERS,
     STAMPED,
     STAMPED_TOPICS,

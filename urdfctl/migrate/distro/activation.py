@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.moves import MANAGER
-from urdfctl.migrate.edits.yaml_edits import MapEdits, Path, deepest, leaves
+from urdfctl.migrate.edits.yaml_edits import ByName, MapEdits, deepest, leaves, texts_at
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.controller_files import FileSection, sections
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
-from urdfctl.source.yaml.tree import Scalar, Sequence
 
 _ACTIVATED = "activate_components_on_start"
 _UNCONFIGURED = "hardware_components_initial_state.unconfigured"
@@ -27,15 +26,15 @@ def _activation(packages: MigratedPackages) -> Iterator[Proposal]:
     for section in sections(packages) if packages.reaches("jazzy") else ():
         if section.type == MANAGER and packages.may_change(section.path):
             given = dict(leaves(section.parameters))
-            activated = _names(given, _ACTIVATED)
+            activated = texts_at(given, _ACTIVATED)
             if activated:
                 yield _kept(packages, section, given, activated)
 
 
-def _kept(packages: MigratedPackages, section: FileSection, given: dict[str, Path], activated: list[str]) -> Proposal:
+def _kept(packages: MigratedPackages, section: FileSection, given: ByName, activated: list[str]) -> Proposal:
     """The proposal to leave the other components of a manager's robots unconfigured, as they were."""
     known = _components(packages, activated)
-    named = {*activated, *(name for key in _NOT_ACTIVATED for name in _names(given, key))}
+    named = {*activated, *(name for key in _NOT_ACTIVATED for name in texts_at(given, key))}
     others = [name for name in known if name not in named]
     path = given[_ACTIVATED]
     parent, entry = path[-1]
@@ -47,7 +46,7 @@ def _kept(packages: MigratedPackages, section: FileSection, given: dict[str, Pat
     elif others:
         what = f"{_those(others)} not activated at the start, as before: {_UNCONFIGURED}"
         entries.append(ReportEntry(EntryKind.DONE, what, entry.key.at, authority=_AUTHORITY))
-        text = ", ".join([*_names(given, _UNCONFIGURED), *others])
+        text = ", ".join([*texts_at(given, _UNCONFIGURED), *others])
         if _UNCONFIGURED in given:
             edits.replace(given[_UNCONFIGURED][-1][1].value, f"[{text}]")
         else:
@@ -66,13 +65,6 @@ def _components(packages: MigratedPackages, activated: list[str]) -> list[str]:
         if any(name in activated for name in names):
             found.update(dict.fromkeys(names))
     return list(found)
-
-
-def _names(given: dict[str, Path], key: str) -> list[str]:
-    """The components that a parameter names."""
-    value = given[key][-1][1].value if key in given else None
-    items = value.items if isinstance(value, Sequence) else ()
-    return [item.text for item in items if isinstance(item, Scalar) and item.text]
 
 
 def _those(names: list[str]) -> str:

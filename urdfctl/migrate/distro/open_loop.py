@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.migrate.edits.yaml_edits import MapEdits, Path, deepest, leaves
+from urdfctl.migrate.edits.yaml_edits import ByName, MapEdits, deepest, leaves, text_at, texts_at
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.controller_files import FileSection, sections
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
-from urdfctl.source.yaml.tree import Scalar, Sequence
 
 _TYPE = "joint_trajectory_controller/JointTrajectoryController"
 _OLD, _NEW = "open_loop_control", "interpolate_from_desired_state"
@@ -26,16 +25,16 @@ def _open_loops(packages: MigratedPackages) -> Iterator[Proposal]:
     for section in sections(packages) if packages.reaches("jazzy") else ():
         if section.type == _TYPE and packages.may_change(section.path):
             given = dict(leaves(section.parameters))
-            if _text(given, _OLD).lower() == "true" and _items(given, "command_interfaces") == ["velocity"]:
+            if text_at(given, _OLD).lower() == "true" and texts_at(given, "command_interfaces") == ["velocity"]:
                 yield _closed(packages, section, given)
 
 
-def _closed(packages: MigratedPackages, section: FileSection, given: dict[str, Path]) -> Proposal:
+def _closed(packages: MigratedPackages, section: FileSection, given: ByName) -> Proposal:
     """The proposal to give a controller the gains with which its PID passes the velocities on."""
     edits = MapEdits(packages.read(section.path))
     parent, entry = given[_OLD][-1]
     at = entry.key.at
-    joints = _items(given, "command_joints") or _items(given, "joints")
+    joints = texts_at(given, "command_joints") or texts_at(given, "joints")
     entries = [ReportEntry(EntryKind.DONE, f"'{_OLD}' of '{section.node}' became '{_NEW}'", at, authority=_AUTHORITY)]
     if joints:
         entries.append(ReportEntry(EntryKind.DONE, f"{_PASSED_ON}: '{section.node}'", at, authority=_AUTHORITY))
@@ -52,24 +51,13 @@ def _closed(packages: MigratedPackages, section: FileSection, given: dict[str, P
     return Proposal(edits=edits.edits(), entries=tuple(entries), fixes=("UC435", "UC436"))
 
 
-def _set(edits: MapEdits, section: FileSection, given: dict[str, Path], name: str, value: str) -> None:
+def _set(edits: MapEdits, section: FileSection, given: ByName, name: str, value: str) -> None:
     """Give a parameter a value; one that is missing has 0.0."""
     if name in given:
         edits.replace(given[name][-1][1].value, value)
     elif value != "0.0":
         parent, key = deepest(section.parameters, name)
         edits.insert(parent, f"{key}: {value}")
-
-
-def _text(given: dict[str, Path], name: str) -> str:
-    value = given[name][-1][1].value if name in given else None
-    return value.text if isinstance(value, Scalar) else ""
-
-
-def _items(given: dict[str, Path], name: str) -> list[str]:
-    """The elements of a list of texts."""
-    value = given[name][-1][1].value if name in given else None
-    return [item.text for item in value.items if isinstance(item, Scalar)] if isinstance(value, Sequence) else []
 
 
 _CONTROLLER = """

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Mapping as Map
 
 from urdfctl.diagnostic import Edit
 from urdfctl.source.span import SourceSpan, SourceText
-from urdfctl.source.yaml.tree import Mapping, Node, YamlEntry
+from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlEntry
 
 Path = tuple[tuple[Mapping, YamlEntry], ...]
 """The maps and entries that lead to a value."""
+ByName = Map[str, Path]
+"""The parameters of a section by their dotted names."""
 
 
 class MapEdits:
@@ -117,3 +120,15 @@ def deepest(root: Mapping, name: str) -> tuple[Mapping, str]:
         if found is None or not isinstance(found.value, Mapping):
             return parent, rest
         parent, rest = found.value, rest.removeprefix(f"{found.key.text}.")
+
+
+def text_at(given: ByName, name: str) -> str:
+    """Return the text of a parameter; empty if it is not set, or is a list."""
+    value = given[name][-1][1].value if name in given else None
+    return value.text if isinstance(value, Scalar) else ""
+
+
+def texts_at(given: ByName, name: str) -> list[str]:
+    """Return the texts of a parameter that is a list."""
+    value = given[name][-1][1].value if name in given else None
+    return [item.text for item in value.items if isinstance(item, Scalar)] if isinstance(value, Sequence) else []
