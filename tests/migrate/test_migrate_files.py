@@ -114,6 +114,24 @@ def test_files_with_the_same_parameters_for_a_controller_are_equally_good_for_it
     assert "TODO" not in after
 
 
+def test_a_spawner_of_a_controller_without_parameters_too_gets_the_file(folder: Folder) -> None:
+    own = controllers(DIFF, "odom_frame_id: odom\n")
+    launch = TWO_SPAWNERS.replace('"arm"', '"states", "ctl"').partition("two")[0]
+    in_xml = '<launch>\n  <node pkg="controller_manager" exec="spawner" args="states ctl"/>\n</launch>\n'
+    files = {"launch/a.launch.py": launch, "launch/b.launch.xml": in_xml, "config/c.yaml": own}
+    after = migrated(folder, files, "--to", "jazzy", "--only", "launch")
+    assert '"states", "ctl", "--param-file"' in " ".join(after["launch/a.launch.py"].split())
+    assert 'args="states ctl --param-file $(find-pkg-share arm)/config/c.yaml"' in after["launch/b.launch.xml"]
+
+
+def test_a_spawner_in_xml_whose_file_is_not_known_is_left_to_a_person(folder: Folder) -> None:
+    in_xml = '<launch>\n  <node pkg="controller_manager" exec="spawner" args="ctl"/>\n</launch>\n'
+    one, two = (controllers(DIFF, f"odom_frame_id: {frame}\n") for frame in ("odom", "map"))
+    files = {"launch/b.launch.xml": in_xml, "config/c.yaml": one, "config/d.yaml": two}
+    after = migrated(folder, files, "--to", "jazzy", "--only", "launch")["launch/b.launch.xml"]
+    assert re.search(r"<!-- TODO\(urdfctl\): spawn controllers .* -->\n  <node ", after)
+
+
 def test_a_spawner_whose_line_would_be_too_long_gets_a_line_for_each_argument(folder: Folder) -> None:
     head = "from launch_ros.actions import Node\n\n"
     node = "Node(\n    package='controller_manager', executable='spawner',\n    arguments=['ctl', '-c', '/cm'],\n)\n"

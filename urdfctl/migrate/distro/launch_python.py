@@ -19,7 +19,7 @@ AUTHORITY_OF_TOPIC = "ros2_control#1358, #1410: the robot description is read fr
 AUTHORITY_OF_FILE = "ros2_control#1694: parameters given to the controller manager alone do not reach its controllers"
 AUTHORITY_OF_OPTIONS = "controller_manager spawner.py: the options of each distro"
 AUTHORITY_OF_REMAPPING = "ros2_control#3016: remappings of the controller manager do not reach its controllers"
-_WITH_FILE = "spawn controllers that have parameters by a spawner with --param-file FILE"
+WITH_FILE = "spawn controllers that have parameters by a spawner with --param-file FILE"
 _DESCRIPTION = "robot_description"
 _OLD_TOPIC = "~/robot_description"
 
@@ -159,22 +159,24 @@ class _LaunchFile:
         return Proposal((Edit(span, span.text.replace(old, new)),), entries=(entry,))
 
     def _parameter_file(self, call: ast.Call, scope: ast.AST) -> Iterator[Proposal]:
-        """Give the spawner the file of its controllers, unless none of them has parameters."""
+        """Give the spawner the file of its controllers, unless none of them has parameters.
+
+        It passes a file on to those controllers alone that are in it.
+        """
         given = keyword(call, "arguments")
         texts = [text_of(item) for item in _arguments(call)]
         if given is None or not isinstance(given.value, ast.List) or {"--param-file", "-p"} & set(texts):
             return
         names = list(takewhile(lambda text: not text.startswith("-"), texts))
         files = {path for name in names for path in self.known.get(name, ())}
-        with_parameters = [not name or name in self.known for name in names]
-        if not any(with_parameters):
+        if not any(not name or name in self.known for name in names):
             return
         expression = self._file_of_manager(scope)
         imports: tuple[Edit, ...] = ()
         if expression is None and len(files) == 1:
             expression, imports = self._file_in_package(next(iter(files)))
-        if expression is None or not all(with_parameters):
-            yield for_you(self.file.at(call), _WITH_FILE, authority=AUTHORITY_OF_FILE)
+        if expression is None:
+            yield for_you(self.file.at(call), WITH_FILE, authority=AUTHORITY_OF_FILE)
             return
         quote = "'" if self.file.text(given.value.elts[0]).startswith("'") else '"'
         edit = self.file.appended(given.value, [f"{quote}--param-file{quote}", expression])

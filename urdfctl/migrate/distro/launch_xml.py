@@ -8,12 +8,18 @@ from itertools import takewhile
 
 from urdfctl.catalog.moves import MANAGER
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.distro.launch_python import AUTHORITY_OF_FILE, AUTHORITY_OF_OPTIONS, AUTHORITY_OF_TOPIC
+from urdfctl.migrate.distro.launch_python import (
+    AUTHORITY_OF_FILE,
+    AUTHORITY_OF_OPTIONS,
+    AUTHORITY_OF_TOPIC,
+    WITH_FILE,
+)
 from urdfctl.migrate.edits.xml_edits import elements_of, removed
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.controller_files import FileSection, installed_path, sections, sections_near
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
+from urdfctl.migrate.todo import for_you
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 
@@ -71,7 +77,10 @@ def _spawner(
     names = list(takewhile(lambda word: not word.startswith("-"), words))
     own = {path for name in names for path in files.get(name, ())}
     file = _file_of_manager(nodes) or (_file(packages, nodes, next(iter(own))) if len(own) == 1 else None)
-    if file is None or not own or not all(name in files for name in names):
+    if not own:
+        return
+    if file is None:
+        yield for_you(node.at, WITH_FILE, authority=AUTHORITY_OF_FILE)
         return
     edit = Edit(SourceSpan(span.source, span.end, span.end), f" --param-file {file}")
     what = "the spawner gives its controllers their parameters: --param-file"
