@@ -145,3 +145,18 @@ def test_in_no_named_pose_links_touch_that_are_tested_or_never_touch(written: Fo
         assert not any(math.isnan(value) for value in pose.values())
         engine.take(pose)
         assert {disabled.get(pair) for pair in engine.touching()} <= {"Adjacent", "Default", "Always"}
+
+
+CONTROL = """<ros2_control name="hw" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+  <joint name="lift"><command_interface name="position"/><state_interface name="position">
+    <param name="initial_value">{}</param></state_interface></joint></ros2_control></robot>"""
+
+
+@pytest.mark.parametrize(("start", "status"), [(0.4, 0), (2.8, 2)])
+def test_a_robot_whose_links_touch_where_it_starts_is_not_written(start: float, status: int, folder: Folder) -> None:
+    folder.write({"six.urdf": arm().replace("</robot>", CONTROL.format(start))})
+    ran = command("gen-moveit", "six.urdf", *JAZZY)
+    assert ran.returncode == status, ran.stderr
+    assert Path(folder.path, "out").exists() is not bool(status)
+    told = "touch where the robot starts, from where MoveIt cannot plan: let it start elsewhere"
+    assert (told in ran.stderr) is bool(status)

@@ -42,6 +42,7 @@ def measure_links(work: Work) -> dict[str, Any]:
         mechanism, touching = touching_links(robot, find_mesh, samples, seed)
         links = [LinkFacts(mechanism.root)]
         links += [LinkFacts(hinge.child, hinge.parent, hinge.name, hinge.type) for hinge in mechanism.hinges]
-        return Linkage(tuple(links), touching.pairs, touching.hulls, tuple(mechanism.start().items()))
+        rest = tuple(mechanism.start().items())
+        return Linkage(tuple(links), touching.pairs, touching.hulls, rest, touching.starting)
 
     return measured_facts(work, corners_of, linked, _surface_of)

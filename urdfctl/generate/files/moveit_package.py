@@ -59,6 +59,7 @@ def moveit_files(
     notes: list[str] = []
     if options.output:
         parts, notes = with_own_parts(parts, f"{options.output}/{semantic}", robot)
+    notes += _about_start(linkage, parts)
     notes += _about_hulls(linkage.hulls)
     values = _values(options, robot, groups, linkage, parts)
     values.update(semantic=semantic, robot=name)
@@ -71,6 +72,18 @@ def moveit_files(
     values["command"] = xml_command if options.ros == 1 else options.command
     files.append(File(f"launch/{launch}", templates.render(f"launch/{launch}", **values)))
     return files, notes
+
+
+def _about_start(linkage: Linkage, parts: Sequence[SemanticPart]) -> list[str]:
+    """That links touch where the robot starts, in words. UserError if their surfaces do: MoveIt plans from nowhere."""
+    untested = {part.key for part in parts}
+    for pair in linkage.starting:
+        if ("disable_collisions", *sorted(pair)) not in untested:
+            told = f"links '{pair[0]}' and '{pair[1]}' touch where the robot starts, from where MoveIt cannot plan"
+            if linkage.hulls:
+                return [f"{told}, as far as their convex hulls tell"]
+            raise UserError(f"{told}: let it start elsewhere, by the initial_value of its joints in <ros2_control>")
+    return []
 
 
 def _about_hulls(links: Sequence[str]) -> list[str]:

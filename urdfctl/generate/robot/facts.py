@@ -109,23 +109,26 @@ class Linkage(NamedTuple):
     """The links of a robot from the root outwards, for planning.
 
     `pairs` are those that need no test for collisions, each with the reason. `hulls` are the links whose meshes were
-    tested as convex hulls, for want of FCL. `rest` are the positions at which its joints start.
+    tested as convex hulls, for want of FCL. `rest` are the positions at which its joints start, `starting` the other
+    pairs that touch there.
     """
 
     links: tuple[LinkFacts, ...]
     pairs: tuple[tuple[str, str, str], ...]
     hulls: tuple[str, ...]
     rest: tuple[tuple[str, float], ...]
+    starting: tuple[tuple[str, str], ...] = ()
 
     @classmethod
     def from_json(cls, plain: Sequence[Any]) -> Linkage:
         """Return it from plain data."""
-        links, pairs, hulls, rest = plain
+        links, pairs, hulls, rest, starting = plain
         return cls(
             tuple(LinkFacts(*link) for link in links),
             tuple((one, other, reason) for one, other, reason in pairs),
             tuple(hulls),
             tuple((name, position) for name, position in rest),
+            tuple((one, other) for one, other in starting),
         )
 
 

@@ -38,10 +38,12 @@ class TouchingLinks(NamedTuple):
 
     pairs: the links that need no test in planning, each with the reason.
     hulls: the links whose meshes are taken as their convex hulls.
+    starting: the other pairs, those that touch where the joints start.
     """
 
     pairs: tuple[tuple[str, str, str], ...]
     hulls: tuple[str, ...]
+    starting: tuple[LinkPair, ...] = ()
 
 
 def touching_links(
@@ -74,7 +76,8 @@ def touching_links(
     reasons.update({pair: ALWAYS for pair in always if pair not in reasons})
     hulls = () if tests_surfaces() else tuple(link for link in solid if _has_mesh(robot, link))
     pairs = tuple((*pair, reasons[pair]) for pair in _all_pairs(solid) if pair in reasons)
-    return mechanism, TouchingLinks(pairs, hulls)
+    starting = tuple(pair for pair in sorted(meeting.at_start()) if pair not in reasons)
+    return mechanism, TouchingLinks(pairs, hulls, starting)
 
 
 def adjacent_pairs(mechanism: Mechanism, solid: Sequence[str]) -> list[LinkPair]:
@@ -152,6 +155,11 @@ class _Meeting:
         """Return the pairs that touch with each joint at 0, or in the middle of its range if 0 is out of reach."""
         positions = {hinge.name: _usual(hinge) for hinge in self._moving}
         return self._touching(positions, frozenset()) | self._welded()
+
+    def at_start(self) -> set[LinkPair]:
+        """Return the pairs that touch with each joint where it starts."""
+        usual = {hinge.name: _usual(hinge) for hinge in self._moving}
+        return self._touching({**usual, **self._mechanism.start()}, frozenset())
 
     def sampled(self, samples: int, seed: int) -> tuple[list[LinkPair], list[LinkPair]]:
         """Return the pairs of links that touch in none of the poses, and those that touch in nearly all of them."""
