@@ -160,3 +160,21 @@ def test_a_robot_whose_links_touch_where_it_starts_is_not_written(start: float, 
     assert Path(folder.path, "out").exists() is not bool(status)
     told = "touch where the robot starts, from where MoveIt cannot plan: let it start elsewhere"
     assert (told in ran.stderr) is bool(status)
+
+
+FIXED = """<joint name="stand" type="fixed"><parent link="world"/><child link="base_link"/></joint>
+  <link name="base_link">"""
+HOST = """<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+  {}</plugin></gazebo></robot>"""
+OWN = "<parameters>own/controllers.yaml</parameters>"
+
+
+@pytest.mark.parametrize(("parameters", "told"), [(OWN, True), ("", False)])
+def test_a_robot_whose_plugin_loads_controllers_of_its_own_is_refused(
+    parameters: str, told: bool, folder: Folder
+) -> None:
+    hosted = arm().replace("</robot>", HOST.format(parameters))
+    folder.write({"six.urdf": hosted.replace('<link name="base_link">', '<link name="world"/>' + FIXED, 1)})
+    ran = command("gen-moveit", "six.urdf", *JAZZY, "--simulator", "gz")
+    assert ("plugin in the robot loads the controllers of 'own/controllers.yaml', and not these" in ran.stderr) is told
+    assert Path(folder.path, "out").exists() is not told, ran.stderr

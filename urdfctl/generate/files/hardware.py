@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import since
 from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
@@ -35,6 +37,19 @@ def has_host(robot: RobotFacts, options: GeneratorOptions, catalog: Catalog) -> 
     """Return whether a robot has a simulator plugin that runs controllers in a distro."""
     known = (catalog.simulator_plugin(name, options.distro) for name in robot.hosts)
     return any(plugin and plugin.hosts_control for plugin in known)
+
+
+def loads_others(robot: RobotFacts, options: GeneratorOptions, catalog: Catalog) -> str:
+    """Return that the plugin of a robot loads controllers of its own, not the generated ones; else an empty text."""
+    hosted = options.ros == 2 and options.simulator in ("gz", "gazebo-classic") and has_host(robot, options, catalog)  # noqa: PLR2004
+    if not hosted or not robot.hosted:
+        return ""
+    file = robot.hosted[0]
+    shown = os.path.relpath(file) if os.path.isabs(file) else file
+    return (
+        f"the simulator's plugin in the robot loads the controllers of '{shown}', and not these: name a description "
+        "without the plugin, or leave it out by an argument"
+    )
 
 
 def takes_namespace(robot: RobotFacts, options: GeneratorOptions, catalog: Catalog) -> bool:

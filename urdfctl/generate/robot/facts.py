@@ -138,7 +138,8 @@ class RobotFacts(NamedTuple):
     `file` is its source file, `package` the package that contains it, and `package_path` its path in that package.
     `root` is its root link, `fixed` are the joints that do not move. `interfaces` are the command interfaces that its
     joints already have from transmissions or `<ros2_control>` tags. `parts` are the joints, sensors and gpios of these
-    tags. `hosts` are the file names of its simulator plugins. `sensor_links` are the links of its sensors by name.
+    tags. `hosts` are the file names of its simulator plugins, `hosted` the parameter files
+    that these load. `sensor_links` are the links of its sensors by name.
     `distro` is that of the robot, None if several `distros` are possible. `arguments` are its xacro arguments with
     their defaults. `skeleton` is there if the simulator is MuJoCo. `generated` are the components that
     gen-ros2-control wrote, with their parts, and the joints of transmissions that gen-transmissions wrote. `lowest` is
@@ -157,6 +158,7 @@ class RobotFacts(NamedTuple):
     parts: tuple[PartFacts, ...] = ()
     components: tuple[str, ...] = ()
     hosts: tuple[str, ...] = ()
+    hosted: tuple[str, ...] = ()
     sensor_links: Mapping[str, str] = {}
     distro: str | None = None
     distros: tuple[str, ...] = ()

@@ -41,11 +41,20 @@ def facts_of(robot: Robot, corners: Corners = no_corners) -> RobotFacts:
         parts=tuple(_parts(robot)),
         components=tuple(control.name or "" for control in robot.ros2_controls),
         hosts=tuple(plugin.filename for plugin in robot.plugins if plugin.filename),
+        hosted=tuple(dict.fromkeys(_hosted(robot))),
         sensor_links=_sensor_links(robot),
         generated=tuple(_generated(robot)),
         lowest=lowest_of(robot),
         mesh_packages=tuple(dict.fromkeys(_mesh_packages(robot))),
     )
+
+
+def _hosted(robot: Robot) -> Iterator[str]:
+    """The parameter files that the plugins of a robot load."""
+    for plugin in robot.plugins:
+        for setting in plugin.tag.named("parameters") if "control" in (plugin.filename or "") else ():
+            if setting.text.strip():
+                yield setting.text.strip()
 
 
 def _with_rims(robot: Robot, joints: list[JointFacts], corners: Corners) -> Iterator[JointFacts]:
