@@ -232,3 +232,26 @@ def test_what_is_added_to_the_demo_of_moveit_is_started_with_it(
     given = written(folder)
     assert starts(given) == [("launch/demo.launch.py", [], ["joint_state_broadcaster", spawned])]
     assert [code for code in errors(given) if code == "UC601"] == expected
+
+
+@pytest.mark.parametrize("text", ["# see crane.launch.py of launch/", "PARTS = ['crane.launch.py']"])
+def test_a_launch_file_that_another_one_only_mentions_is_a_start(folder: Folder, text: str) -> None:
+    """Its name is in a comment, or in a list from which nothing is included."""
+    node = "Node(package='rviz2', executable='rviz2')"
+    imports = "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+    made = "def generate_launch_description():\n    return LaunchDescription([{}])\n"
+    shown = f"{imports}# launch/crane.launch.py\nNAMES = ['/crane.launch.py']\n{text}\n{made.format(node)}"
+    publisher = (
+        "Node(package='robot_state_publisher', executable='robot_state_publisher', "
+        "parameters=[{'robot_description': Command(['xacro ', FindPackageShare('crane'), '/crane.urdf'])}])"
+    )
+    more = "from launch.substitutions import Command\nfrom launch_ros.substitutions import FindPackageShare\n"
+    manager = (
+        "Node(package='controller_manager', executable='ros2_control_node', "
+        "parameters=[[FindPackageShare('crane'), '/controllers.yaml']], "
+        "remappings=[('~/robot_description', '/robot_description')])"
+    )
+    start = f"{imports}{more}{made.format(f'{publisher}, {manager}')}"
+    folder.write({"launch/view.launch.py": shown, "launch/crane.launch.py": start})
+    given = written(folder)
+    assert [each["launch"] for each in given["targets"]] == ["launch/crane.launch.py"]

@@ -14,6 +14,9 @@ _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']co
 _DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
 _PLANNING = rb"\bmoveit_ros_move_group\b|\bgenerate_(?:demo|move_group|rsp|spawn_controllers)_launch\b"
 _SIMULATING = rb"\b(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo)\b"
+_DEMO = rb"\bgenerate_demo_launch\b"
+_ONLY_INCLUDED = ".launch.xml"
+"""The ending of launch files for ROS 1 that are only included."""
 _ROS2 = (".py", ".yaml", ".yml")
 _PARAMETERS = rb"(?m)^[ \t]*[\"']?ros__parameters[\"']?[ \t]*:"
 _MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"
@@ -101,6 +104,15 @@ def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> li
     inner = {included for path in including for included in found[path].sure}
     every = {path: included.every for path, included in found.items()}
     return [path for path in texts if path not in inner and _is_relevant(path, every, texts, named)]
+
+
+def only_mentioned(texts: Mapping[str, bytes], started: Collection[str]) -> list[str]:
+    """Return the launch files that start robots themselves, and that only the texts of others seem to include: whether
+    one of these does is known when they are followed. MoveIt's demo includes its own."""
+    if any(re.search(_DEMO, text) for text in texts.values()):
+        return []
+    inner = (path for path in texts if path not in started and not path.endswith(_ONLY_INCLUDED))
+    return [path for path in inner if _starts_robots(texts[path])]
 
 
 @lru_cache(maxsize=_MOST_TEXTS)

@@ -10,7 +10,14 @@ from copy import copy
 from fnmatch import fnmatchcase
 
 from urdfctl.discover.generated import written_by_xacro
-from urdfctl.discover.launch_files import is_broken, is_controllers_file, is_launch_file, launch_roots, may_launch
+from urdfctl.discover.launch_files import (
+    is_broken,
+    is_controllers_file,
+    is_launch_file,
+    launch_roots,
+    may_launch,
+    only_mentioned,
+)
 from urdfctl.discover.walk import DESCRIPTIONS, files_below, text_of
 from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
@@ -37,6 +44,7 @@ class DiscoveredFiles:
     others: all descriptions in folders, except those that xacro wrote from another one.
     generated: the descriptions that xacro wrote from another one.
     launch_candidates: launch files in folders that may say which files belong together.
+    mentioned: launch files in folders that others seem to include.
     controllers_candidates: files in folders that look like controller files.
     """
 
@@ -48,6 +56,7 @@ class DiscoveredFiles:
         self.controllers: list[str] = []
         self.launches: list[str] = []
         self.launch_candidates: list[str] = []
+        self.mentioned: list[str] = []
         self.controllers_candidates: list[str] = []
         self.around: list[str] = []
         self.focus: list[str] = []
@@ -148,6 +157,7 @@ def _classify(files: Sequence[str], found: DiscoveredFiles, excluded: Callable[[
     started = set(launch_roots(launches))
     followed = (path for path, text in launches.items() if path in started or is_broken(path, text))
     found.launch_candidates += (path for path in followed if not excluded(path))
+    found.mentioned += (path for path in only_mentioned(launches, started) if not excluded(path))
     left_out = _left_out(robots.values())
     whole = (path for path in roots(robots) if not is_fragment(path, robots[path], launches.values(), left_out))
     found.candidates += (path for path in whole if not excluded(path) and path not in generated)

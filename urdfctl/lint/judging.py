@@ -102,6 +102,7 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
 
     files = plan.files
     started = _launched([entry for entry in plan.targets if entry.is_launched], linted, linter)
+    started += _launched(_not_followed(files, started), linted, linter)
     launches = Launches(started, [(entry, pair) for entry, pair in started if entry.is_reported(pair[1])])
     reported = _described(plan.targets, launches, linted)
     together = _with_chosen(_together(launches.started, reported, linted), launches.started, linter, linted)
@@ -250,6 +251,14 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
             more += [entry._replace(target=Target(path)) for path in inner]
     kept = [(entry, pair) for entry, pair in results if entry.target not in replaced]
     return [*kept, *zip(more, linted(more), strict=True)]
+
+
+def _not_followed(files: DiscoveredFiles, started: LaunchedTargets) -> list[PlannedTarget]:
+    """The launch files that others seem to include, and that none of them reads: the text was in a comment, or the path
+    is not understood."""
+    read = _files_read([pair for _, pair in started])
+    left = (path for path in files.mentioned if os.path.abspath(path) not in read)
+    return [PlannedTarget(Target(path), TargetOrigin.LAUNCHED) for path in left]
 
 
 def _outer(launched: LaunchedTargets) -> LaunchedTargets:
