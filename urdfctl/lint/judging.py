@@ -254,10 +254,10 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
 
 
 def _not_followed(files: DiscoveredFiles, started: LaunchedTargets) -> list[PlannedTarget]:
-    """The launch files that others seem to include, and that none of them reads: the text was in a comment, or the path
-    is not understood."""
-    read = _files_read([pair for _, pair in started])
-    left = (path for path in files.mentioned if os.path.abspath(path) not in read)
+    """The launch files that others seem to include, and that none of them reads, nor a namesake: the text was in a
+    comment, or the path is not understood."""
+    read = {os.path.basename(file) for file in _files_read([pair for _, pair in started])}
+    left = (path for path in files.mentioned if os.path.basename(path) not in read)
     return [PlannedTarget(Target(path), TargetOrigin.LAUNCHED) for path in left]
 
 

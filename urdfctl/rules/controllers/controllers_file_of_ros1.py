@@ -56,7 +56,7 @@ def controllers_file_of_ros1(project: Project) -> Iterator[Finding]:
     """Controller file for ROS 1 in a ROS 2 project.
 
     ROS 2 reads parameters only below `ros__parameters`, and controller types only below the controller manager. A node
-    that gets a ROS 1 file exits at once.
+    that gets a ROS 1 file exits at once. A warning if only a launch file for ROS 1 loads it.
     """
     if project.ros != _ROS2:
         return
@@ -67,8 +67,14 @@ def controllers_file_of_ros1(project: Project) -> Iterator[Finding]:
                 f"controller file is written for ROS 1; ROS 2 rejects it. Move the type of {in_words(names, 3)} below "
                 "'controller_manager: ros__parameters:', and the rest to separate sections with 'ros__parameters:'"
             )
-            severity = None if project.robot else Severity.WARNING  # may be an unused leftover
+            is_loaded = project.robot is not None and not _by_roslaunch(project)
+            severity = None if is_loaded else Severity.WARNING  # may be an unused leftover
             yield Finding(file.told_by[0].at, message, tuple(_why(project)), severity=severity)
+
+
+def _by_roslaunch(project: Project) -> bool:
+    """Whether a launch file starts the robot that only ROS 1 can run."""
+    return project.launch is not None and project.launch.ros == 1
 
 
 def _why(project: Project) -> Iterator[Note]:
