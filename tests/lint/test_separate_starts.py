@@ -255,3 +255,23 @@ def test_a_launch_file_that_another_one_only_mentions_is_a_start(folder: Folder,
     folder.write({"launch/view.launch.py": shown, "launch/crane.launch.py": start})
     given = written(folder)
     assert [each["launch"] for each in given["targets"]] == ["launch/crane.launch.py"]
+
+
+@pytest.mark.parametrize("command", ["textfile='$(arg model)'", "command='xacro $(arg model)'"])
+def test_the_package_of_a_description_is_known_by_way_of_an_argument(folder: Folder, command: str) -> None:
+    """Another robot here has the same joints."""
+    manifest = "<package format='2'><name>crane</name><buildtool_depend>catkin</buildtool_depend></package>"
+    robot = ROBOT.partition("<ros2_control")[0] + "</robot>"
+    inner = launch('<arg name="model"/>', f'<param name="robot_description" {command}/>')
+    model = '<arg name="model" value="$(find old-crane_description)/crane.urdf"/>'
+    loads = '<rosparam command="load" file="$(find crane)/c.yaml"/>'
+    include = f'<include file="$(find crane)/launch/model.launch.xml">{model}</include>'
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="turn"/>'
+    folder.write({"package.xml": manifest, "crane.urdf": robot, "launch/model.launch.xml": inner})
+    folder.write({"launch/old.launch": launch(include, loads, spawner)})
+    folder.write({"c.yaml": "turn: {type: position_controllers/JointPositionController, joint: slew}\n"})
+    described = '<param name="robot_description" textfile="$(find crane)/crane.urdf"/>'
+    folder.write({"launch/world.launch": launch(WORLD, described)})
+    given = json.loads(folder.run("lint", ".", "--format", "json", "--distro", "noetic", "--exit-zero").stdout)
+    assert [each["lacks"]["packages"] for each in given["unjoined"]] == [["old-crane_description"]]
+    assert starts(given) in ([], [("launch/world.launch", [], [])])

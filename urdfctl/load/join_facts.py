@@ -81,7 +81,8 @@ def _waits(launch: Launch) -> bool:
 
 def _described_in(launch: Launch) -> tuple[str, ...]:
     """The packages that are not here and that a launch file takes its descriptions from."""
-    commands = (each.command or "" for each in launch.descriptions if each.file.path is None)
+    unknown = (each for each in launch.descriptions if each.file.path is None)
+    commands = (f"{each.command or ''} {each.file.text}" for each in unknown)
     return tuple(dict.fromkeys(name for command in commands for name in re.findall(_OUTSIDE, command)))
 
 

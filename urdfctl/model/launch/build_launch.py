@@ -257,11 +257,13 @@ class _LaunchBuilder:
         arguments: tuple[tuple[str, str], ...] | None = ()
         source = "command" if "command" in element.attrs else "textfile"
         written = re.sub(r"\$\(find xacro\)", "xacro", element.attrs.get(source, ""))
+        resolved = texts.resolve(written)
         if source == "command":
-            path, arguments = of_command(texts.resolve(written))
+            path, arguments = of_command(resolved)
         elif written:
-            path = if_known(texts.resolve(written))
-        reference = self._reference(written, element.at[source], path, "description", sure=scope.sure)
+            path = if_known(resolved)
+        text = written if path else resolved  # which says in what package it is
+        reference = self._reference(text, element.at[source], path, "description", sure=scope.sure)
         at = element.at[source]
         named = re.findall(r"((?<!\w)(\w+):=\S*)", written)
         places = at.words(word for word, _ in named)

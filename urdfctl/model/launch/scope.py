@@ -8,6 +8,7 @@ from collections import ChainMap
 from collections.abc import Callable, Iterable, Mapping
 
 from urdfctl.model.launch.parts import joined
+from urdfctl.source.launch.terms import outside
 from urdfctl.source.lengths import Room
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -123,7 +124,7 @@ class Substitutions:
         command, _, name = inside.partition(" ")
         if command != "find" or UNKNOWN in name:
             return UNKNOWN
-        return self.find(name.strip()) or UNKNOWN
+        return self.find(name.strip()) or outside(name.strip())
 
     def _evaluated(self, expression: str) -> str:
         """The value of an `eval`: a Python expression with the launch arguments as names; UNKNOWN if it is unknown."""
