@@ -13,7 +13,7 @@ from urdfctl.startup.records import NamedTuple
 _ENDINGS = (
     *(".launch", ".xml", ".py", ".yaml", ".yml", ".sdf", ".world", ".md", ".rst", ".txt", ".sh", ".bash", ".zsh"),
     *(".bat", ".ps1", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".h", ".json", ".ipynb", ".service", ".in"),
-    *(".em", ".erb", ".dockerfile", ".mk", ".rs", ".js", ".ts", ".toml"),
+    *(".em", ".erb", ".dockerfile", ".mk", ".rs", ".js", ".ts", ".toml", ".repos", ".rosinstall", ".gitmodules"),
 )
 _OF_BUILDS = frozenset({"package.xml", "CMakeLists.txt", "CHANGELOG.rst", "CHANGELOG.md", "LICENSE"})
 """Files that name programs without starting any."""
@@ -40,17 +40,18 @@ class Mentions:
     def __init__(self) -> None:
         self._found: dict[tuple[str, str], _Found] = {}
 
-    def beside(self, workspace: str, read: Collection[str]) -> Callable[[str], bool]:
+    def beside(self, workspace: str, read: Collection[str]) -> Callable[[str], bool | None]:
         """Return a function that returns whether a text of a workspace, other than those that were read, says what a
-        regular expression matches; also if that cannot be known, because there are too many."""
+        regular expression matches; None if that cannot be known, because there are too many."""
 
-        def mentioned(expression: str) -> bool:
+        def mentioned(expression: str) -> bool | None:
             known = frozenset(map(os.path.realpath, read))
             key = (workspace, expression)
             if key not in self._found:
                 self._found[key] = _search(workspace, expression, known)
             found = self._found[key]
-            return found.more or any(os.path.realpath(path) not in known for path in found.paths)
+            is_said = any(os.path.realpath(path) not in known for path in found.paths)
+            return is_said or (None if found.more else False)
 
         return mentioned
 

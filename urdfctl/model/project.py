@@ -84,9 +84,9 @@ class OwnTypes(NamedTuple):
 NO_OWN_TYPES = OwnTypes()
 
 
-def mentions_anything(_expression: str) -> bool:
-    """Return True: nobody looked at what other files say."""
-    return True
+def mentions_unknown(_expression: str) -> bool | None:
+    """Return None: nobody looked at what other files say."""
+    return None
 
 
 class Project(NamedTuple):
@@ -118,7 +118,7 @@ class Project(NamedTuple):
     moveit: MoveIt's configuration of the robot; None if there is none.
     todos: what a migration left to a person in the files that were read, with the place of the comment.
     mentioned: returns whether a text of the workspace that was not read, such as another launch file, a script or a
-        README, says what a regular expression matches, as far as that is known: otherwise True.
+        README, says what a regular expression matches; None if that is not known.
     """
 
     robot: Robot | None
@@ -144,13 +144,17 @@ class Project(NamedTuple):
     absent: tuple[tuple[str, Place], ...] = ()
     moveit: MoveIt | None = None
     todos: tuple[tuple[str, Place], ...] = ()
-    mentioned: Callable[[str], bool] = mentions_anything
+    mentioned: Callable[[str], bool | None] = mentions_unknown
 
     @property
     def ros(self) -> int | None:
         """The ROS generation, 1 or 2; None if unknown."""
         generations = {generation(distro) for distro in self.distros}
         return generations.pop() if len(generations) == 1 else None
+
+    def may_mention(self, expression: str) -> bool:
+        """Return whether another text of the workspace says what an expression matches, unless it is known not to."""
+        return self.mentioned(expression) is not False
 
     @property
     def catalog(self) -> Catalog:

@@ -84,7 +84,21 @@ def in_each_distro(project: Project, judge: Judge, *, newest: bool = False) -> I
         for by_distro in by_place.values():
             if not newest or readers[-1].distro in by_distro:
                 finding = _joined(by_distro, [reader.distro for reader in readers])
-                yield finding._replace(severity=Severity.WARNING) if idle and _is_error(finding) else finding
+                finding = finding._replace(severity=Severity.WARNING) if idle and _is_error(finding) else finding
+                yield _of_fork(finding) if _is_forked(project, readers[-1]) else finding
+
+
+def _is_forked(project: Project, reader: Reader) -> bool:
+    """Whether the workspace is built with a fork of the repository that has the type of a controller."""
+    if reader.type is None or reader.type.external:
+        return False
+    name = "ros2_controllers" if generation(reader.distro) == _ROS2 else "ros_controllers"
+    return bool(project.mentioned(rf"(?:url\W+|uri\W+|clone\s+)\S*[:/](?!ros-controls/)[\w.-]+/{name}\b"))
+
+
+def _of_fork(finding: Finding) -> Finding:
+    note = Note("the workspace is built with a fork of the repository of this controller, which may read it")
+    return finding._replace(severity=Severity.INFO, notes=(*finding.notes, note))
 
 
 def _joined(by_distro: Mapping[str, Finding], distros: list[str]) -> Finding:

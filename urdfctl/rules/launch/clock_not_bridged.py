@@ -61,7 +61,7 @@ def clock_not_bridged(project: Project) -> Iterator[Finding]:
         return
     simulation = next((one for one in launch.simulations if one.sure and one.simulator == "gz"), None)
     timed = [node for node in launch.nodes if node.sure and dict(node.values).get("use_sim_time", "").lower() == "true"]
-    if simulation is None or not timed or any(map(_may_bridge, launch.nodes)) or project.mentioned(_CLOCK):
+    if simulation is None or not timed or any(map(_may_bridge, launch.nodes)) or project.may_mention(_CLOCK):
         return
     node = timed[0]
     at = next((word.at for word in node.parameters if word.text == "use_sim_time"), node.at)

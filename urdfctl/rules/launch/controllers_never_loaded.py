@@ -101,7 +101,7 @@ def _of_node(launch: Launch, spawns: list[Spawn]) -> Iterator[Finding]:
 
 def _of_server(project: Project, launch: Launch, spawns: list[Spawn]) -> Iterator[Finding]:
     simulated = any(simulation.sure for simulation in launch.simulations) and control_plugins(project)
-    if simulated and not project.mentioned(_LOADS):
+    if simulated and not project.may_mention(_LOADS):
         message = (
             f'{_spawned(spawns)} spawned, but nothing here loads parameters for them; add <rosparam command="load">'
         )

@@ -80,7 +80,7 @@ def controllers_never_spawned(project: Project) -> Iterator[Finding]:
         return
     manager = _manager(project)
     others = [node for node in launch.nodes if node not in manager_nodes(launch)]
-    if manager is None or not all(map(hosts_no_manager, others)) or project.mentioned(SPAWNS_CONTROLLERS):
+    if manager is None or not all(map(hosts_no_manager, others)) or project.may_mention(SPAWNS_CONTROLLERS):
         return
     controllers = project.controllers.controllers if project.controllers else ()
     at = next(each.declared_at for each in controllers if each.declared_at is not None and each.type is not None)

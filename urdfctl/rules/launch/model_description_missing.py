@@ -89,9 +89,9 @@ def _of_topic(project: Project, launch: Launch, node: Node) -> Iterator[Finding]
     if asked in offered or UNKNOWN in asked or any(asked in map(_absolute, _ends(each)) for each in launch.nodes):
         return
     if not offered:
-        if not project.mentioned(PUBLISHES_DESCRIPTION) and not project.mentioned(_named(asked)):
+        if not project.may_mention(PUBLISHES_DESCRIPTION) and not project.may_mention(_named(asked)):
             yield _finding(node, word, f"nothing here publishes '{asked}'", Severity.WARNING)
-    elif not project.mentioned(_named(asked)):
+    elif not project.may_mention(_named(asked)):
         topic, publisher = next(iter(offered.items()))
         sure = all(each.sure for each in launch.nodes)
         found = _finding(node, word, f"robot_state_publisher publishes '{topic}'", None if sure else Severity.WARNING)
@@ -108,7 +108,7 @@ def _of_parameter(project: Project, launch: Launch, node: Node) -> Iterator[Find
         return
     if not all(load.file.exists for load in launch.loads) or any(not one.name for one in launch.inline):
         return
-    if project.mentioned(_named(asked)):
+    if project.may_mention(_named(asked)):
         return
     others = [name for name in launch.named if name.endswith("description")]
     what = f"the launch file sets '{others[0]}'" if others else "nothing here sets it"

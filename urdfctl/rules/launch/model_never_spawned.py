@@ -70,7 +70,7 @@ def model_never_spawned(project: Project) -> Iterator[Finding]:
     if simulation is None or not plugins or model_spawners(launch) or any(map(_may_spawn, _programs(project))):
         return
     worlds = rf"ros2?_control|model://{robot.name}|name=.{robot.name}\b"
-    if project.mentioned(SPAWNS_MODEL) or project.mentioned(rf"(?s)<world.*(?:{worlds})"):
+    if project.may_mention(SPAWNS_MODEL) or project.may_mention(rf"(?s)<world.*(?:{worlds})"):
         return
     program = "create" if simulation.simulator == "gz" else "spawn_entity.py" if launch.ros == ROS_2 else "spawn_model"
     message = f"the simulator is started, but nothing here spawns the robot in it; start '{program}'"

@@ -58,7 +58,7 @@ def simulator_never_started(project: Project) -> Iterator[Finding]:
     spawner = next((node for node in model_spawners(launch) if node.sure), None)
     if spawner is None or any(_may_simulate(node.package.text) for node in launch.nodes):
         return
-    if project.mentioned(STARTS_SIMULATOR):
+    if project.may_mention(STARTS_SIMULATOR):
         return
     simulator = "gz" if spawner.executable.text == "create" else "Gazebo"
     message = f"'{spawner.executable.text}' spawns a model, but nothing here starts {simulator}"

@@ -1,7 +1,7 @@
 """The steps of a bringup: start the simulator, spawn the model, load and spawn the controllers, publish the description.
 
 A rule about a missing step speaks only if the launch file is wholly known, and no other text of the workspace (a second
-launch file, a script, the commands in a README) does the step: `Project.mentioned`.
+launch file, a script, the commands in a README) does the step: `Project.may_mention`.
 """
 
 from __future__ import annotations

@@ -61,7 +61,19 @@ _NAMES = ("joint", "wheel", "interface")
             "options": "--distro=jazzy",
         },
     ],
-    good=[SOUND],
+    good=[
+        SOUND,
+        {
+            **launched(
+                PUBLISHER,
+                MANAGER,
+                BROADCASTER,
+                ARM,
+                controllers=CONTROLLERS.replace("joints: [shoulder, elbow]", 'joints: ["${prefix}shoulder", elbow]'),
+            ),
+            "write.sh": "sed 's/${prefix}/left_/' controllers.yaml > left.yaml\n",
+        },
+    ],
 )
 def text_not_expanded(project: Project) -> Iterator[Finding]:
     """Expression in a controller file that nothing expands.
@@ -90,7 +102,7 @@ def text_not_expanded(project: Project) -> Iterator[Finding]:
         found = _BRACES.search(text)
         if found is None and fault.at.source.path not in evaluated:
             found = (_ANY_OF_ROS1 if launch and launch.ros == 1 else _ANY_OF_ROS2).search(text)
-        if found:
+        if found and not _is_replaced(project, found[0]):
             severity = Severity.ERROR if any(name in fault.subject for name in _NAMES) else None
             message = f"'{found[0]}' in '{fault.subject}' is not expanded: nothing evaluates it in a controller file"
             yield Finding(at, message, (Note("the file is loaded here", loaded[at.source.path]),), severity=severity)
@@ -108,13 +120,18 @@ def _without_launch(project: Project) -> Iterator[Finding]:
         text = fault.at.span.text
         found = _BRACES.search(text)
         left = _ANY_OF_ROS2.search(text) if found is None and project.ros == ROS_2 else None
-        if left and (fault.at.source.path, fault.at.start) in read and not project.mentioned(_EVALUATES):
+        if left and (fault.at.source.path, fault.at.start) in read and not project.may_mention(_EVALUATES):
             message = f"'{left[0]}' in '{fault.subject}' is not expanded unless a launch file loads the file with allow_substs"
             yield Finding(fault.at, message, severity=Severity.WARNING)
-        if found and (fault.at.source.path, fault.at.start) in read:
+        if found and (fault.at.source.path, fault.at.start) in read and not _is_replaced(project, found[0]):
             message = f"'{found[0]}' in '{fault.subject}' is not expanded: nothing evaluates it in a controller file"
             is_name = project.robot is not None and any(name in fault.subject for name in _NAMES)
             yield Finding(fault.at, message, severity=Severity.ERROR if is_name else Severity.WARNING)
+
+
+def _is_replaced(project: Project, expression: str) -> bool:
+    """Whether a program or script of the workspace replaces an expression in a text: in what it writes a file from."""
+    return project.mentioned(rf"(?:replace|sub|sed)\b[^\n]{{0,60}}{re.escape(expression)}") is True
 
 
 def _read(project: Project) -> set[tuple[str, int]]:

@@ -43,13 +43,14 @@ def joint_type_not_moved(project: Project) -> Iterator[Finding]:
     """Floating or planar joint.
 
     urdfdom accepts these types, but most other tools do not. robot_state_publisher treats the joint as fixed. Gazebo
-    creates no joint, and rejects the model from sdformat 12 on.
+    creates no joint, and rejects the model from sdformat 12 on. MuJoCo has free joints: there this is only worth knowing.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
         if joint.type in ("floating", "planar"):
             message = f"{label('joint', joint.name)} is {joint.type}; robot_state_publisher treats it as fixed"
-            if project.may_be_simulated:
+            in_gazebo = project.may_be_simulated and project.simulator != "mujoco"
+            if in_gazebo:
                 message += ", and Gazebo creates no joint for it"
-            severity = None if project.may_be_simulated else Severity.INFO
+            severity = None if in_gazebo else Severity.INFO
             yield Finding(joint.at["type"], message, severity=severity)

@@ -1,0 +1,47 @@
+"""What other texts of a workspace say: scripts, READMEs, other launch files, and lists of repositories."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from folder import Folder
+from launched_packages import found
+
+from urdfctl.load import mentions
+from urdfctl.load.mentions import Mentions
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, launched
+
+REPOS = "repositories:\n  ros2_controllers: {type: git, url: https://github.com/%s/ros2_controllers}\n"
+
+
+def said(folder: Path, expression: str, *read: str) -> bool | None:
+    return Mentions().beside(str(folder), [str(folder / name) for name in read])(expression)
+
+
+def test_a_text_that_was_read_does_not_count(tmp_path: Path) -> None:
+    (tmp_path / "a.launch").write_text("<node type='spawner'/>")
+    assert said(tmp_path, "spawner") is True
+    assert said(tmp_path, "spawner", "a.launch") is False
+
+
+@pytest.mark.parametrize("name", ["package.xml", "CMakeLists.txt", "build/run.sh", "robot.urdf", "wheel.stl"])
+def test_what_starts_nothing_does_not_count(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    (tmp_path / name).write_text("spawner")
+    assert said(tmp_path, "spawner") is False
+
+
+def test_it_is_unknown_in_a_workspace_with_too_many_texts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(mentions, "_MOST_FILES", 2)
+    for number in range(3):
+        (tmp_path / f"{number}.py").write_text("")
+    assert said(tmp_path, "spawner") is None
+
+
+@pytest.mark.parametrize(("owner", "severity"), [("husarion", "info"), ("ros-controls", "warning")])
+def test_a_parameter_may_be_read_by_a_fork_of_the_controllers(owner: str, severity: str, folder: Folder) -> None:
+    controllers = CONTROLLERS.replace("joints: [", "own_parameter: true\n        joints: [")
+    files = launched(PUBLISHER, MANAGER, BROADCASTER, ARM, controllers=controllers)
+    [finding] = found(folder, {**files, "arm.repos": REPOS % owner}, "UC430", distro="jazzy")
+    assert severity in str(finding)
