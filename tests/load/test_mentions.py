@@ -33,7 +33,7 @@ def test_what_starts_nothing_does_not_count(name: str, tmp_path: Path) -> None:
 
 
 def test_it_is_unknown_in_a_workspace_with_too_many_texts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(mentions, "_MOST_FILES", 2)
+    monkeypatch.setattr(mentions, "MOST_FILES", 2)
     for number in range(3):
         (tmp_path / f"{number}.py").write_text("")
     assert said(tmp_path, "spawner") is None

@@ -19,7 +19,8 @@ _OF_BUILDS = frozenset({"package.xml", "CMakeLists.txt", "CHANGELOG.rst", "CHANG
 """Files that name programs without starting any."""
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", ".git", ".venv", "meshes"})
 _MOST_BYTES = 1 << 18
-_MOST_FILES = 4000
+MOST_FILES = 4000
+"""Texts of a workspace that are searched; what more of them say is unknown."""
 _MOST_KNOWN = 8
 
 
@@ -59,7 +60,7 @@ class Mentions:
 def _search(workspace: str, expression: str, read: Collection[str]) -> _Found:
     pattern, found = re.compile(expression.encode()), list[str]()
     for count, path in enumerate(_texts(workspace)):
-        if count >= _MOST_FILES or len(found) > len(read) + _MOST_KNOWN:
+        if count >= MOST_FILES or len(found) > len(read) + _MOST_KNOWN:
             return _Found(tuple(found), more=True)
         try:
             text = start_of(path, _MOST_BYTES)
