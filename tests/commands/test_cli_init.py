@@ -11,7 +11,7 @@ from folder import Folder
 from generating import command
 
 from urdfctl import __version__
-from urdfctl.commands.editor import origin
+from urdfctl.commands.editor import init, origin
 from urdfctl.errors import UserError
 
 ROBOT = """<robot name="r"><link name="a"/><link name="b"/>
@@ -49,9 +49,30 @@ def test_the_hook_and_the_workflow_are_written_once(folder: Folder) -> None:
     assert (
         "urdfctl check . --distro jazzy --format github" in (folder.path / ".github/workflows/urdfctl.yaml").read_text()
     )
-    assert command(*words).stderr == "urdfctl: 'urdfctl.toml' exists; --force overwrites it\n"
-    again = command(*words, "--force")
-    assert "'.pre-commit-config.yaml' exists; add this to it if it is missing:" in again.stderr
+    assert command("init").stderr == "urdfctl: 'urdfctl.toml' exists; --force overwrites it\n"
+    for again in (command(*words), command(*words, "--force")):
+        assert "'.pre-commit-config.yaml' exists; add this to it if it is missing:" in again.stderr
+
+
+def test_a_configuration_that_is_there_stays_and_gets_the_baseline(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT.format(""), "urdfctl.toml": 'distro = "jazzy"\nexclude = ["old"]\n'})
+    ran = command("init", "--workflow", "--baseline")
+    assert ran.returncode == 0
+    assert "'urdfctl.toml' stays; --force writes it anew" in ran.stderr
+    text = (folder.path / "urdfctl.toml").read_text()
+    assert text == 'baseline = "urdfctl-baseline.json"\ndistro = "jazzy"\nexclude = ["old"]\n'
+    assert "--distro jazzy" in (folder.path / ".github/workflows/urdfctl.yaml").read_text()
+
+
+@pytest.mark.parametrize("engines", [(), ("mujoco",)])
+def test_the_baseline_is_written_by_what_the_workflow_runs(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch, engines: tuple[str, ...]
+) -> None:
+    monkeypatch.setattr(init, "installed", lambda: engines)
+    folder.write({"r.urdf": ROBOT.format("")})
+    step = command("init", "--workflow", "--baseline", "--distro", "jazzy").stderr.splitlines()[-1]
+    without_motion = "" if engines else " --engine none"
+    assert step == f"urdfctl: next: urdfctl check .{without_motion} --write-baseline urdfctl-baseline.json"
 
 
 def test_a_folder_without_robots_is_refused(folder: Folder) -> None:

@@ -67,8 +67,12 @@ def test_the_version_has_a_short_option(folder: Folder) -> None:
 
 def test_a_robot_without_any_control_gets_a_hint_how_to_generate_it(folder: Folder) -> None:
     folder.write({"arm.urdf": ARM})
-    hint = "nothing controls the robot's joints; to generate control: urdfctl gen-all arm.urdf\n"
-    assert hint in folder.run("lint", "arm.urdf").stdout
+    hint = "nothing controls the robot's joints; to generate control: "
+    assert f"{hint}urdfctl gen-all arm.urdf -o arm_control\n" in folder.run("lint", "arm.urdf").stdout
+    for_jazzy = folder.run("lint", "arm.urdf", "--distro", "jazzy").stdout
+    assert "gen-all arm.urdf --distro jazzy -o arm_control\n" in for_jazzy
+    folder.write({"arm/package.xml": "<package><name>arm</name></package>", "arm/urdf/arm.urdf": ARM})
+    assert "urdfctl gen-all arm/urdf/arm.urdf -o arm_control\n" in folder.run("lint", "arm").stdout
     folder.write({"arm.urdf": ARM.replace("continuous", "fixed")})
     assert hint not in folder.run("lint", "arm.urdf").stdout
 

@@ -286,6 +286,22 @@ def test_a_package_of_the_robot_that_was_found_is_made_again(folder: Folder) -> 
     assert command("gen-check") == (0, "", "")
 
 
+def test_a_package_is_compared_with_the_robot_beside_it_and_not_with_its_own_copy(folder: Folder) -> None:
+    folder.write({"src/r_description/urdf/r.urdf": ROBOT, "src/other/notes.txt": ""})
+    os.chdir(folder.path / "src/r_description")
+    assert command("gen-all", "urdf/r.urdf", *EFFORT, "-o", "../made").returncode == 0
+    (folder.path / "src/r_description/urdf/r.urdf").write_text(ROBOT.replace('name="j"', 'name="k"'))
+    for place in ("src/r_description", "src/made", "src", "."):
+        os.chdir(folder.path / place)
+        assert command("gen-check", str(folder.path / "src/made")).returncode == 1
+    (folder.path / "src/r_description").rename(folder.path / "elsewhere")
+    alone = command("gen-check", "src/made")
+    assert alone.returncode == 0
+    assert (
+        "'src/made' was checked against the copy of the robot in it; to check it against the original" in alone.stderr
+    )
+
+
 def test_gen_check_works_in_the_package_and_in_the_workspace(folder: Folder) -> None:
     folder.write({"src/r.urdf": ROBOT})
     os.chdir(folder.path / "src")

@@ -12,6 +12,7 @@ from urdfctl.output.printing import visible
 from urdfctl.report.common import about_missing_packages, counted, is_robot, relative, shown
 from urdfctl.report.concise import place
 from urdfctl.report.words import about_unjoined, fix_in_words, notes
+from urdfctl.source.workspaces.packages import package_around
 from urdfctl.startup.records import NamedTuple
 
 WIDTH = 120
@@ -163,7 +164,7 @@ def _summary(report: Report, width: int) -> Iterator[Piece]:
         yield Piece(wrapped(visible(about_unjoined(report.unjoined)), width))
     yield from _open_distro(report, width)
     if report.uncontrolled:
-        hint = f"nothing controls the robot's joints; to generate control: urdfctl gen-all {shown(report.uncontrolled)}"
+        hint = f"nothing controls the robot's joints; to generate control: {_generating(report)}"
         yield Piece(wrapped(visible(hint), width))
     if report.missing_packages:
         yield Piece(wrapped(visible(about_missing_packages(report.missing_packages)), width))
@@ -173,6 +174,17 @@ def _summary(report: Report, width: int) -> Iterator[Piece]:
     summary = f"{', '.join(counts) or 'no findings'} in {_scope(report)}{_details(report)}"
     summary += f"; {report.known} hidden by the baseline" if report.known else ""
     yield Piece(wrapped(visible(summary + _fixable(report)), width), "bold")
+
+
+def _generating(report: Report) -> str:
+    """The command that generates control for the robot that has none, in a new package beside its own."""
+    path = shown(report.uncontrolled)
+    around = package_around(os.path.dirname(os.path.abspath(path)))
+    name = f"{os.path.basename(path).partition('.')[0]}_control"
+    output = shown(os.path.relpath(os.path.join(os.path.dirname(around) if around else os.curdir, name)))
+    distros = {target.distro for target in report.targets if target.distro}
+    distro = f" --distro {distros.pop()}" if len(distros) == 1 else ""
+    return f"urdfctl gen-all {path}{distro} -o {output}"
 
 
 def _plural(severity: Severity, number: int) -> str:

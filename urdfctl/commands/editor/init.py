@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from collections.abc import Sequence
 
@@ -33,6 +34,8 @@ from urdfctl.output.writing_all import write_all
 from urdfctl.report.baseline import open_baseline
 from urdfctl.report.common import relative_message
 from urdfctl.report.template_folder import own_folder
+from urdfctl.smoke.engines import installed
+from urdfctl.source.disk.files import named_bytes
 
 _MOST = 50
 """With more descriptions than this, only the first ones are read."""
@@ -79,7 +82,8 @@ def _init(options: InitOptions, answer: CommandAnswer) -> int:
         raise UserError(f"folder '{folder}' does not exist")
     target, hook, workflow = (os.path.normpath(os.path.join(folder, name)) for name in (NAMES[0], *_MORE))
     check_output(target, hook if options.pre_commit else None, workflow if options.workflow else None)
-    if would_overwrite(target) and not options.force:
+    kept = _kept(target) if would_overwrite(target) and not options.force else None
+    if kept is not None and not (options.workflow or options.pre_commit or options.baseline):
         raise UserError(f"'{target}' exists; --force overwrites it")
     answer.messages(restore_unfinished())
     config = configured([folder], options)
@@ -91,10 +95,12 @@ def _init(options: InitOptions, answer: CommandAnswer) -> int:
         distro = options.distro or _asked("ROS distro", ALL, distro)
         simulator = options.simulator or _asked("Simulator", SIMULATORS, simulator)
     distro, simulator = options.distro or distro, options.simulator or simulator
-    text = _toml(folder, robots, distro, simulator)
-    write_file(target, text, force=options.force)
-    answer.file(target, FileState.WRITTEN)
-    answer.message(f"'{target}' written: {len(robots)} robot{'s' * (len(robots) > 1)}, {distro or 'distro not set'}")
+    text = _toml(folder, robots, distro, simulator) if kept is None else kept
+    if kept is None:
+        write_file(target, text, force=options.force)
+        answer.file(target, FileState.WRITTEN)
+    number = f"{len(robots)} robot{'s' * (len(robots) > 1)}, {distro or 'distro not set'}"
+    answer.message(f"'{target}' written: {number}" if kept is None else f"'{target}' stays; --force writes it anew")
     if not distro:
         answer.message(f"ROS distro is unknown; set it in '{target}', or use --distro")
     if options.baseline:
@@ -104,7 +110,7 @@ def _init(options: InitOptions, answer: CommandAnswer) -> int:
         answer.message(f"the workflow cannot install urdfctl before there is {source.lacks}")
     _offer(hook, _hook(source), "--pre-commit", answer, wanted=options.pre_commit)
     _offer(workflow, _workflow(source, distro), "--workflow", answer, wanted=options.workflow)
-    more = f" --engine none --write-baseline {_baseline_in(folder)}" if options.baseline else ""
+    more = f"{_as_in_workflow(options)} --write-baseline {_baseline_in(folder)}" if options.baseline else ""
     answer.next(f"urdfctl check {folder}{more}")
     return 0
 
@@ -118,6 +124,16 @@ def _robots_in(folder: str, config: Config, settings: Settings) -> dict[str, Rob
     if not robots:
         raise UserError(f"no robot found in '{folder}'")
     return robots
+
+
+def _kept(target: str) -> str:
+    """The text of a configuration that stays."""
+    return named_bytes(target).decode("utf-8", "surrogateescape")
+
+
+def _as_in_workflow(options: InitOptions) -> str:
+    """The option with which a run finds what the workflow will, which moves the robot, or else what the hook will."""
+    return "" if options.workflow and installed() else " --engine none"
 
 
 def _baseline_in(folder: str) -> str:
@@ -136,7 +152,8 @@ def _write_baseline(options: InitOptions, target: str, text: str, answer: Comman
     open_baseline([], Selection(), to_write=path).unknown(
         merge(outcomes_of(run.results), Selection()), {file for result in run.results for file in result.files}
     )
-    write_file(target, f'baseline = "{_BASELINE}"\n{text}', force=True)
+    if not re.search(r"(?m)^baseline\s*=", text):
+        write_file(target, f'baseline = "{_BASELINE}"\n{text}', force=True)
     answer.file(path, FileState.WRITTEN)
     answer.message(f"what '{path}' lists is hidden; the smoke test's findings are not in it yet: see below")
 

@@ -13,7 +13,7 @@ from urdfctl.discover.robots import check_readable
 from urdfctl.errors import UserError
 from urdfctl.output.answer import CommandAnswer, FileState
 from urdfctl.source.disk.files import first_bytes, folders_upwards
-from urdfctl.source.disk.gate import admits, exists, reading_within, walk
+from urdfctl.source.disk.gate import admits, exists, names_in, reading_within, walk
 from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
@@ -24,6 +24,10 @@ _LONG = re.compile(r"^-(?=[a-z]{2})")
 _PACKAGES = ("gen-all", "gen-moveit")
 """The commands that write a package."""
 _FIRST = 1 << 16
+_COPY = (
+    "was checked against the copy of the robot in it; to check it against the original, run gen-check in the folder in "
+    "which {} was run"
+)
 _FORBIDDEN = re.compile(
     r"-o.*|--?(output|into|force|diff|check|trust|templates|package-path|workspace|config|env|timeout|memory)(=.*)?"
 )
@@ -75,6 +79,8 @@ def run_again(
                 raise UserError(f"'{os.path.relpath(origin.path)}' cannot be generated again: {error}") from None
         stale = stale or bool(status)
         _tell(made, answer, origin, start)
+        if _has_a_copy(origin):
+            answer.message(f"'{os.path.relpath(origin.path, start)}' {_COPY.format(origin.words[0])}")
     return int(stale)
 
 
@@ -150,7 +156,7 @@ def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigi
     homes = [home for home in ([os.curdir, *above] if inputs or not above else above) if admits(home)]
     if words[0] in _PACKAGES:  # the package may hold a copy of its robot, which is no input: it is searched last
         outside = [home for home in homes if not f"{os.path.abspath(home)}{os.sep}".startswith(f"{package}{os.sep}")]
-        homes = [*outside, package]
+        homes = [*outside, *_only_beside(package, inputs), package]
     home = next((home for home in homes if all(exists(os.path.join(home, path)) for path in inputs)), None)
     if forbidden or home is None or "-" in inputs:
         outside = [path for path in inputs if not any(admits(os.path.join(home, path)) for home in homes)]
@@ -160,6 +166,22 @@ def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigi
     if words[0] not in _PACKAGES:
         return GeneratedOrigin(os.path.abspath(file), words, os.path.abspath(home), workspace)
     return GeneratedOrigin(package, words, os.path.abspath(home), workspace)
+
+
+def _only_beside(package: str, inputs: Sequence[str]) -> list[str]:
+    """The folder beside a package that has the inputs of its command, if it is the only one: it ran there."""
+    try:
+        folders = [os.path.join(os.path.dirname(package), name) for name in names_in(os.path.dirname(package))]
+    except OSError:
+        return []
+    found = [folder for folder in folders if folder != package and all(exists(os.path.join(folder, i)) for i in inputs)]
+    return found if inputs and len(found) == 1 else []
+
+
+def _has_a_copy(origin: GeneratedOrigin) -> bool:
+    """Whether a package was compared with the robot in itself, though its package.xml is generated: with a copy."""
+    is_own = origin.words[0] in _PACKAGES and origin.home == origin.path
+    return is_own and words_of_generated_file(os.path.join(origin.path, "package.xml")) is not None
 
 
 @contextmanager
