@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Note, Project, Severity, rule
@@ -58,7 +59,8 @@ def simulator_never_started(project: Project) -> Iterator[Finding]:
     spawner = next((node for node in model_spawners(launch) if node.sure), None)
     if spawner is None or any(_may_simulate(node.package.text) for node in launch.nodes):
         return
-    if project.may_mention(STARTS_SIMULATOR):
+    own = spawner.at.source.data.decode("utf-8", "replace")
+    if project.may_mention(STARTS_SIMULATOR) or re.search(STARTS_SIMULATOR, own):  # its own start may be switched off
         return
     simulator = "gz" if spawner.executable.text == "create" else "Gazebo"
     message = f"'{spawner.executable.text}' spawns a model, but nothing here starts {simulator}"

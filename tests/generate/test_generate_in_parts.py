@@ -1,0 +1,42 @@
+"""What the generators write one after another belongs together: a robot with all the parts has no error."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import pytest
+from beginners_robots import BASE
+from folder import Folder
+from generating import command
+
+ROBOT = re.sub(r"(?s)<transmission.*?</transmission>|<gazebo>.*?</gazebo>", "", BASE["urdf/tern.urdf.xacro"])
+INCLUDES = '<xacro:include filename="ros2_control.xacro"/><xacro:include filename="gazebo.xacro"/></robot>'
+MANIFEST = "<package format='3'><name>tern</name></package>"
+PARTS = {
+    "gen-ros2-control": "urdf/ros2_control.xacro",
+    "gen-controllers": "config/controllers.yaml",
+    "gen-gazebo": "urdf/gazebo.xacro",
+}
+JAZZY = ("urdf/tern.urdf.xacro", "--distro", "jazzy", "--simulator", "gz")
+
+
+def test_a_base_that_is_generated_in_parts_has_no_error(folder: Folder) -> None:
+    folder.write({"urdf/tern.urdf.xacro": ROBOT, "package.xml": MANIFEST})
+    for name, file in PARTS.items():
+        assert command(name, *JAZZY, "-o", file).returncode == 0
+    folder.write({"urdf/tern.urdf.xacro": ROBOT.replace("</robot>", INCLUDES)})
+    assert command("gen-launch", *JAZZY, "-o", "launch/control.launch.py").returncode == 0
+    found = json.loads(command("lint", ".", "--format", "json").stdout)["findings"]
+    assert [finding["message"] for finding in found if finding["severity"] == "error"] == []
+
+
+@pytest.mark.parametrize(
+    ("words", "interface"), [((), "velocity"), (("--command", "effort"), "effort"), (("--type", "position"), "position")]
+)
+def test_wheels_are_commanded_as_their_controller_does_unless_the_user_says_how(
+    folder: Folder, words: tuple[str, ...], interface: str
+) -> None:
+    folder.write({"urdf/tern.urdf.xacro": ROBOT, "package.xml": MANIFEST})
+    made = command("gen-ros2-control", *JAZZY, *words)
+    assert set(re.findall(r'<command_interface name="(\w+)"', made.stdout)) == {interface}
