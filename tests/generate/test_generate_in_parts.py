@@ -32,7 +32,8 @@ def test_a_base_that_is_generated_in_parts_has_no_error(folder: Folder) -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "interface"), [((), "velocity"), (("--command", "effort"), "effort"), (("--type", "position"), "position")]
+    ("words", "interface"),
+    [((), "velocity"), (("--command", "effort"), "effort"), (("--type", "position"), "position")],
 )
 def test_wheels_are_commanded_as_their_controller_does_unless_the_user_says_how(
     folder: Folder, words: tuple[str, ...], interface: str
