@@ -246,9 +246,10 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
                 entry._replace(target=Target(path, launch=result.launch, namespace=namespace))
                 for path, namespace in bringup.others
             ]
+            given = bringup.includes if result.joining.described_in else ()  # their defaults are not used
             inner = [path for path in bringup.unfollowed if os.path.abspath(path) not in known]
             known.update(map(os.path.abspath, inner))
-            more += [entry._replace(target=Target(path)) for path in inner]
+            more += [entry._replace(target=Target(path, guessed=path in given)) for path in inner]
     kept = [(entry, pair) for entry, pair in results if entry.target not in replaced]
     return [*kept, *zip(more, linted(more), strict=True)]
 

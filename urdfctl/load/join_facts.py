@@ -12,8 +12,8 @@ from urdfctl.startup.records import NamedTuple
 if TYPE_CHECKING:
     from urdfctl.model.launch import Launch
 
-_OUTSIDE = rf"(?:{UNKNOWN}\(|\$\(find\s+)([\w-]+)\)"
-"""A package whose folder is not known, in a command: of ROS 2, or as roslaunch has it."""
+_OUTSIDE = rf"{UNKNOWN}\(([\w-]+)\)"
+"""A package whose folder is not known, in a command or a path."""
 
 
 class JoinFacts(NamedTuple):
