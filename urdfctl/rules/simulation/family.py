@@ -32,6 +32,7 @@ from urdfctl.rules.simulation.plugin_without_filename import plugin_without_file
 from urdfctl.rules.simulation.plugin_without_name import plugin_without_name
 from urdfctl.rules.simulation.robot_sim_type_unknown import robot_sim_type_unknown
 from urdfctl.rules.simulation.sensor_plugin_outside_sensor import sensor_plugin_outside_sensor
+from urdfctl.rules.simulation.sensor_type_not_simulated import sensor_type_not_simulated
 from urdfctl.rules.simulation.spawner_of_other_namespace import spawner_of_other_namespace
 from urdfctl.rules.simulation.wheel_pairs_miscounted import wheel_pairs_miscounted
 
@@ -67,4 +68,5 @@ FAULTS: tuple[Fault, ...] = (
     wheel_pairs_miscounted,
     sensor_plugin_outside_sensor,
     controllers_path_of_one_machine,
+    sensor_type_not_simulated,
 )
