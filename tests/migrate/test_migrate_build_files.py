@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from folder import Folder
-from ros1_packages import migrated
+from ros1_packages import MANIFEST, migrated
 
 WITHOUT_CATKIN = """\
 cmake_minimum_required(VERSION 2.8.3)
@@ -60,3 +60,24 @@ def test_a_package_that_is_needed_to_build_and_to_run_is_still_needed_to_run(fol
     manifest = migrated(folder, files, "--simulator", "gz")["package.xml"]
     for name in ("rclpy", "ros_gz_sim", "ros_gz_bridge"):
         assert manifest.count(name) == manifest.count(f"<exec_depend>{name}</exec_depend>") == 1
+
+
+def test_a_file_that_is_installed_and_does_not_exist_is_told(folder: Folder) -> None:
+    programs = "scripts/there.py ${PROJECT_SOURCE_DIR}/scripts/gone.py  # scripts/old.py\n"
+    rule = f"catkin_install_python(PROGRAMS {programs}  DESTINATION ${{CATKIN_PACKAGE_BIN_DESTINATION}})\n"
+    optional = "install(FILES notes.txt DESTINATION share OPTIONAL)\ninstall(FILES arm.launch DESTINATION share)\n"
+    files = {"CMakeLists.txt": COMMENTED + rule + optional, "scripts/there.py": "", "urdf/arm.urdf": ROBOT}
+    told = [line for line in migrated(folder, files)["MIGRATION.md"].splitlines() if "is to be installed" in line]
+    assert [line.partition(",")[0] for line in told] == ["- `CMakeLists.txt`: 'scripts/gone.py' is to be installed"]
+
+
+def test_tools_and_messages_of_ros_1_are_needed_no_longer(folder: Folder) -> None:
+    names = ("rosbag", "roslib", "message_runtime", "rosparam", "std_msgs")
+    needed = "".join(f"  <depend>{name}</depend>\n" for name in names)
+    manifest = MANIFEST.replace("</package>", f"{needed}</package>")
+    after = migrated(folder, {"package.xml": manifest, "urdf/arm.urdf": ROBOT})["package.xml"]
+    assert [name for name in (*names, "rosbag2", "ament_index_python") if f"depend>{name}</" in after] == [
+        "std_msgs",
+        "rosbag2",
+        "ament_index_python",
+    ]

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry
-from urdfctl.source.disk.gate import is_folder, names_in
+from urdfctl.source.disk.gate import exists, is_folder, names_in
 from urdfctl.source.span import SourceSpan, SourceText
 
 _AUTHORITY = "docs.ros.org, Migrating packages from ROS 1 to ROS 2"
@@ -36,6 +36,10 @@ _REMOVED = (
     r"include_directories\s*\(\s*\$\{catkin_INCLUDE_DIRS\}\s*\)",
 )
 _OF_CLASSIC = (r"find_package\s*\(\s*gazebo(?:_dev|_ros|_plugins)?\b[^)]*\)",)
+_INSTALLS = (
+    r"(?i)\b(?:catkin_install_python|install)\s*\(\s*(?:PROGRAMS|FILES|DIRECTORY)\s+([^()]*?)\s+DESTINATION\b[^()]*\)"
+)
+_INSTALLED = "cmake-commands: install(FILES) ends with an error where a file is missing; colcon installs each package"
 _EMPTY_TESTS = r"(?ms)^if\s*\(BUILD_TESTING\)\s*endif\s*\(\s*(?:BUILD_TESTING)?\s*\)[ \t]*\n?"
 
 
@@ -58,8 +62,26 @@ def ament_build_file(source: SourceText, *, is_classic: bool) -> Proposal:
     text += f"\n{install_rule(*missing)}" if missing else ""
     text += "\nament_package()\n"
     what = "the build file uses ament_cmake and installs what launch files need"
-    entry = ReportEntry(EntryKind.DONE, what, file=source.path, authority=_AUTHORITY)
-    return Proposal((Edit(SourceSpan(source, 0, len(source.data)), text),), entries=(entry,))
+    entries = [ReportEntry(EntryKind.DONE, what, file=source.path, authority=_AUTHORITY)]
+    for name in dict.fromkeys(_not_there(source)):
+        what = f"'{name}' is to be installed, but does not exist, so that colcon cannot install the package: remove it"
+        entries.append(ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_INSTALLED))
+    return Proposal((Edit(SourceSpan(source, 0, len(source.data)), text),), entries=tuple(entries))
+
+
+def _not_there(source: SourceText) -> Iterator[str]:
+    """Yield the files that a build file installs, and that do not exist; a space of catkin for development needs none.
+
+    Launch files have other names afterwards.
+    """
+    text = source.data.decode("utf-8", "surrogateescape")
+    folder = os.path.dirname(source.path)
+    for found in _matches(text, _INSTALLS):
+        names = [word.strip('"') for word in re.sub(r"#[^\n]*", "", found[1]).split()]
+        for name in () if "OPTIONAL" in found[0] else names:
+            path = re.sub(r"\A\$\{(?:PROJECT|CMAKE_CURRENT|CMAKE)_SOURCE_DIR\}/", "", name)
+            if "$" not in path and not path.endswith(".launch") and not exists(os.path.join(folder, path)):
+                yield path
 
 
 def _outside_comments(text: str, pattern: str, replacement: str, *, count: int = 0) -> str:
