@@ -1,13 +1,14 @@
 """Build the documentation site: `python docs/site/build.py FOLDER [--pyodide NODE_MODULES/pyodide]`.
 
 Makes the Markdown of all pages from the code and docs/, lets Zensical write them as HTML, adds the playground, and
-checks every link. Nothing is fetched: Zensical and the packages of the playground must be installed, and the folder of
+checks every link. Nothing is fetched: `pip install -e '.[site]'` installs what it needs before, and the folder of
 the npm package pyodide must be there for the playground to run.
 """
 
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import shutil
 import subprocess
 import sys
@@ -35,6 +36,8 @@ def main() -> int:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--pyodide", type=Path, help="the folder of the npm package, with pyodide.mjs")
     options = parser.parse_args()
+    if importlib.util.find_spec("zensical") is None:
+        parser.error("Zensical is not installed: pip install -e '.[site]'")
     folder = options.folder.resolve()
     write_sources(folder)
     subprocess.run([sys.executable, "-m", "zensical", "build", "--clean"], cwd=folder, check=True)

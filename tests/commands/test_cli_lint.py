@@ -232,8 +232,10 @@ def test_a_folder_without_a_robot_is_told(folder: Folder) -> None:
 
 
 def test_launch_files_that_start_no_robot_of_the_workspace_are_not_green(folder: Folder) -> None:
-    world = '<launch><node pkg="ros_gz_sim" exec="create" args="-topic robot_description"/></launch>'
-    folder.write({"launch/world.launch.xml": world})
+    spawned = '<launch><node pkg="ros_gz_sim" exec="create" args="-topic robot_description"/></launch>'
+    folder.write({"launch/spawn.launch.xml": spawned})
+    assert "nothing here publishes" in folder.run("lint", "launch").stdout
+    folder.write({"launch/spawn.launch.xml": '<launch><node pkg="rviz2" exec="rviz2"/></launch>'})
     ran = folder.run("lint", "launch")
     assert ran.returncode == 2
     assert ran.stderr == (

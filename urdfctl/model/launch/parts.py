@@ -150,6 +150,7 @@ class Spawn(NamedTuple):
     options: the options with their values.
     files: the parameter files that it gets.
     after: controllers whose spawner exits before this one starts.
+    waits_for: the program whose exit it waits for, though that runs until the launch ends; its place is the handler's.
     """
 
     names: tuple[tuple[str, Place], ...]
@@ -163,6 +164,7 @@ class Spawn(NamedTuple):
     options: tuple[ProgramOption, ...] = ()
     files: tuple[FileReference, ...] = ()
     after: tuple[str, ...] = ()
+    waits_for: Word | None = None
 
     def full_name(self, name: str) -> str:
         """Return the name of one of the controllers with its namespace; as it is if that is unknown.

@@ -39,6 +39,7 @@ from urdfctl.rules.launch.simulated_time_off import simulated_time_off
 from urdfctl.rules.launch.simulation_paused import simulation_paused
 from urdfctl.rules.launch.simulator_never_started import simulator_never_started
 from urdfctl.rules.launch.spawned_controller_unknown import spawned_controller_unknown
+from urdfctl.rules.launch.spawner_after_endless_program import spawner_after_endless_program
 from urdfctl.rules.launch.spawner_of_other_manager import spawner_of_other_manager
 from urdfctl.rules.launch.spawner_option_unknown import spawner_option_unknown
 from urdfctl.rules.launch.spawner_program_gone import spawner_program_gone
@@ -76,6 +77,7 @@ FAULTS: tuple[Fault, ...] = (
     controllers_never_loaded,
     clock_not_bridged,
     spawner_without_name,
+    spawner_after_endless_program,
     described_by_macros_only,
     description_read_as_yaml,
     node_name_twice,

@@ -310,7 +310,10 @@ class _Walk:
         actions = event.given(_HANDLERS[event.short], 1)
         if isinstance(actions, Function):
             actions = actions.call([UnknownTerm(term.at), UnknownTerm(term.at)], {}, self.texts(scope).context)
+        begun = len(self.facts.spawns)
         self.action(actions, scope, state)
+        if event.short == "OnProcessExit" and isinstance(target, Called):
+            self.facts.spawns[begun:] = self.nodes(scope).waiting(self.facts.spawns[begun:], target, event.at)
 
     def composed(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow the nodes that are loaded into a container, in one process, as nodes on their own."""

@@ -23,6 +23,10 @@ _ALTERNATIVE = {"package": "node_package", "executable": "node_executable", "nam
 """The keywords of a node with their names in older distros."""
 
 
+_LASTING = frozenset({"ros2_control_node", "robot_state_publisher", "gzserver", "parameter_bridge"})
+"""Programs that run until the launch ends."""
+
+
 class _Run(NamedTuple):
     """When an action runs: as the state of the launch file says in which it is."""
 
@@ -95,6 +99,12 @@ class Nodes:
             return spawner_arguments(words, complete=complete)
         command = command_arguments(self._split(term, "cmd")[0])
         return command[1] if command else None
+
+    def waiting(self, spawns: Sequence[Spawn], target: Called, at: Place) -> list[Spawn]:
+        """Return spawners that start when a process exits; each with its name if it only ends with the whole launch."""
+        program = self._word(target, "executable").text if target.short in {"Node", "LifecycleNode"} else ""
+        waits_for = Word(program, at) if program in _LASTING else None
+        return [spawn._replace(waits_for=spawn.waits_for or waits_for) for spawn in spawns]
 
     def _spawn(self, term: Called, program: Word, run: _Run) -> Spawn:
         words, complete = self._split(term, "arguments")
