@@ -232,10 +232,11 @@ def test_a_folder_without_a_robot_is_told(folder: Folder) -> None:
 
 
 def test_launch_files_that_start_no_robot_of_the_workspace_are_not_green(folder: Folder) -> None:
-    spawned = '<launch><node pkg="ros_gz_sim" exec="create" args="-topic robot_description"/></launch>'
-    folder.write({"launch/spawn.launch.xml": spawned})
+    spawned = '<node pkg="ros_gz_sim" exec="create" args="-topic robot_description"/>'
+    folder.write({"launch/spawn.launch.xml": f"<launch>{spawned}</launch>"})
     assert "nothing here publishes" in folder.run("lint", "launch").stdout
-    folder.write({"launch/spawn.launch.xml": '<launch><node pkg="rviz2" exec="rviz2"/></launch>'})
+    included = '<include file="$(find-pkg-share foreign)/launch/rsp.launch.py"/>'
+    folder.write({"launch/spawn.launch.xml": f"<launch>{included}{spawned}</launch>"})
     ran = folder.run("lint", "launch")
     assert ran.returncode == 2
     assert ran.stderr == (
