@@ -8,7 +8,7 @@ from collections.abc import Sequence as Several
 
 from urdfctl.load.inline_parameters import inline_tree
 from urdfctl.load.near_files import file_near
-from urdfctl.model.controllers import Controllers, FileReference, MoveItList
+from urdfctl.model.controllers import Controllers, FileReference, MoveItList, ValueKind
 from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.controllers.controller_forms import form_of
 from urdfctl.model.launch import GivenParameters, InlineParameters, Launch, ParameterLoad, Rewriting, joined
@@ -71,7 +71,7 @@ def _absent(controllers: Controllers) -> Iterator[tuple[str, FileReference]]:
     for controller in controllers.controllers:
         for value in controller.parameter_files:
             path, folder = value.text, os.path.dirname(value.at.source.path)
-            if UNKNOWN in path or "$" in path or not path:
+            if value.kind is not ValueKind.STRING or UNKNOWN in path or "$" in path or not path:
                 continue
             around = {folder, package_around(folder) or folder, current_folder()}
             paths = [os.path.normpath(os.path.join(each, path)) for each in sorted(around)]
