@@ -14,7 +14,7 @@ from urdfctl.smoke.engines.engine import STEP, EngineSetup, open_engine
 from urdfctl.smoke.engines.urdf import mechanism_urdf
 from urdfctl.smoke.robot.loads import GRAVITY
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
-from urdfctl.smoke.statics.stability import closed_loop, mass_matrix
+from urdfctl.smoke.statics.loops.stability import closed_loop, mass_matrix
 from urdfctl.smoke.tasks.task import PidGains
 
 COMPILER = '<mujoco><compiler fusestatic="false" balanceinertia="false" angle="radian"/></mujoco>'

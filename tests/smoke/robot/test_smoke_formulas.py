@@ -18,7 +18,7 @@ from urdfctl.smoke.robot.shapes import Shape, Shapes, rim_of, with_rims
 from urdfctl.smoke.statics.drives import drive_troubles
 from urdfctl.smoke.statics.efforts import effort_troubles
 from urdfctl.smoke.statics.ground import ground_troubles
-from urdfctl.smoke.statics.stability import loop_troubles, mass_matrix
+from urdfctl.smoke.statics.loops.stability import loop_troubles, mass_matrix
 from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily, PidGains
 
 UP = (0.0, 0.0, 1.0)

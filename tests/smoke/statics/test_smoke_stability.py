@@ -11,8 +11,8 @@ from urdfctl.model.geometry import Pose
 from urdfctl.smoke.matrices import eigenvalues, exponential
 from urdfctl.smoke.results import Trouble
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
-from urdfctl.smoke.statics import stability
-from urdfctl.smoke.statics.stability import closed_loop, loop_troubles
+from urdfctl.smoke.statics.loops import stability
+from urdfctl.smoke.statics.loops.stability import closed_loop, loop_troubles
 from urdfctl.smoke.tasks.task import ControllerTask, MotionFamily, PidGains
 
 UP = (0.0, 0.0, 1.0)

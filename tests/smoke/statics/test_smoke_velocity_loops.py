@@ -6,8 +6,8 @@ import pytest
 
 from urdfctl.model.geometry import Pose
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
-from urdfctl.smoke.statics.stability import loop_troubles, needs_grip
-from urdfctl.smoke.statics.velocity_loops import growth_of, velocity_loop_troubles
+from urdfctl.smoke.statics.loops.stability import loop_troubles, needs_grip
+from urdfctl.smoke.statics.loops.velocity_loops import growth_of, velocity_loop_troubles
 from urdfctl.smoke.tasks.task import ControllerTask, MotionFamily, PidGains
 
 PERIOD = 0.01

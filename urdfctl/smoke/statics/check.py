@@ -35,18 +35,18 @@ from urdfctl.smoke.lifecycle import (
 from urdfctl.smoke.results import ROBOT, ControllerResult, RobotResult, Trouble, Verdict, trouble_of
 from urdfctl.smoke.robot import Mechanism, Shapes, mechanism_of, shapes_of, with_rims
 from urdfctl.smoke.statics.doubts import Doubts, doubts_of, with_doubts
+from urdfctl.smoke.statics.loops.stability import loop_troubles, needs_grip
+from urdfctl.smoke.statics.loops.velocity_loops import velocity_loop_troubles
 from urdfctl.smoke.statics.loose_joints import loose_troubles
 from urdfctl.smoke.statics.overlaps import overlap_troubles
 from urdfctl.smoke.statics.physics import static_troubles
 from urdfctl.smoke.statics.plausibility import plausibility_troubles
 from urdfctl.smoke.statics.shared_joints import shared_joint_troubles
 from urdfctl.smoke.statics.simulators import in_simulation
-from urdfctl.smoke.statics.stability import loop_troubles, needs_grip
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
 from urdfctl.smoke.statics.undriven import tied_by, undriven, with_own_wheels, with_virtual_wheels
 from urdfctl.smoke.statics.unknown_parts import MOCKED, packages_lacking, why_unknown
-from urdfctl.smoke.statics.velocity_loops import velocity_loop_troubles
 from urdfctl.smoke.statics.written_limits import written_limit_troubles
 from urdfctl.smoke.tasks import ControllerTask, MotionFamily, TaskFile, tasks_of, with_inferred_drives
 from urdfctl.source.span import Place

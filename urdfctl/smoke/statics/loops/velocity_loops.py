@@ -9,7 +9,7 @@ from urdfctl.rules.smoke.loop_without_gain import loop_without_gain
 from urdfctl.smoke.matrices import eigenvalues
 from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.robot import Mechanism
-from urdfctl.smoke.statics.gain_faults import gain_fault
+from urdfctl.smoke.statics.loops.gain_faults import gain_fault
 from urdfctl.smoke.tasks import ControllerTask, MotionFamily, PidGains
 
 _HOLDING = (MotionFamily.TRAJECTORY, MotionFamily.POSITION_PID)

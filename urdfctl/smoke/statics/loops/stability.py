@@ -19,7 +19,7 @@ from urdfctl.rules.smoke.loop_without_gain import loop_without_gain
 from urdfctl.smoke.matrices import eigenvalues, exponential, identity_matrix, inverted, matrix_product
 from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.robot import Hinge, Mechanism, gravity_load, is_wheel, wheels_of
-from urdfctl.smoke.statics.gain_faults import GainFault, gain_fault
+from urdfctl.smoke.statics.loops.gain_faults import GainFault, gain_fault
 from urdfctl.smoke.tasks import ControllerTask, MotionFamily, PidGains
 
 MOST_GROWTH = 1.0003

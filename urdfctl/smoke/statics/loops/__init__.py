@@ -1,0 +1,1 @@
+"""Judges the control loops: whether gains hold a joint, swing it, or shake it apart."""
