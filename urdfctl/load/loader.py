@@ -17,6 +17,7 @@ from urdfctl.load.open_decisions import decisions_in, unread
 from urdfctl.load.origin.distro import Beside, detect_distro
 from urdfctl.load.origin.evidence import ament_package
 from urdfctl.load.target import Target
+from urdfctl.load.workspace_types import WorkspaceTypes
 from urdfctl.model.project import NO_OWN_TYPES, Evidence, OwnTypes, Project
 from urdfctl.model.robot import Robot
 from urdfctl.source.disk.files import Files, is_launch, is_yaml
@@ -33,7 +34,6 @@ from urdfctl.startup.records import NamedTuple
 if TYPE_CHECKING:
     from urdfctl.load.controller_files import ControllerFiles
     from urdfctl.load.launch_files import LaunchFile
-    from urdfctl.load.own_types import ExportedClasses
     from urdfctl.model.launch import Description, Launch
     from urdfctl.model.moveit import MoveIt
 
@@ -59,8 +59,7 @@ class Loader:
         self.settings = settings
         self._overlay = overlay or {}
         self._indexes: dict[str, PackageIndex] = {}
-        self._exports: dict[str, list[ExportedClasses]] = {}
-        self._own_types: dict[tuple[str, frozenset[str]], OwnTypes] = {}
+        self._types = WorkspaceTypes()
         self._files: dict[str, Files] = {}
         self._decisions: dict[str, list[tuple[str, Place]]] = {}
         self._known = KnownRobots()
@@ -74,7 +73,7 @@ class Loader:
         """
         other = Loader(self.settings, overlay)
         other._indexes = self._indexes
-        other._exports = self._exports
+        other._types = self._types.with_same_exports()
         if changed is not None:
             other._known = self._known.unless_read(changed, overlay)
         return other
@@ -98,7 +97,7 @@ class Loader:
         Saves: each of thirty workers reads the manifests of four hundred packages, 5 ms.
         """
         for path in self._a_path_in_each_workspace(targets).values():
-            self._exports_around(path)
+            self._types.exports_in(self.index_for(path), self.reading(path)[0])
 
     def _a_path_in_each_workspace(self, targets: Sequence[Target]) -> dict[str, str]:
         paths = [os.path.abspath(target.path) for target in targets]
@@ -356,55 +355,9 @@ class Loader:
             additions=self.settings.additions,
             own=OwnTypes(nodes=nodes) if nodes else NO_OWN_TYPES,
         )
-        return self._with_own_types(project) if controllers or project.robot else project
-
-    def _with_own_types(self, project: Project) -> Project:
-        """The project with the types that the workspace's packages define, if the catalogue lacks one of its types, or
-        has one that such a package may define in another way."""
-        robot = project.robot
-        if not project.controllers and not (robot and (robot.ros2_controls or robot.plugins)):
+        if not controllers and project.robot is None:
             return project
-        from urdfctl.load.unknown_types import shared_types, unknown_types
-
-        crawls = self.index_for(project.path).crawls
-        unknown = unknown_types(project)
-        wanted = unknown | shared_types(project, lambda name: any(name in c.packages() for c in crawls))
-        if not wanted:
-            return project
-        key = workspace_of(project.path, self.settings.workspace), frozenset(wanted)
-        if key not in self._own_types:
-            self._own_types[key] = self._defined_in_workspace(project.path, wanted, unknown)
-        return project._replace(own=self._own_types[key]._replace(nodes=project.own.nodes))
-
-    def _defined_in_workspace(self, path: str, wanted: Collection[str], unknown: Collection[str]) -> OwnTypes:
-        """What the packages of a file's workspace define of some types.
-
-        unknown: those that the catalogue lacks: unless the packages that they are named after have them, all are read.
-        """
-        from urdfctl.load.own_types import exports_in, own_types, prefixes_of, without_copies
-
-        index, files = self.index_for(path), self.reading(path)[0]
-        exports = self._exports.get(index.workspace)
-        if exports is None:
-            exports = exports_in(_packages_of(index, prefixes_of(wanted)), files)
-            if not {one.name for each in exports for one in each.classes}.issuperset(unknown):
-                exports = self._exports_around(path)
-        return without_copies(own_types(wanted, exports, files))
-
-    def _exports_around(self, path: str) -> list[ExportedClasses]:
-        """What the packages of a file's workspace export."""
-        from urdfctl.load.own_types import exports_in
-
-        index = self.index_for(path)
-        if index.workspace not in self._exports:
-            self._exports[index.workspace] = exports_in(_packages_of(index), self.reading(path)[0])
-        return self._exports[index.workspace]
-
-
-def _packages_of(index: PackageIndex, names: Collection[str] | None = None) -> list[tuple[str, str]]:
-    """The packages of a workspace with some names, or all, each with its folder."""
-    found = (pair for crawl in index.crawls for pair in crawl.packages().items())
-    return [(name, folder) for name, folders in found if names is None or name in names for folder in folders]
+        return self._types.added_to(project, self.index_for(project.path), self.reading(project.path)[0])
 
 
 def _description(launch_file: LaunchFile | None, path: str | None, namespace: str | None) -> Description | None:
