@@ -24,9 +24,11 @@ def slow(job: Json) -> Json:
     return job
 
 
-def printed(monkeypatch: pytest.MonkeyPatch, stream: io.StringIO, doing: str, *seconds: float) -> str:
+def printed(
+    monkeypatch: pytest.MonkeyPatch, stream: io.StringIO, doing: str, *seconds: float, after: float = 0.05
+) -> str:
     monkeypatch.setattr("sys.stderr", stream)
-    monkeypatch.setattr(waiting, "AFTER", 0.05)
+    monkeypatch.setattr(waiting, "AFTER", after)
     monkeypatch.setenv("TERM", "xterm")
     jobs = [{"seconds": each} for each in seconds]
     results = run_jobs(jobs, slow, LIMITS, 1, function_name="", meanwhile=Meanwhile(doing=doing))
@@ -46,7 +48,7 @@ class TestWaitingLine:
         assert text.endswith("\r\x1b[K|")
 
     def test_is_not_shown_for_what_is_quick(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        assert printed(monkeypatch, Terminal(), "working", 0.0) == "|"
+        assert printed(monkeypatch, Terminal(), "working", 0.0, after=60.0) == "|"
 
     @pytest.mark.parametrize(("stream", "doing"), [(io.StringIO(), "working"), (Terminal(), "")])
     def test_is_not_shown_to_a_program_or_without_a_text(

@@ -27,10 +27,12 @@ _ROS_1 = """
             </launch>
 """
 _ROBOT = '<gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>'
-_MANIFEST = "<package><name>arm</name>" + "".join(
-    f"<exec_depend>{name}</exec_depend>"
-    for name in ("controller_manager", "gazebo_ros", "gazebo_ros_control", "joint_state_controller")
-)
+_MANIFEST = """<package><name>arm</name>
+<exec_depend>controller_manager</exec_depend>
+<exec_depend>gazebo_ros</exec_depend>
+<exec_depend>gazebo_ros_control</exec_depend>
+<exec_depend>joint_state_controller</exec_depend>
+"""
 _LOADED = '\n<rosparam command="load" file="$(find arm)/controllers.yaml"/>'
 
 

@@ -48,6 +48,10 @@ _ARGUMENTS = {
       <node pkg="ros_gz_sim" exec="create" args="-file «$(find-pkg-share arm)/arm.sdf»"/>
       <node pkg="ros_gz_bridge" exec="parameter_bridge">
         <param name="config_file" value="«$(find-pkg-share arm)/bridge.yaml»"/>
+        <param name="more" value="«$(find-pkg-share arm)/bridge.yml»"/>
+        <param name="urdf" value="«$(find-pkg-share arm)/tool.urdf»"/>
+        <param name="xacro" value="«$(find-pkg-share arm)/tool.xacro»"/>
+        <param name="srdf" value="«$(find-pkg-share arm)/tool.srdf»"/>
       </node>""",
         ),
         {

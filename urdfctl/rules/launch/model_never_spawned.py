@@ -21,10 +21,12 @@ _LAUNCH = """
             </launch>
 """
 _SPAWN = '<node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm"/>'
-_MANIFEST = "<package><name>arm</name>" + "".join(
-    f"<exec_depend>{name}</exec_depend>"
-    for name in ("controller_manager", "gazebo_ros", "gazebo_ros_control", "joint_state_controller")
-)
+_MANIFEST = """<package><name>arm</name>
+<exec_depend>controller_manager</exec_depend>
+<exec_depend>gazebo_ros</exec_depend>
+<exec_depend>gazebo_ros_control</exec_depend>
+<exec_depend>joint_state_controller</exec_depend>
+"""
 
 
 def _files(mark: tuple[str, str], *nodes: str) -> dict[str, str]:
