@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
 from typing import TypeVar
 
+from urdfctl.output.printing import is_watched
 from urdfctl.run.waiting import BAR_FROM
 
 Result = TypeVar("Result")
@@ -14,7 +13,7 @@ Result = TypeVar("Result")
 
 def with_progress(results: Iterator[Result], total: int, doing: str = "linting") -> Iterator[Result]:
     """Yield the results; show a bar on standard error if that is a terminal and there are many."""
-    if total < BAR_FROM or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
+    if total < BAR_FROM or not is_watched():
         yield from results
         return
     from rich.console import Console

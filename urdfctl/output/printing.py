@@ -41,6 +41,11 @@ def is_coloured() -> bool:
     return not os.environ.get("NO_COLOR") and (bool(os.environ.get("FORCE_COLOR")) or sys.stdout.isatty())
 
 
+def is_watched() -> bool:
+    """Return whether standard error is a terminal on which a line can be written anew."""
+    return sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
+
+
 def print_message(line: str) -> None:
     """Print a line to standard error after the program's name, with control characters escaped."""
     sys.stderr.write(f"urdfctl: {visible(line)}\n")

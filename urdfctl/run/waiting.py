@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import sys
 import time
+
+from urdfctl.output.printing import is_watched, visible
 
 BAR_FROM = 20
 """From so many jobs on, their command shows a bar instead; of fewer nobody could read it."""
@@ -21,8 +22,7 @@ class WaitingLine:
     """
 
     def __init__(self, doing: str, total: int) -> None:
-        is_wanted = bool(doing) and sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
-        self._doing, self._total = doing if is_wanted else "", total
+        self._doing, self._total = doing if doing and is_watched() else "", total
         self._began = self._shown_at = time.monotonic()
         self._is_shown = False
 
@@ -37,8 +37,6 @@ class WaitingLine:
         if not self._doing or now < self._shown_at + AFTER:
             return
         self._shown_at, self._is_shown = now, True
-        from urdfctl.output.printing import visible
-
         count = f", {done} of {self._total} done" if self._total > 1 else ""
         line = f"urdfctl: {self._doing}{count} ({now - self._began:.0f} s)"
         sys.stderr.write(f"{_ERASED}{visible(line)[:_WIDEST]}")

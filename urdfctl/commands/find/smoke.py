@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
@@ -29,7 +28,7 @@ from urdfctl.lint.findings.merging import worst
 from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.names import nearest_path
 from urdfctl.output.links import check_output
-from urdfctl.output.printing import is_coloured, print_text
+from urdfctl.output.printing import is_coloured, is_watched, print_text
 from urdfctl.output.writing import write_file
 from urdfctl.smoke.curves import curves_as_csv
 from urdfctl.smoke.engines import CHOICES, engines_named, installed
@@ -166,17 +165,13 @@ def _request(options: SmokeOptions) -> SmokeRequest:
         duration=options.duration,
         gui=options.gui,
         tasks=read_tasks(options.tasks) if options.tasks is not None else None,
-        live=_is_terminal() if options.progress is None else options.progress,
+        live=is_watched() if options.progress is None else options.progress,
         arguments=tuple(split_arguments(options.paths)[1].items()),
         controllers=options.controllers,
         mocked=options.hardware == _MOCK,
         shard=shard_of(options.shard),
         parallel=options.jobs or None,
     )
-
-
-def _is_terminal() -> bool:
-    return sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
 
 
 def smoke_status(made: SmokeReport, *, exit_zero: bool) -> int:
