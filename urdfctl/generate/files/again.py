@@ -156,8 +156,12 @@ def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigi
     homes = [home for home in ([os.curdir, *above] if inputs or not above else above) if admits(home)]
     if words[0] in _PACKAGES:  # the package may hold a copy of its robot, which is no input: it is searched last
         outside = [home for home in homes if not f"{os.path.abspath(home)}{os.sep}".startswith(f"{package}{os.sep}")]
-        homes = [*outside, *_only_beside(package, inputs), package]
-    home = next((home for home in homes if all(exists(os.path.join(home, path)) for path in inputs)), None)
+        homes = (
+            outside
+            if any(_has(home, inputs) for home in outside)
+            else [*outside, *_only_beside(package, inputs), package]
+        )
+    home = next((home for home in homes if _has(home, inputs)), None)
     if forbidden or home is None or "-" in inputs:
         outside = [path for path in inputs if not any(admits(os.path.join(home, path)) for home in homes)]
         where = f"is outside the workspace '{workspace}'" if outside else "does not exist"
@@ -168,13 +172,17 @@ def _origin(file: str, words: tuple[str, ...], workspace: str) -> GeneratedOrigi
     return GeneratedOrigin(package, words, os.path.abspath(home), workspace)
 
 
+def _has(home: str, inputs: Sequence[str]) -> bool:
+    return all(exists(os.path.join(home, path)) for path in inputs)
+
+
 def _only_beside(package: str, inputs: Sequence[str]) -> list[str]:
     """The folder beside a package that has the inputs of its command, if it is the only one: it ran there."""
     try:
         folders = [os.path.join(os.path.dirname(package), name) for name in names_in(os.path.dirname(package))]
     except OSError:
         return []
-    found = [folder for folder in folders if folder != package and all(exists(os.path.join(folder, i)) for i in inputs)]
+    found = [folder for folder in folders if folder != package and _has(folder, inputs)]
     return found if inputs and len(found) == 1 else []
 
 
