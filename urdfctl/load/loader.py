@@ -355,8 +355,6 @@ class Loader:
             additions=self.settings.additions,
             own=OwnTypes(nodes=nodes) if nodes else NO_OWN_TYPES,
         )
-        if not controllers and project.robot is None:
-            return project
         return self._types.added_to(project, self.index_for(project.path), self.reading(project.path)[0])
 
 
