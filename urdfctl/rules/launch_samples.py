@@ -39,6 +39,13 @@ MANIFEST = """
       <exec_depend>xacro</exec_depend>
     </package>
 """
+CLASSIC_PLUGIN = '<gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>'
+CLASSIC_MANIFEST = """<package><name>arm</name>
+<exec_depend>controller_manager</exec_depend>
+<exec_depend>gazebo_ros</exec_depend>
+<exec_depend>gazebo_ros_control</exec_depend>
+<exec_depend>joint_state_controller</exec_depend>
+</package>"""
 PUBLISHER = """
       <node pkg="robot_state_publisher" exec="robot_state_publisher">
         <param name="robot_description" value="$(command 'xacro $(find-pkg-share arm)/arm.urdf')" type="str"/>

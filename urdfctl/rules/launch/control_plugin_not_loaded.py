@@ -11,6 +11,7 @@ from urdfctl.rule import Finding, Fix, Note, Project, Severity, StageDependsOn, 
 from urdfctl.rules.common import doubt_of, whole_robot_in
 from urdfctl.rules.insertions import appended_to_robot
 from urdfctl.rules.launch.common import launch_of
+from urdfctl.rules.launch_samples import CLASSIC_PLUGIN
 
 _LAUNCH = """
             <launch>
@@ -21,7 +22,6 @@ _LAUNCH = """
             </launch>
 """
 _MANIFEST = "<package><name>arm</name><exec_depend>controller_manager</exec_depend><exec_depend>gazebo_ros_control</exec_depend></package>"
-_PLUGIN = '<gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>'
 _OTHERS = (
     "".join(f"<exec_depend>{name}</exec_depend>" for name in ("rviz", "move_base", "robot_localization")) + "</package>"
 )
@@ -70,7 +70,7 @@ _ROBOT = '%s<link name="base"/>%s</robot>'
     ],
     good=[
         {
-            "robot.urdf": _ROBOT % ('<robot name="arm">', _PLUGIN),
+            "robot.urdf": _ROBOT % ('<robot name="arm">', CLASSIC_PLUGIN),
             "arm.launch": _LAUNCH,
             "package.xml": _MANIFEST,
             "README.md": "rosparam load config/controllers.yaml\n",

@@ -9,7 +9,7 @@ from urdfctl.model.launch import Launch, Spawn
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.launch.common import ROS_2, is_sure, manager_nodes
-from urdfctl.rules.launch_samples import BROADCASTER, PUBLISHER, SOUND, launched
+from urdfctl.rules.launch_samples import BROADCASTER, CLASSIC_MANIFEST, CLASSIC_PLUGIN, PUBLISHER, SOUND, launched
 from urdfctl.source.span import Place
 
 _BARE = """
@@ -26,13 +26,6 @@ _ROS_1 = """
               <node name="spawner" pkg="controller_manager" type="spawner" args="%s"/>
             </launch>
 """
-_ROBOT = '<gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>'
-_MANIFEST = """<package><name>arm</name>
-<exec_depend>controller_manager</exec_depend>
-<exec_depend>gazebo_ros</exec_depend>
-<exec_depend>gazebo_ros_control</exec_depend>
-<exec_depend>joint_state_controller</exec_depend>
-"""
 _LOADED = '\n<rosparam command="load" file="$(find arm)/controllers.yaml"/>'
 
 
@@ -41,7 +34,7 @@ def _without_files(*nodes: str) -> dict[str, str]:
 
 
 def _of_ros1(loaded: str, spawned: str) -> dict[str, str]:
-    files = {"robot.urdf": _ROBOT, "arm.launch": _ROS_1 % (loaded, spawned), "package.xml": f"{_MANIFEST}</package>"}
+    files = {"robot.urdf": CLASSIC_PLUGIN, "arm.launch": _ROS_1 % (loaded, spawned), "package.xml": CLASSIC_MANIFEST}
     return {**files, "options": "--distro=noetic"}
 
 

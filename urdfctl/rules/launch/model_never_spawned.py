@@ -9,8 +9,8 @@ from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.launch.common import ROS_2
 from urdfctl.rules.launch.steps import SPAWNS_MODEL, model_spawners
+from urdfctl.rules.launch_samples import CLASSIC_MANIFEST, CLASSIC_PLUGIN
 
-_PLUGIN = '<gazebo><plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/></gazebo>'
 _LAUNCH = """
             <launch>
               %s<include file="$(find gazebo_ros)/launch/empty_world.launch"/>%s
@@ -21,20 +21,14 @@ _LAUNCH = """
             </launch>
 """
 _SPAWN = '<node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm"/>'
-_MANIFEST = """<package><name>arm</name>
-<exec_depend>controller_manager</exec_depend>
-<exec_depend>gazebo_ros</exec_depend>
-<exec_depend>gazebo_ros_control</exec_depend>
-<exec_depend>joint_state_controller</exec_depend>
-"""
 
 
 def _files(mark: tuple[str, str], *nodes: str) -> dict[str, str]:
     return {
-        "robot.urdf": _PLUGIN,
+        "robot.urdf": CLASSIC_PLUGIN,
         "arm.launch": _LAUNCH % (*mark, "".join(nodes)),
         "controllers.yaml": "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n",
-        "package.xml": f"{_MANIFEST}</package>",
+        "package.xml": CLASSIC_MANIFEST,
     }
 
 
