@@ -84,7 +84,7 @@ def printed_by(line: Line, root: Path) -> tuple[int, str]:
             ran = subprocess.run(["bash", "-c", _LAUNCHER + line.text], capture_output=True, text=True, check=False)
             return ran.returncode, ran.stdout or ran.stderr
         said = command(*shlex.split(line.text)[1:])
-        return said.returncode, said.stdout or (said.stderr if said.returncode > 1 else "")
+        return said.returncode, said.stdout or (said.stderr if said.returncode else "")
 
 
 _LAUNCHER = f'urdfctl() {{ PYTHONPATH="{CHECKOUT}" "{sys.executable}" -m urdfctl "$@"; }}\nset -o pipefail\n'
