@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import os
 import re
+from collections.abc import Iterator, Sequence
 
 import pytest
 from folder import Folder
 from generating import command
 
-from urdfctl.commands.generate import running
+from urdfctl.commands.generate import judging, running
 from urdfctl.commands.generate.model_check import CheckedModel
 from urdfctl.generate.options import File
 from urdfctl.generate.robot.inertia_repair import nearest_valid, with_valid_inertia
+from urdfctl.smoke.checked_robot import CheckedRobot
+from urdfctl.smoke.motion import engine_workers
+from urdfctl.smoke.results import RobotResult
 
 INERTIA = '<inertia ixx="{}" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>'
 ARM = """\
@@ -183,3 +188,25 @@ def test_a_package_that_does_not_move_as_commanded_is_not_written(effort: str, s
     assert (done.returncode, (folder.path / "made").exists()) == (status, status == 0)
     assert ("UC915 joint 'shoulder' needs 3.92 N m to hold the robot" in done.stderr) == bool(status)
     assert ("this robot would not move as commanded" in done.stderr) == bool(status)
+
+
+def test_an_engine_that_crashes_says_nothing_about_the_package(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("mujoco")
+    monkeypatch.setattr(engine_workers, "run_trial", lambda *_: os._exit(7))
+    folder.write({"arm.urdf": GOOD})
+    done = command(*"gen-all arm.urdf --type trajectory --distro jazzy --simulator gz -o made".split())
+    assert (done.returncode, (folder.path / "made").exists()) == (0, True)
+    assert "crashed while simulating the robot" in done.stderr
+
+
+def test_nothing_is_written_after_an_interruption_of_the_judgement(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(robots: Sequence[CheckedRobot], *_: object) -> Iterator[RobotResult]:
+        return (robot.result._replace(interrupted=True) for robot in robots)
+
+    monkeypatch.setattr(judging, "installed", lambda: ("mujoco",))
+    monkeypatch.setattr(judging, "move", interrupted)
+    folder.write({"arm.urdf": GOOD})
+    command(*"gen-all arm.urdf --type trajectory --distro jazzy --simulator gz -o made".split())
+    assert not (folder.path / "made").exists()

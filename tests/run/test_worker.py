@@ -151,6 +151,18 @@ def test_a_worker_that_is_killed_for_its_memory_or_time_is_no_crash() -> None:
 
 
 @needs_fork
+@pytest.mark.parametrize("by", [signal.SIGKILL, signal.SIGTERM])
+def test_a_job_whose_worker_another_program_kills_is_done_by_another_worker(by: int, tmp_path: Path) -> None:
+    def perform(job: Json) -> Json:
+        if job["number"] == 0 and not (tmp_path / "killed").exists():
+            (tmp_path / "killed").touch()
+            os.kill(os.getpid(), by)
+        return job
+
+    assert results(perform, jobs=2) == [{"number": 0}, {"number": 1}]
+
+
+@needs_fork
 def test_a_worker_that_dies_by_another_signal_is_our_fault() -> None:
     [found] = results(lambda job: {"killed": os.kill(os.getpid(), signal.SIGUSR1)})
     assert found == WorkerFailure("the worker was ended by SIGUSR1 and gave no result", our_fault=True)

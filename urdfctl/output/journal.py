@@ -39,10 +39,10 @@ def journal(changes: Sequence[Change], missing: Sequence[str]) -> Iterator[None]
         return
     with os.fdopen(handle, "r+b", buffering=0) as file:
         try:
-            _take(file)
-            with suppress(OSError):  # the disk may be full
-                file.write(data)
-                os.fsync(handle)
+            if _take(file):  # if not, another run has just found the new file: it would undo what is written
+                with suppress(OSError):  # the disk may be full
+                    file.write(data)
+                    os.fsync(handle)
             yield
         finally:
             file.truncate(0)  # nobody may undo what is finished, once it is not locked any more

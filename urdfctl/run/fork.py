@@ -16,6 +16,8 @@ MAX_RESULT = 64 << 20
 """Bytes that a worker may send without ending a line."""
 MAX_GROWTH = (48 << 20) if sys.platform == "darwin" else (48 << 10)
 """By how much a worker may have grown and still take another job, in the unit of ru_maxrss."""
+_KILLED = (9, 15)
+"""SIGKILL and SIGTERM, which another program sends, or the system if memory is short: not a fault of the job."""
 
 
 class Standby:
@@ -50,6 +52,7 @@ class ForkPool:
 
     pending: ranges of job numbers; each range goes to one worker.
     retried: the first numbers of ranges that need a new worker, as another did not do them.
+    killed: the jobs whose worker was killed: each is tried once more, as another program may have done it.
     standby: where workers come from and go to; a worker ends after its jobs if None.
     """
 
@@ -64,6 +67,7 @@ class ForkPool:
         self.jobs, self.function, self.limits, self.standby = jobs, function, limits, standby
         self.pending = pending[::-1]
         self.retried: set[int] = set()
+        self.killed: set[int] = set()
         self.active: dict[int, _Worker] = {}
         self.results: dict[int, Result] = {}
 
@@ -169,7 +173,9 @@ class ForkPool:
             self.retried.add(numbers.start)
 
     def _ended(self, worker: _Worker, status: int) -> None:
-        if worker.jobs and (status != 0 or worker.is_at_first_job):
+        if worker.jobs and -status in _KILLED and worker.jobs[0] not in self.killed:
+            self.killed.add(worker.jobs[0])
+        elif worker.jobs and (status != 0 or worker.is_at_first_job):
             self._settle(worker, _failure_of(status, worker.limits))
         self._retry(worker.jobs)
 

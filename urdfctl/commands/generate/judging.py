@@ -32,6 +32,8 @@ _FATAL = ("UC901", "UC902", "UC903", "UC904", "UC905", "UC910")
 """What keeps the robot or a controller from starting."""
 _GAINS = ("UC916", "UC917", "UC918", "UC966", "UC987")
 """What is wrong with gains."""
+_NOT_JUDGED = ("UC000", "UC920")
+"""A rule or an engine crashed: that says nothing about the robot."""
 RATES = (1000, 2000)
 """The update rates, in Hz, for which gains are computed again if those for the default rate are not stable."""
 
@@ -55,7 +57,8 @@ class Judgement(NamedTuple):
         """Why the package should not be written, or nothing."""
         if self.fatal:
             return "would not start"
-        fails = any(one.severity is Severity.ERROR for one in (*self.gains, *self.others))
+        found = [one for one in (*self.gains, *self.others) if one.code not in _NOT_JUDGED]
+        fails = any(one.severity is Severity.ERROR for one in found)
         return "would not move as commanded" if fails else ""
 
     def lines(self) -> Iterator[str]:
@@ -89,11 +92,13 @@ def judged(made: list[File], robot: RobotFacts, settings: Settings, *, repaired:
 
 def with_motion(judgement: Judgement, robot: RobotFacts, settings: Settings) -> Judgement:
     """Return a judgement with what an engine finds when the controllers move; the same if no engine is installed, or if
-    the robot has no masses, without which no engine moves it."""
+    the robot has no masses, without which no engine moves it. KeyboardInterrupt: after Ctrl-C, nothing is written."""
     is_movable = any(joint.inertia for joint in robot.joints)
     if judgement.checked is None or judgement.fatal or not is_movable or not installed():
         return judgement
     [result] = move([judgement.checked], _request(), settings)
+    if result.interrupted:
+        raise KeyboardInterrupt
     return _judgement(result)
 
 
