@@ -32,6 +32,8 @@ def pytest_configure() -> None:
     os.environ["XDG_CACHE_HOME"] = cache
     atexit.register(shutil.rmtree, cache, ignore_errors=True)
     sys.addaudithook(refuse_to_crawl_everything)
+    if hasattr(os, "register_at_fork"):  # the lines of forks are not counted, and counting takes a third of their time
+        os.register_at_fork(after_in_child=lambda: sys.settrace(None))
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as in a shell's background job; processes inherit it
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
@@ -48,6 +50,18 @@ def refuse_to_crawl_everything(event: str, arguments: tuple[object, ...]) -> Non
     """Fail a test whose workspace is the root folder: it would depend on the machine, and take long."""
     if event == "os.scandir" and arguments[0] == "/":
         raise AssertionError("a test searches '/'; give it a workspace or a package path")
+
+
+@pytest.fixture
+def judging_engine() -> None:
+    """The engine that is installed moves what generators make, as it does for users."""
+
+
+@pytest.fixture(autouse=True)
+def _no_judging_engine(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no engine move what generators make: that takes most of their time, and few tests are about it."""
+    if "judging_engine" not in request.fixturenames:
+        monkeypatch.setattr("urdfctl.commands.generate.judging.installed", tuple)
 
 
 @pytest.fixture

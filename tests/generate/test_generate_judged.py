@@ -18,6 +18,7 @@ from urdfctl.smoke.checked_robot import CheckedRobot
 from urdfctl.smoke.motion import engine_workers
 from urdfctl.smoke.results import RobotResult
 
+pytestmark = pytest.mark.usefixtures("judging_engine")
 INERTIA = '<inertia ixx="{}" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>'
 ARM = """\
 <robot name="arm">
