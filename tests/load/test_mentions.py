@@ -45,3 +45,51 @@ def test_a_parameter_may_be_read_by_a_fork_of_the_controllers(owner: str, severi
     files = launched(PUBLISHER, MANAGER, BROADCASTER, ARM, controllers=controllers)
     [finding] = found(folder, {**files, "arm.repos": REPOS % owner}, "UC430", distro="jazzy")
     assert severity in str(finding)
+
+
+_LAUNCH = """
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.conditions import IfCondition
+from launch.substitutions import Command, LaunchConfiguration
+from launch_ros.actions import Node
+
+def chosen(context):
+    if LaunchConfiguration("spawn").perform(context) == "true":
+        BRANCH
+    return []
+
+def generate_launch_description():
+    share = get_package_share_directory("arm")
+    robot = {"robot_description": Command(["xacro ", share + "/arm.urdf"])}
+    program = "spawner"
+    states = Node(package="controller_manager", executable=program, arguments=["joint_state_broadcaster"]CONDITION)
+    return LaunchDescription([
+        DeclareLaunchArgument("spawn", default_value="false"),
+        Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[robot]),
+        Node(package="controller_manager", executable="ros2_control_node", parameters=[share + "/controllers.yaml"]),
+        OpaqueFunction(function=chosen), ADDED])
+"""
+
+
+@pytest.mark.parametrize(
+    ("branch", "condition", "added", "is_found"),
+    [
+        ("pass", "", "", True),
+        (
+            "return [Node(package='controller_manager', executable='spawner', arguments=['arm_controller'])]",
+            "",
+            "",
+            False,
+        ),
+        ("pass", ", condition=IfCondition(LaunchConfiguration('spawn'))", "states", False),
+    ],
+    ids=["nowhere", "in a branch", "on a condition"],
+)
+def test_what_runs_only_with_other_arguments_counts(
+    branch: str, condition: str, added: str, is_found: bool, folder: Folder
+) -> None:
+    launch = _LAUNCH.replace("BRANCH", branch).replace("CONDITION", condition).replace("ADDED", added)
+    files = {name: text for name, text in launched().items() if name != "arm.launch.xml"}
+    assert bool(found(folder, {"arm.launch.py": launch, **files}, "UC621", distro="jazzy")) is is_found

@@ -146,6 +146,7 @@ class _LaunchFileReader:
         self.named: list[Word] = []
         self._terms: dict[str, Term | None] = {}
         self._written: dict[str, Term] = {}
+        self._skipped: list[str] = []
         self._blank = ""
         self._loads = 0
         self.has_blank = False
@@ -199,7 +200,8 @@ class _LaunchFileReader:
             too_long=self._too_long,
             written=self._written.get,
         )
-        return launch_of_ros2(self.path, arguments, sources)
+        launch = launch_of_ros2(self.path, arguments, sources)
+        return launch._replace(skipped=(*launch.skipped, *self._skipped)) if launch and self._skipped else launch
 
     # -- texts -------------------------------------------------------------------------------------------------------
 
@@ -249,7 +251,13 @@ class _LaunchFileReader:
         if source is None:
             return None
         around = Surroundings(
-            self.find, self.environ, self.module, self.yaml, too_long=self._too_long, write=self._written.setdefault
+            self.find,
+            self.environ,
+            self.module,
+            self.yaml,
+            too_long=self._too_long,
+            write=self._written.setdefault,
+            skip=self._skipped.append,
         )
         script = read_python(source, around)
         if script.problem is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -153,8 +154,12 @@ class Project(NamedTuple):
         return generations.pop() if len(generations) == 1 else None
 
     def may_mention(self, expression: str) -> bool:
-        """Return whether another text of the workspace says what an expression matches, unless it is known not to."""
-        return self.mentioned(expression) is not False
+        """Return whether another text of the workspace says what an expression matches, unless it is known not to.
+
+        A part of the launch file that runs only with other arguments counts as another text.
+        """
+        skipped = self.launch.skipped if self.launch else ()
+        return any(re.search(expression, text) for text in skipped) or self.mentioned(expression) is not False
 
     @property
     def catalog(self) -> Catalog:

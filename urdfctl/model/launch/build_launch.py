@@ -74,6 +74,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         moveit=tuple(_with_loads(files, builder.loads) for files in builder.moveit),
         unread=tuple(builder.unread),
         named=tuple(dict.fromkeys(builder.named)),
+        skipped=tuple(dict.fromkeys(builder.skipped)),
     )
 
 
@@ -128,6 +129,7 @@ class _LaunchBuilder:
         self.arguments: dict[str, str | None] = {}
         self.inline: list[InlineParameters] = []
         self.named: list[str] = []
+        self.skipped: list[str] = []
         self.unread: list[Word] = []
         """The included files that cannot be read."""
         self._includes = 0
@@ -139,6 +141,8 @@ class _LaunchBuilder:
             texts = self._texts(scope, element)
             held = self._held(element, texts)
             inner = scope._replace(sure=scope.sure and held is True, held=scope.held and held is not False)
+            if not inner.held:
+                self.skipped.append(element.at.span.text)
             self._packages(element)
             namespace = texts.resolve(element.attrs.get("ns", "")).strip()
             if element.tagName == "arg":

@@ -33,7 +33,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 """The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
-    *("inline", "given", "misspelt", "moveit", "named"),
+    *("inline", "given", "misspelt", "moveit", "named", "skipped"),
 )
 """What launch files add to each other if they are started beside each other."""
 
@@ -58,6 +58,7 @@ class Launch(NamedTuple):
     unread: the included files that cannot be read, if nothing else makes it incomplete.
     beside: the nodes of each of several launch files that are started beside each other.
     named: ROS 1: the full names of the parameters, and namespaces of parameters, that it sets.
+    skipped: the texts of the parts that run only with other launch arguments.
     """
 
     path: str
@@ -83,6 +84,7 @@ class Launch(NamedTuple):
     unread: tuple[Word, ...] = ()
     beside: tuple[tuple[Node, ...], ...] = ()
     named: tuple[str, ...] = ()
+    skipped: tuple[str, ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:

@@ -43,6 +43,11 @@ def _files(*nodes: str) -> dict[str, str]:
     ],
     good=[
         _files(_TIMED % "use_sim_time", _GZ, _BRIDGE % "/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"),
+        _files(
+            _TIMED % "use_sim_time",
+            _GZ,
+            (_BRIDGE % "/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock").replace("exec=", 'if="false" exec='),
+        ),
         {
             **_files(_TIMED % "use_sim_time", _GZ, _BRIDGE % "--ros-args -p config_file:=bridge.yaml"),
             "bridge.yaml": "- {ros_topic_name: clock, gz_topic_name: clock, ros_type_name: rosgraph_msgs/msg/Clock}\n",

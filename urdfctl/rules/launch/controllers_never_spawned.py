@@ -54,6 +54,7 @@ _SPAWNER = '<node name="spawner" pkg="controller_manager" type="spawner" args="s
     ],
     good=[
         SOUND,
+        launched(PUBLISHER, MANAGER, f'<group if="false">{BROADCASTER}{ARM}</group>'),
         {**launched(PUBLISHER, MANAGER), "spawn.launch.xml": f"<launch>{BROADCASTER}{ARM}</launch>"},
         {**launched(PUBLISHER, MANAGER), "README.md": "ros2 run controller_manager spawner arm_controller\n"},
         {
@@ -76,7 +77,7 @@ def controllers_never_spawned(project: Project) -> Iterator[Finding]:
     not loaded, no joint moves, and no joint states are published.
     """
     launch, names = project.launch, list(dict.fromkeys(declared_controllers(project)))
-    if launch is None or not launch.complete or launch.spawns or launch.elsewhere or not names:
+    if launch is None or not launch.complete or launch.spawns or not names:
         return
     manager = _manager(project)
     others = [node for node in launch.nodes if node not in manager_nodes(launch)]

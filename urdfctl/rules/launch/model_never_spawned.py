@@ -45,6 +45,7 @@ def _files(mark: tuple[str, str], *nodes: str) -> dict[str, str]:
     bad=[_files(("«", "»"))],
     good=[
         _files(("", ""), _SPAWN),
+        _files(("", ""), f'<arg name="own" default="true"/><group unless="$(arg own)">{_SPAWN}</group>'),
         {**_files(("", "")), "README.md": "rosrun gazebo_ros spawn_model -urdf -param robot_description -model arm\n"},
         {
             **_files(("", "")),

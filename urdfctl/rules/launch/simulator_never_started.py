@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Note, Project, Severity, rule
@@ -42,6 +41,11 @@ def _of_ros2(launch: str) -> dict[str, str]:
     good=[
         _of_ros1(_MODEL, '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'),
         _of_ros1(_MODEL, '<node name="gazebo" pkg="gazebo_ros" type="gzserver"/>'),
+        _of_ros1(
+            _MODEL,
+            '<arg name="sim" default="false"/>',
+            '<include file="$(find gazebo_ros)/launch/empty_world.launch" if="$(arg sim)"/>',
+        ),
         {**_of_ros1(_MODEL), "README.md": "roslaunch gazebo_ros empty_world.launch\n"},
         _of_ros2(_SERVED % _CREATE),
         {**_of_ros2(f"<launch>{_CREATE}</launch>"), "start.sh": "gz sim -r empty.sdf\n"},
@@ -59,8 +63,7 @@ def simulator_never_started(project: Project) -> Iterator[Finding]:
     spawner = next((node for node in model_spawners(launch) if node.sure), None)
     if spawner is None or any(_may_simulate(node.package.text) for node in launch.nodes):
         return
-    own = spawner.at.source.data.decode("utf-8", "replace")
-    if project.may_mention(STARTS_SIMULATOR) or re.search(STARTS_SIMULATOR, own):  # its own start may be switched off
+    if project.may_mention(STARTS_SIMULATOR):
         return
     simulator = "gz" if spawner.executable.text == "create" else "Gazebo"
     message = f"'{spawner.executable.text}' spawns a model, but nothing here starts {simulator}"

@@ -18,7 +18,7 @@ from urdfctl.source.launch.operations import added, listed, shown, truth
 from urdfctl.source.launch.terms import Constant, Function, ImportedName, Items, Perhaps, Term, UnknownTerm, one_of
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
-from urdfctl.source.span import Place, SourceText
+from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.startup.records import NamedTuple
 
 MOST_BYTES = 1 << 20
@@ -35,6 +35,7 @@ class Surroundings(NamedTuple):
     yaml: returns the content of a YAML file; None if it cannot be read.
     too_long: is told a place at which a text becomes too long.
     write: is told the path of a file and the text that the launch file writes into it.
+    skip: is told the text of a branch that does not run.
     """
 
     find: Callable[[str, Place], str | None]
@@ -43,6 +44,7 @@ class Surroundings(NamedTuple):
     yaml: Callable[[str], Term | None] = lambda _: None
     too_long: Callable[[Place], None] = lambda _: None
     write: Callable[[str, Term], object] = lambda *_: None
+    skip: Callable[[str], object] = lambda _: None
 
 
 class Script(NamedTuple):
@@ -113,7 +115,7 @@ class Run:
     def __init__(self, source: SourceText, surroundings: Surroundings, importer: Run | None = None) -> None:
         self.surroundings = surroundings
         self.modules: Modules = importer.modules if importer else Modules(surroundings.module, self._followed)
-        find, environ, _, yaml, too_long, write = surroundings
+        find, environ, _, yaml, too_long, write, _ = surroundings
         self.evaluation = Evaluation(source, find, environ, yaml, too_long, write=write)
         self.evaluation.outer = importer.evaluation if importer else None
         self.evaluation.member = lambda path: self.modules.member(path, source.path)
@@ -215,7 +217,11 @@ class Run:
     def _if(self, node: ast.If, frame: Frame) -> str | None:
         held = truth(self.value(node.test, frame))
         if held is not None:
-            return self.block(node.body if held else node.orelse, frame)
+            body, other = (node.body, node.orelse) if held else (node.orelse, node.body)
+            if other:
+                first, last = self.at(other[0]), self.at(other[-1])
+                self.surroundings.skip(SourceSpan(first.source, first.start, last.span.end).text)
+            return self.block(body, frame)
         return self._branches([node.body, node.orelse], frame)
 
     def _branches(self, bodies: Sequence[Sequence[ast.stmt]], frame: Frame) -> str | None:

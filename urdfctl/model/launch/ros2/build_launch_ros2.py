@@ -130,6 +130,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         moveit=tuple(facts.moveit),
         given=tuple(facts.given),
         unread=tuple(walk.unread) if walk.complete else (),
+        skipped=tuple(dict.fromkeys(walk.skipped)),
     )
     missing = {one.file.path for one in launch.references if one.file.exists is False and one.file.path}
     made = {path for path in missing if any(path in word for word in walk.words_of_programs)}
@@ -154,6 +155,7 @@ class _Walk:
         self.arguments: dict[str, str | None] = {}
         self.choices: dict[str, tuple[str, ...]] = {}
         self.complete = True
+        self.skipped: list[str] = []
         self.unread: list[Word] = []
         """The included files that cannot be read."""
         self._includes = self._actions = 0
@@ -197,6 +199,8 @@ class _Walk:
         if held is False:
             scope = scope.copy()
             state = state._replace(sure=False, held=False)
+        if not state.held:
+            self.skipped += [term.at.span.text, *self.nodes(scope).program(term)]
         outer = scope
         if held is None:
             scope, state = scope.copy(), state._replace(sure=False)
@@ -359,6 +363,8 @@ class _Walk:
             self.facts.reference(path, written.at, "include", sure=state.sure)
             if self._includes <= _MOST_INCLUDES and state.depth < _MOST_DEPTH * 4:
                 included = self.sources.read(path)
+        if not state.held:
+            self.skipped.append(path)
         if included is None:
             if state.held:
                 self.unread.append(written)

@@ -210,6 +210,10 @@ class Nodes:
             if UNKNOWN not in path and self.facts.locate(path)[1] is False:
                 self.facts.reference(path, at, "include", sure=sure)
 
+    def program(self, term: Called) -> tuple[str, ...]:
+        """Return the package and the executable of an action that starts a node."""
+        return tuple(self._word(term, keyword).text for keyword in ("package", "executable") if _given(term, keyword))
+
     # -- commands ----------------------------------------------------------------------------------------------------
 
     def command(self, term: Called, *, sure: bool, held: bool, after: tuple[str, ...]) -> tuple[Word, ...]:
