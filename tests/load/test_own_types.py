@@ -290,12 +290,24 @@ def test_hardware_that_a_package_exports_is_known_however_it_is_exported(folder:
     assert findings("r/r.urdf", ("UC353",), distro="jazzy") == []
 
 
-def test_misspelt_own_hardware_is_an_error(folder: Folder) -> None:
-    folder.write(
-        {**OURS, "r/package.xml": MANIFEST.format("r"), "r/r.urdf": HARDWARE.format("our_controllers/ArmHardwar")}
-    )
+@pytest.mark.parametrize("name", ["our_controllers/ArmHardwar", "our_controller/ArmHardware"])
+def test_misspelt_own_hardware_is_an_error(name: str, folder: Folder) -> None:
+    folder.write({**OURS, "r/package.xml": MANIFEST.format("r"), "r/r.urdf": HARDWARE.format(name)})
     [found] = findings("r/r.urdf", ("UC353",), distro="jazzy")
     assert "did you mean 'our_controllers/ArmHardware'?" in found.message
+
+
+@pytest.mark.parametrize(("dependency", "severities"), [("rclcpp", ["warning"]), ("arm_driver", [])])
+def test_own_hardware_of_another_package_is_a_warning(dependency: str, severities: list[str], folder: Folder) -> None:
+    launch = """
+        <launch><node pkg="robot_state_publisher" exec="robot_state_publisher">
+        <param name="robot_description" value="$(command 'xacro $(find-pkg-share r)/r.urdf')" type="str"/>
+        </node></launch>
+    """
+    manifest = MANIFEST.format("r").replace("</package>", f"<exec_depend>{dependency}</exec_depend></package>")
+    robot = {"r/package.xml": manifest, "r/r.urdf": HARDWARE.format("arm_driver/ArmHardware"), "r/r.launch.xml": launch}
+    folder.write({**OURS, **robot})
+    assert [one.severity.value for one in findings("r/r.launch.xml", ("UC353",), distro="jazzy")] == severities
 
 
 SIMULATED = """<robot name="r"><link name="a"/><gazebo><plugin name="p" filename="libgazebo_ros_control.so">

@@ -114,7 +114,9 @@ SETUP = """
         ("CMakeLists.txt", "foreach(d launch)\ninstall(DIRECTORY ${d} DESTINATION share/arm)\nendforeach()", True),
         ("CMakeLists.txt", "foreach(d ${all})\ninstall(DIRECTORY ${d} DESTINATION share/arm)\nendforeach()", False),
         ("CMakeLists.txt", "install(DIRECTORY ${FOLDERS} DESTINATION share/arm)", False),
-        ("CMakeLists.txt", "ament_auto_package(INSTALL_TO_SHARE config)", False),
+        ("CMakeLists.txt", "ament_auto_package(INSTALL_TO_SHARE config)", True),
+        ("CMakeLists.txt", "ament_auto_package(INSTALL_TO_SHARE ${all})", False),
+        ("CMakeLists.txt", "set(all rclcpp)\nforeach(d IN ITEMS ${all})\nfind_package(${d})\nendforeach()", True),
         ("setup.py", SETUP.format(""), True),
         ("setup.py", SETUP.format("(os.path.join('share', package_name), glob('*.yaml') + ['arm.urdf'])"), False),
         ("setup.py", SETUP.format("(os.path.join('share', package_name), ['controllers.yaml', 'arm.urdf'])"), False),
@@ -134,6 +136,15 @@ def test_what_is_installed_is_only_judged_where_all_of_it_is_said(
     told = [one[2] for one in found(folder, files, "UC615")]
     assert bool(told) == expected
     assert all(build in message for message in told)
+
+
+def test_a_missing_file_is_looked_for_where_the_build_installs_its_folder_from(folder: Folder) -> None:
+    launch = samples.SOUND["arm.launch.xml"].replace("arm)/controllers.yaml", "arm)/config/controler.yaml")
+    build = "project(arm)\ninstall(DIRECTORY launch bringup/config DESTINATION share/arm)"
+    controllers = {"bringup/config/controllers.yaml": samples.SOUND["controllers.yaml"]}
+    files = {"launch/arm.launch.xml": launch, **controllers, "CMakeLists.txt": build, "package.xml": MANIFEST}
+    told = {one[2] for one in found(folder, files, "UC616")}
+    assert [each.partition("; ")[2] for each in told if "config" in each] == ["did you mean 'controllers.yaml'?"]
 
 
 def test_a_file_that_only_rviz_misses_makes_a_warning(folder: Folder) -> None:

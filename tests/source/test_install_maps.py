@@ -59,6 +59,9 @@ def source(folder: Path, relative: str, *, cmake: str = "", setup: str = "") -> 
         ("foreach(d launch config)\ninstall(DIRECTORY ${d}/ DESTINATION share/arm/x/${d})\nendforeach()", "x/config/c.yaml", "config/c.yaml"),
         ("set(all launch\n config)\nforeach(d IN LISTS all)\ninstall(DIRECTORY ${d} DESTINATION share/arm/x)\nendforeach(d)", "x/config/c.yaml", "config/c.yaml"),
         ("FOREACH(d IN ITEMS launch config)\ninstall(DIRECTORY ${d} DESTINATION share/arm/x)\nENDFOREACH()", "x/config/c.yaml", "config/c.yaml"),
+        ("set(all launch config)\nforeach(d IN ITEMS ${all})\ninstall(DIRECTORY ${d} DESTINATION share/arm/x)\nendforeach()", "x/config/c.yaml", "config/c.yaml"),
+        ("foreach(d IN ITEMS ${all})\ninstall(DIRECTORY ${d} DESTINATION share/arm/x)\nendforeach()", "x/config/c.yaml", None),
+        ("ament_auto_package(USE_SCOPED_HEADER_INSTALL_DIR INSTALL_TO_SHARE launch description/urdf)", "urdf/r.xacro", "description/urdf/r.xacro"),
         ("foreach(d ${all})\ninstall(DIRECTORY ${d} DESTINATION share/arm/x)\nendforeach()", "x/config/c.yaml", None),
     ],
 )  # fmt: skip

@@ -14,7 +14,7 @@ from urdfctl.model.launch.package import package_around
 from urdfctl.model.launch.scope import Sources
 from urdfctl.names import is_slip, nearest
 from urdfctl.source.disk.files import FileProblem, Files
-from urdfctl.source.disk.gate import is_file, names_in
+from urdfctl.source.disk.gate import exists, is_file, names_in
 from urdfctl.source.launch.terms import Term
 from urdfctl.source.lengths import TOO_LONG
 from urdfctl.source.opaque import UNKNOWN
@@ -318,7 +318,10 @@ class _LaunchFileReader:
 
     def locate(self, path: str) -> tuple[str, bool | None]:
         """Return the source of an installed file, and whether it exists; None if that cannot be checked."""
-        source = self.packages.source_of(os.path.normpath(path) if os.pardir in path else path)
+        path = os.path.normpath(path) if os.pardir in path else path
+        source = self.packages.source_of(path)
+        if source == path and not exists(path):
+            source = os.path.join(self.packages.source_of(os.path.dirname(path)), os.path.basename(path))
         if not self.files.may_read(source):
             return source, None
         return source, is_file(source) or (None if self.packages.may_be_made(source) else False)

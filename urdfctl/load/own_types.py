@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.definitions import Definition, definition_of
 from urdfctl.model.project import OwnTypes
+from urdfctl.names import is_slip
 from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.workspaces.plugin_exports import ExportedClass, definition_files, exported_classes, sources_of_class
 from urdfctl.source.yaml.tree import read_yaml
@@ -43,7 +44,7 @@ def prefixes_of(types: Collection[str]) -> set[str]:
 
 
 def own_types(wanted: Collection[str], exports: Iterable[ExportedClasses], files: Files) -> OwnTypes:
-    """Return what the packages export that define some types, or whose name is the prefix of one.
+    """Return what the packages export that define some types, or similar ones, or whose name is the prefix of one.
 
     wanted: the names of controllers and hardware.
     """
@@ -51,7 +52,7 @@ def own_types(wanted: Collection[str], exports: Iterable[ExportedClasses], files
     controllers: dict[str, Mapping[str, Any]] = {}
     hardware: list[str] = []
     for each in exports:
-        if each.package not in prefixes and not any(one.name in wanted for one in each.classes):
+        if each.package not in prefixes and not any(_may_be_meant(one.name, wanted) for one in each.classes):
             continue
         for one in each.classes:
             if one.base.startswith(_CONTROLLER_BASE):
@@ -59,6 +60,12 @@ def own_types(wanted: Collection[str], exports: Iterable[ExportedClasses], files
             elif one.base.endswith(_HARDWARE_BASES):
                 hardware.append(one.name)
     return OwnTypes(controllers, tuple(hardware))
+
+
+def _may_be_meant(name: str, wanted: Collection[str]) -> bool:
+    """Whether a class is one that is wanted, or one of them may be a misspelling of it, also of its package."""
+    last = re.split("/|::", name)[-1]
+    return any(other == name or re.split("/|::", other)[-1] == last or is_slip(other, name) for other in wanted)
 
 
 def without_copies(own: OwnTypes) -> OwnTypes:

@@ -232,10 +232,20 @@ def _slip(project: Project, name: str, owner: str) -> Fault | None:
     meant = meant or next((each for each in sorted(known) if is_slip(name, each)), None)
     sure = sure or bool(of_package) or (meant is not None and meant.startswith(_WHOLE))
     meant = meant or (of_package[0] if of_package else None)
+    meant = meant or _of_other_package(project, name)
     if meant is None:
         return None
     severity = Severity.ERROR if sure else Severity.WARNING
     return meant, f"{owner} names unknown plugin '{name}'; did you mean '{meant}'?", severity
+
+
+def _of_other_package(project: Project, name: str) -> str | None:
+    """The workspace's class of the same name, if the package that it is looked for in is no dependency."""
+    package, _, last = name.partition("/")
+    around = project.launch.package if project.launch else None
+    if not last or around is None or package == around.name or around.reaches(package):
+        return None
+    return next((each for each in project.own.hardware if each.partition("/")[2] == last), None)
 
 
 def _of_whole(name: str, known: Iterable[str]) -> str | None:

@@ -30,6 +30,8 @@ _COMMENT = r"#[^\n]*"
 _LOOP = r"(?si)\bforeach\s*\(\s*(\w+)\s+([^()]*)\)((?:(?!\bforeach\s*\().)*?)\bendforeach\s*\([^()]*\)"
 _BLOCK = r"(?i)\b(end)?(?:if|function|macro|while)\s*\("
 _SET = r"(?i)\bset\s*\(\s*(\w+)\s+([^()]*)\)"
+_AUTO = r"(?i)\bament_auto_package\s*\(([^()]*)\)"
+_AUTO_OPTIONS = ("INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR")
 _MOST_ROUNDS = 200
 _MOST_RULES = 500
 _MOST_CHARACTERS = 1 << 16
@@ -77,7 +79,7 @@ def read_install_map(folder: str, package: str) -> InstallMap:
     """Return the install rules of the package in a folder; no rules if it has no build files."""
     cmake = _read(os.path.join(folder, "CMakeLists.txt"))
     cmake = cmake[: cmake.rfind(")") + 1]  # without this, each unclosed call is searched to the end: quadratic time
-    cmake = _unrolled(cmake)
+    cmake = re.sub(_AUTO, _auto_installed, _unrolled(cmake))
     setup = _read(os.path.join(folder, "setup.py"))
     rules = list(islice(_from_cmake(cmake, package), _MOST_RULES))
     plain = _is_plain_cmake(cmake, package) if cmake else False
@@ -167,6 +169,8 @@ def _unrolled(text: str) -> str:
         if kind == "IN":
             known = [lists.get(name) for name in rest[1:]] if rest[:1] == ["LISTS"] else [rest[1:]]
             words = [word for part in known for word in part or ("$",)]
+            if rest[:1] == ["ITEMS"]:
+                words = [word for each in rest[1:] for word in lists.get(each.strip("${}"), [each])]
         if len(words) * len(body) > _MOST_CHARACTERS or len(words) > _MOST_ROUNDS or kind == "RANGE":
             return match.group()
         if any("$" in word for word in words):
@@ -174,6 +178,14 @@ def _unrolled(text: str) -> str:
         return "\n".join(body.replace(f"${{{variable}}}", word.strip('"')) for word in words)
 
     return re.sub(_LOOP, rounds, text)
+
+
+def _auto_installed(call: re.Match[str]) -> str:
+    """The install rule that ament_auto_package() makes of INSTALL_TO_SHARE (ament_cmake_auto)."""
+    folders = call.group(1).partition("INSTALL_TO_SHARE")[2]
+    kept = [word for word in folders.split() if word not in _AUTO_OPTIONS]
+    rule = f"install(DIRECTORY {' '.join(kept)} DESTINATION share/${{PROJECT_NAME}})" if kept else ""
+    return f"{rule}\nament_package()"
 
 
 def _is_plain_cmake(text: str, package: str) -> bool:
