@@ -16,6 +16,8 @@ from urdfctl.model.launch.parts import (
     Rewriting,
     Simulation,
     Spawn,
+    Started,
+    Waiting,
     Word,
     joined,
 )
@@ -34,6 +36,8 @@ __all__ = [
     "Rewriting",
     "Simulation",
     "Spawn",
+    "Started",
+    "Waiting",
     "Word",
     "joined",
 ]

@@ -16,6 +16,7 @@ from urdfctl.model.launch.parts import (
     ParameterLoad,
     Simulation,
     Spawn,
+    Waiting,
     Word,
     joined,
 )
@@ -33,7 +34,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 """The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
-    *("inline", "given", "misspelt", "moveit", "named", "skipped"),
+    *("inline", "given", "misspelt", "moveit", "named", "skipped", "waiting"),
 )
 """What launch files add to each other if they are started beside each other."""
 
@@ -59,6 +60,7 @@ class Launch(NamedTuple):
     beside: the nodes of each of several launch files that are started beside each other.
     named: ROS 1: the full names of the parameters, and namespaces of parameters, that it sets.
     skipped: the texts of the parts that run only with other launch arguments.
+    waiting: ROS 2: what waits for an event that never comes.
     """
 
     path: str
@@ -85,6 +87,7 @@ class Launch(NamedTuple):
     beside: tuple[tuple[Node, ...], ...] = ()
     named: tuple[str, ...] = ()
     skipped: tuple[str, ...] = ()
+    waiting: tuple[Waiting, ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:

@@ -150,7 +150,6 @@ class Spawn(NamedTuple):
     options: the options with their values.
     files: the parameter files that it gets.
     after: controllers whose spawner exits before this one starts.
-    waits_for: the program whose exit it waits for, though that runs until the launch ends; its place is the handler's.
     """
 
     names: tuple[tuple[str, Place], ...]
@@ -164,7 +163,6 @@ class Spawn(NamedTuple):
     options: tuple[ProgramOption, ...] = ()
     files: tuple[FileReference, ...] = ()
     after: tuple[str, ...] = ()
-    waits_for: Word | None = None
 
     def full_name(self, name: str) -> str:
         """Return the name of one of the controllers with its namespace; as it is if that is unknown.
@@ -207,6 +205,30 @@ class Node(NamedTuple):
     def runs(self, package: str, *executables: str) -> bool:
         """Return whether it runs one of these executables of a package."""
         return self.package.text == package and self.executable.text in executables
+
+
+class Started(NamedTuple):
+    """What an action starts: a program, and the controllers that it spawns."""
+
+    program: str
+    controllers: tuple[str, ...] = ()
+
+
+class Waiting(NamedTuple):
+    """What never starts, because it waits for an event that never comes.
+
+    what: what waits.
+    target: what it waits for.
+    at: the event handler.
+    event: the name of the event handler.
+    is_started: whether the target starts. Then it is its exit that never comes, before the launch ends.
+    """
+
+    what: tuple[Started, ...]
+    target: Started
+    at: Place
+    event: str
+    is_started: bool
 
 
 class Simulation(NamedTuple):

@@ -84,7 +84,7 @@ def _started(launch: Launch, namespace: str) -> Iterator[Place]:
     """Yield the places that start ros2_control_node in a namespace; also the calls of MoveIt that do."""
     nodes = manager_nodes(launch)
     yield from (node.at for node in nodes if node.sure and node.namespace == namespace)
-    if not nodes:
+    if not nodes and not launch.waiting:
         yield from (load.at for load in launch.loads if load.node == MANAGER and load.sure and load.of == namespace)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.model.launch import Started
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.launch_samples import CONTROLLERS, MANIFEST, ROBOT
@@ -31,10 +32,13 @@ _LAUNCH = """
         return LaunchDescription([publisher, manager, first, then])
 """
 
+_THEN = "OnProcessExit(target_action=states, on_exit=[arm])"
 
-def _started(event: str) -> dict[str, str]:
+
+def _started(event: str, then: str = "{}") -> dict[str, str]:
     files = {"arm.urdf": ROBOT, "controllers.yaml": CONTROLLERS, "package.xml": MANIFEST}
-    return {"arm.launch.py": _LAUNCH.replace("EVENT", event), **files}
+    launch = _LAUNCH.replace("EVENT", event).replace(_THEN, then.format(_THEN))
+    return {"arm.launch.py": launch, **files}
 
 
 @rule(
@@ -43,18 +47,35 @@ def _started(event: str) -> dict[str, str]:
     runtime="refuses",
     authority="launch event_handlers/on_process_exit.py: acts on ProcessExited of the target; controller_manager "
     "ros2_control_node.cpp main(): 'executor->spin()' until the launch ends",
-    bad=[_started("«OnProcessExit(target_action=manager, on_exit=[states])»")],
-    good=[_started("OnProcessStart(target_action=manager, on_start=[states])")],
+    bad=[
+        _started("«OnProcessExit(target_action=manager, on_exit=[states])»"),
+        _started("«OnProcessExit(target_action=Node(package='arm', executable='home'), on_exit=[states])»"),
+        _started("«OnProcessExit(target_action=manager, on_exit=[Node(package='rviz2', executable='rviz2')])»", "«{}»"),
+    ],
+    good=[
+        _started("OnProcessStart(target_action=manager, on_start=[states])"),
+    ],
 )
 def spawner_after_endless_program(project: Project) -> Iterator[Finding]:
-    """Spawner waits for the exit of a program that never exits.
+    """Spawner waits for the exit of a program that never exits, or never starts.
 
     `OnProcessExit` of ros2_control_node, or of another program that runs as long as the launch, starts its actions when
-    everything ends. No controller is spawned, and nothing is printed.
+    everything ends. An event handler of an action that is not in the launch description never starts its own. No
+    controller is spawned, and nothing is printed. If no controllers wait, but only other programs, it is a warning.
     """
-    for spawn in project.launch.spawns if project.launch else ():
-        if spawn.waits_for is None or not spawn.sure:
-            continue
-        program, names = spawn.waits_for.text, in_words([name for name, _ in spawn.names], 3) or "its controllers"
-        message = f"the spawner of {names} waits for the exit of '{program}', which runs until the launch ends"
-        yield Finding(spawn.waits_for.at, f"{message}; use OnProcessStart")
+    for waiting in project.launch.waiting if project.launch else ():
+        spawners = [each for each in waiting.what if each.program == "spawner"]
+        what = " and ".join(dict.fromkeys(map(_titled, spawners or waiting.what)))
+        severity = None if spawners else Severity.WARNING
+        target = _titled(waiting.target)
+        if waiting.is_started:
+            message = f"{what} waits for the exit of {target}, which runs until the launch ends; use OnProcessStart"
+        else:
+            message = f"{what} waits for {target}, which nothing starts; add it to the LaunchDescription"
+        yield Finding(waiting.at, message, severity=severity)
+
+
+def _titled(started: Started) -> str:
+    if started.program == "spawner" or started.controllers:
+        return f"the spawner of {in_words(started.controllers, 3) or 'its controllers'}"
+    return f"'{started.program}'" if started.program else "a process"

@@ -19,6 +19,7 @@ from urdfctl.model.launch.ros2.simulators import (
     simulator_of,
 )
 from urdfctl.model.launch.ros2.texts import ActionScope, Texts, table_of
+from urdfctl.model.launch.ros2.waiting import Handlers
 from urdfctl.source.launch.terms import (
     Called,
     Constant,
@@ -110,8 +111,11 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
     if term is None:
         return None
     walk = _Walk(sources)
-    walk.action(term, ActionScope(path, arguments), _State())
+    scope = ActionScope(path, arguments)
+    walk.action(term, scope, _State())
     facts = walk.facts
+    waiting = walk.handlers.waiting(walk.nodes(scope), complete=walk.complete)
+    never = walk.handlers.never
     order = {name: index for index, spawn in enumerate(facts.spawns) for name, _ in spawn.names}
     spawns = sorted(facts.spawns, key=lambda spawn: _turn(spawn, facts.spawns, order))
     launch = Launch(
@@ -122,7 +126,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         tuple(spawns),
         complete=walk.complete and not walk.unread,
         elsewhere=tuple(facts.elsewhere),
-        nodes=tuple(facts.nodes),
+        nodes=tuple(node for node in facts.nodes if not any(node is other for other in never)),
         simulations=tuple(walk.simulations),
         references=tuple(facts.references.values()),
         arguments=tuple(walk.arguments.items()),
@@ -131,6 +135,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         given=tuple(facts.given),
         unread=tuple(walk.unread) if walk.complete else (),
         skipped=tuple(dict.fromkeys(walk.skipped)),
+        waiting=waiting,
     )
     missing = {one.file.path for one in launch.references if one.file.exists is False and one.file.path}
     made = {path for path in missing if any(path in word for word in walk.words_of_programs)}
@@ -156,6 +161,7 @@ class _Walk:
         self.choices: dict[str, tuple[str, ...]] = {}
         self.complete = True
         self.skipped: list[str] = []
+        self.handlers = Handlers()
         self.unread: list[Word] = []
         """The included files that cannot be read."""
         self._includes = self._actions = 0
@@ -207,9 +213,11 @@ class _Walk:
         self._act(term, scope, state._replace(depth=state.depth + 1))
         if held is None:
             outer.blur(scope)
+        self.handlers.may_start(term.keywords.get("on_exit"))
 
     def _act(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow an action whose condition may be true."""
+        self.handlers.acts(term)
         if term.short in _ACTIONS:
             _ACTIONS[term.short](self, term, scope, state)
         elif term.short in _NODES:
@@ -306,6 +314,7 @@ class _Walk:
         """Follow the actions of an event handler for the start or the exit of a process."""
         event = term.given("event_handler", 0)
         if not isinstance(event, Called) or event.short not in _HANDLERS:
+            self.handlers.may_start(event)
             return
         target = event.given("target_action", 0)
         if isinstance(target, Called) and event.short != "OnProcessStart":
@@ -314,10 +323,12 @@ class _Walk:
         actions = event.given(_HANDLERS[event.short], 1)
         if isinstance(actions, Function):
             actions = actions.call([UnknownTerm(term.at), UnknownTerm(term.at)], {}, self.texts(scope).context)
-        begun = len(self.facts.spawns)
+        facts, spawns, nodes = self.facts, len(self.facts.spawns), len(self.facts.nodes)
         self.action(actions, scope, state)
-        if event.short == "OnProcessExit" and isinstance(target, Called):
-            self.facts.spawns[begun:] = self.nodes(scope).waiting(self.facts.spawns[begun:], target, event.at)
+        if not isinstance(target, Called):
+            self.handlers.may_start(target)
+        elif state.sure:
+            self.handlers.handles(event, target, facts.spawns[spawns:], facts.nodes[nodes:])
 
     def composed(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow the nodes that are loaded into a container, in one process, as nodes on their own."""

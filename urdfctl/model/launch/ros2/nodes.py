@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from urdfctl.model.launch import UNCHANGED, Node, Rewriting, Spawn, Word, joined
+from urdfctl.model.launch import UNCHANGED, Node, Rewriting, Spawn, Started, Word, joined
 from urdfctl.model.launch.ros2.descriptions import as_written
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import INCLUDED_BY_DEMO, builder_of
@@ -49,7 +49,7 @@ class Nodes:
         """Add a node: a spawner, a controller manager or another node."""
         package, executable = self._word(term, "package"), self._word(term, "executable")
         if not held:
-            if self._is_spawner(package, executable):
+            if self.is_spawner(package, executable):
                 self.facts.elsewhere.append(self._spawn(term, executable, _Run(sure, held, after)))
             return
         words, complete = self._split(term, "arguments")
@@ -81,30 +81,36 @@ class Nodes:
                 values=tuple(parameters.values.items()),
             )
         )
-        if self._is_spawner(package, executable):
+        if self.is_spawner(package, executable):
             self.facts.spawns.append(self._spawn(term, executable, _Run(sure, held, after)))
         else:
             self._described_by(words, executable.text, namespace, sure=sure)
 
     @staticmethod
-    def _is_spawner(package: Word, executable: Word) -> bool:
+    def is_spawner(package: Word, executable: Word) -> bool:
+        """Return whether a program of a package is the spawner of controllers."""
         return package.text == "controller_manager" and executable.text in SPAWNERS
 
     def spawner_arguments(self, term: Called) -> SpawnerArguments | None:
         """Return the spawner's arguments of an action; None if it is not a spawner."""
         if term.short in {"Node", "LifecycleNode"}:
-            if not self._is_spawner(self._word(term, "package"), self._word(term, "executable")):
+            if not self.is_spawner(self._word(term, "package"), self._word(term, "executable")):
                 return None
             words, complete = self._split(term, "arguments")
             return spawner_arguments(words, complete=complete)
         command = command_arguments(self._split(term, "cmd")[0])
         return command[1] if command else None
 
-    def waiting(self, spawns: Sequence[Spawn], target: Called, at: Place) -> list[Spawn]:
-        """Return spawners that start when a process exits; each with its name if it only ends with the whole launch."""
-        program = self._word(target, "executable").text if target.short in {"Node", "LifecycleNode"} else ""
-        waits_for = Word(program, at) if program in _LASTING else None
-        return [spawn._replace(waits_for=spawn.waits_for or waits_for) for spawn in spawns]
+    def started(self, term: Called) -> Started:
+        """Return what an action starts; nothing if it is no process."""
+        arguments = self.spawner_arguments(term)
+        names = tuple(word.text for word in arguments.names) if arguments else ()
+        is_node = term.short in {"Node", "LifecycleNode"}
+        return Started(self._word(term, "executable").text if is_node else "", names)
+
+    def lasts(self, term: Called) -> bool:
+        """Return whether an action starts a program that runs until the launch ends."""
+        return term.short in {"Node", "LifecycleNode"} and self._word(term, "executable").text in _LASTING
 
     def _spawn(self, term: Called, program: Word, run: _Run) -> Spawn:
         words, complete = self._split(term, "arguments")
