@@ -21,6 +21,7 @@ from documents import ROOT, document_pages  # noqa: E402
 from faults import fault_pages  # noqa: E402
 from messages import message_pages  # noqa: E402
 from playground import playground_pages, write_playground  # noqa: E402
+from search import write_search  # noqa: E402
 from texts import Pages  # noqa: E402
 
 from urdfctl import REPOSITORY, SITE  # noqa: E402 (the folder of the source comes first)
@@ -68,6 +69,7 @@ def write_sources(folder: Path) -> None:
             there = pages / picture.relative_to(ROOT / "docs")
             there.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(picture, there)
+    write_search(pages)
     (pages / "robots.txt").write_text(f"User-agent: *\nAllow: /\nSitemap: {SITE}sitemap.xml\n")
     settings = (_HERE / "zensical.toml").read_text("utf-8").replace(_COMMANDS, _menu_of_commands())
     address = f'[project]\nsite_url = "{SITE}"\nrepo_url = "{REPOSITORY}"\n'
