@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from texts import Pages, front_matter, one_line, quoted
+from texts import Pages, front_matter, how_to_try, one_line, quoted
 
 from urdfctl import REPOSITORY
 from urdfctl.catalog.distros import in_words
@@ -51,6 +51,7 @@ def _parts(fault: Fault) -> Iterator[str]:
         yield from _output(fault)
         yield "## Right\n"
         yield from _files(fault.good[0])
+    yield how_to_try(f"rules/{fault.code}.md")
     yield f"## Authority\n\n{as_markdown(fault.authority)}\n"
     yield "## Ignore it in one place\n"
     yield f"```xml\n<!-- urdfctl: ignore[{fault.code}] the reason -->\n```\n"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from texts import Pages, front_matter, one_line, quoted
+from texts import Pages, front_matter, how_to_try, one_line, quoted
 
 from urdfctl.catalog.distros import in_words
 from urdfctl.catalog.log_messages import Cause, LogMessage, log_messages
@@ -37,6 +37,7 @@ def _page(message: LogMessage) -> Iterator[str]:
     yield "## In your log\n"
     yield "`urdfctl explain` reads one line or a whole log, and says which cause your files really have:\n"
     yield "```sh\nurdfctl explain robot.log --in src/my_robot\n```\n"
+    yield how_to_try(f"messages/{message.id}.md")
     if others:
         yield "## Also printed as\n"
         yield from (f"- {quoted(other)}" for other in others)

@@ -25,6 +25,19 @@ def one_line(text: str) -> str:
     return " ".join(text.replace("`", "").split())
 
 
+def how_to_try(page: str) -> str:
+    """Return the last lines of a page that people reach from a search engine: where to try urdfctl and to install it.
+
+    page: the path of the page in the site.
+    """
+    up = "../" * page.count("/")
+    return (
+        "## Try it\n\n"
+        f"In the browser, without installing: the [playground]({up}playground/index.md) lints your files, and nothing "
+        f"leaves the page. On your machine: [install urdfctl]({up}index.md#install), which needs no ROS.\n"
+    )
+
+
 def quoted(text: str) -> str:
     """Return a text as code of one line, whatever backticks it has."""
     plain = " ".join(text.split())
