@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from folder import Folder
-from robots import Robot, notes, whole
+from robots import Robot, findings, notes, whole
+
+from urdfctl.load.target import Target
 
 SOUND = """
     <transmission name="elbow_trans">
@@ -580,3 +584,18 @@ def test_a_mimic_joint_in_a_transmission_is_a_warning_if_it_is_known_who_control
     files = ("r.urdf", "c.yaml") if controllers else ("r.urdf",)
     told = folder.run("lint", *files, "--distro", "noetic", "--select", "UC224", "--format", "concise").stdout
     assert [" ".join(line.split()[1:3]) for line in told.splitlines()] == expected
+
+
+@pytest.mark.parametrize("distro", [None, "indigo", "noetic"])
+def test_the_interface_that_a_controller_requires_is_added_safely_in_every_distro(
+    distro: str | None, tmp_path: Path
+) -> None:
+    robot, controllers = tmp_path / "robot.urdf", tmp_path / "controllers.yaml"
+    robot.write_text(whole("robot.urdf", SOUND.replace(EFFORT, "")), "utf-8")
+    controllers.write_text("arm:\n  type: effort_controllers/JointEffortController\n  joint: elbow\n", "utf-8")
+    target = Target(str(robot), controllers=(str(controllers),))
+    [finding] = findings(target, ("UC201",), distro=distro, workspace=str(tmp_path))
+    assert finding.fix is not None
+    assert finding.fix.safe
+    prefix = "" if distro == "indigo" else "hardware_interface/"
+    assert f"<hardwareInterface>{prefix}EffortJointInterface</hardwareInterface>" in finding.fix.edits[0].text

@@ -85,9 +85,8 @@ def _repair(transmission: Transmission, joint: TransmissionEnd, project: Project
     may_be_older = example.startswith(PREFIX) and not set(project.distros) <= set(since("kinetic"))
     title = f"add {element}{source}" + (" (before kinetic: without the prefix)" if may_be_older else "")
     literal = known is not None and known.at.content.span.text == known.value
-    is_sure = literal or (demanded is not None and not may_be_older)
     edits = inserted(joint.at, element) if (literal or demanded) and not joint.interfaces else ()
-    return Fix(title, edits, safe=is_sure and bool(edits), doubt="indigo and jade know no prefix")
+    return Fix(title, edits, safe=bool(edits))
 
 
 class DemandedInterface(NamedTuple):
