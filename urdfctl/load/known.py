@@ -34,6 +34,7 @@ class Described(NamedTuple):
     root: the root element; None if there is none.
     robot: the model of it.
     influence: returns the YAML files and the arguments that the values at a place depend on.
+    origin: returns where a value is written that a place takes over from a property or the call of a macro.
     """
 
     expansion: Expansion
@@ -42,6 +43,7 @@ class Described(NamedTuple):
     root: Element | None
     robot: Robot | None
     influence: Callable[[Place], Influence]
+    origin: Callable[[Place], Place]
 
 
 class KnownRobots:
@@ -90,11 +92,13 @@ def _described(
     root = expansion.document.documentElement if expansion.document else None
     find_mesh = mesh_finder(expander.packages, path)
     robot = robot_of(root, find_mesh, whole=expansion.complete) if root is not None else None
+    definitions = expander.definitions()
     return Described(
         expansion=expansion,
         files=expander.files,
         packages=expander.packages,
         root=root,
         robot=robot,
-        influence=expander.definitions().influence_on,
+        influence=definitions.influence_on,
+        origin=definitions.origin,
     )

@@ -304,7 +304,8 @@ class Loader:
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
         listed, absent = _listed_joints(path, files), absent_sources(described.packages, files)
         todos = self._todos(sources, described.packages)
-        project = project._replace(influence=described.influence, listed=listed, absent=absent, todos=todos)
+        project = project._replace(listed=listed, absent=absent, todos=todos)
+        project = project._replace(influence=described.influence, origin=described.origin)
         project = project._replace(moveit=moveit, together=bool(controllers))
         return self._completed(project, evidence, controller_files, launch)
 

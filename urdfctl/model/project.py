@@ -12,7 +12,7 @@ from urdfctl.catalog.distros import ALL, generation
 from urdfctl.model.robot import Robot
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place
-from urdfctl.source.xacro.influence import Influence, no_influence
+from urdfctl.source.xacro.influence import Influence, no_influence, no_origin
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -109,6 +109,7 @@ class Project(NamedTuple):
     launch: the launch file that combines the robot and its controllers.
     simulator_from: what named the simulator.
     influence: returns the YAML files and the arguments that the values at a place depend on.
+    origin: returns where a value is written that a place takes over from a property or the call of a macro.
     in_order: whether the order of `started` is known.
     listed: the joints that the package lists for drivers of industrial robots.
     together: whether robot and controller files belong together because they are named together, or nothing else is
@@ -137,6 +138,7 @@ class Project(NamedTuple):
     launch: Launch | None = None
     simulator_from: str | None = None
     influence: Callable[[Place], Influence] = no_influence
+    origin: Callable[[Place], Place] = no_origin
     in_order: bool = False
     listed: tuple[tuple[str, Place], ...] = ()
     together: bool = False

@@ -1,11 +1,11 @@
-"""Find where a wrong name is written: where the robot uses it, or in the macro call that passes it."""
+"""Find where a wrong name or value is written: where the robot uses it, or in the macro call or property it is from."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
 
-from urdfctl.rule import Edit, Finding, Fix, Note
+from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
@@ -49,6 +49,18 @@ def at_written(
         fix = Fix(f"write '{meant}'")
     here = () if at is used else (Note("used here", used),)
     return Finding(at, message, (*notes, *here), fix)
+
+
+def at_value(
+    project: Project, used: Place, message: str, *, fix: Fix | None = None, severity: Severity | None = None
+) -> Finding:
+    """Return a finding about a wrong value where it is written: in a property, or in the call of a macro.
+
+    A note says where the robot uses it, if elsewhere.
+    """
+    at = project.origin(used)
+    notes = () if at is used else (Note("used here", used),)
+    return Finding(at, message, notes, fix, severity)
 
 
 def _passed(at: Place, wrong: str, meant: str | None, depth: int) -> WrittenName | None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
+from urdfctl.rules.written import at_value
 
 _WRIST = """
     <link name="tool">
@@ -61,7 +62,7 @@ def effort_limit_zero(project: Project) -> Iterator[Finding]:
             message = (
                 f"effort limit of {label('joint', joint.name)} is 0, but it is commanded by effort: it never moves"
             )
-            yield Finding(effort.at, message)
+            yield at_value(project, effort.at, message)
 
 
 def _by_effort(robot: Robot) -> set[str]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.model.robot import Number
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
+from urdfctl.rules.written import at_value
 
 
 @rule(
@@ -55,17 +57,19 @@ def limits_reversed(project: Project) -> Iterator[Finding]:
         upper = 0.0 if limit.upper is None else limit.upper.value
         if lower is None or upper is None or lower <= upper:
             continue
-        edits: tuple[Edit, ...] = ()
-        if (
-            limit.lower
-            and limit.upper
-            and (limit.lower.at.span.text, limit.upper.at.span.text)
-            == (
-                limit.lower.text,
-                limit.upper.text,
-            )
-        ):
-            edits = Edit(limit.lower.at.span, limit.upper.text), Edit(limit.upper.at.span, limit.lower.text)
+        edits = _swapped(limit.lower, limit.upper, project)
         default = "" if limit.lower and limit.upper else " (a missing limit is 0)"
         message = f"'lower' of {label('joint', joint.name)} is {lower:g}, but 'upper' is {upper:g}{default}"
-        yield Finding(limit.at, message, fix=Fix("swap 'lower' and 'upper'", edits) if edits else None)
+        fix = Fix("swap 'lower' and 'upper'", edits) if edits else None
+        finding = at_value(project, limit.lower.at, message, fix=fix) if limit.lower else None
+        yield finding if finding and finding.notes else Finding(limit.at, message, fix=fix)
+
+
+def _swapped(lower: Number | None, upper: Number | None, project: Project) -> tuple[Edit, ...]:
+    """Swap two limits where they are written; nothing where one is calculated."""
+    if lower is None or upper is None:
+        return ()
+    low, high = project.origin(lower.at).span, project.origin(upper.at).span
+    if (low.text, high.text) != (lower.text, upper.text):
+        return ()
+    return Edit(low, upper.text), Edit(high, lower.text)

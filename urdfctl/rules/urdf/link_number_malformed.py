@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, replaced, robot_in
 from urdfctl.rules.urdf.numbers import Numbers, corrected, fault_of, is_subnormal, refusing
+from urdfctl.rules.written import at_value
 
 
 @rule(
@@ -87,11 +88,10 @@ def link_number_malformed(project: Project) -> Iterator[Finding]:
             at = field.element.at
             if set(refusing(field)) & set(project.distros):
                 correction = corrected(field)
-                fix = (
-                    replaced(at[field.attribute], field.text, correction[0], safe=correction[1]) if correction else None
-                )
+                written = project.origin(at[field.attribute])
+                fix = replaced(written, field.text, correction[0], safe=correction[1]) if correction else None
                 message = f"{field_label} is '{field.shown}', so the <{part}> is dropped: {fault_of(field)}"
-                yield Finding(at[field.attribute], message, fix=fix)
+                yield at_value(project, at[field.attribute], message, fix=fix)
             elif is_subnormal(field) and project.may_be_simulated:
                 message = f"{field_label} is '{field.shown}': Gazebo rejects numbers below 2.2e-308; write 0"
                 yield Finding(at[field.attribute], message)

@@ -8,6 +8,7 @@ from urdfctl.model.robot import Limit
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.urdf.common import commanded_joints
+from urdfctl.rules.written import at_value
 
 
 @rule(
@@ -68,10 +69,10 @@ def velocity_limit_zero(project: Project) -> Iterator[Finding]:
             continue
         if joint.name in commanded and not joint.mimic:
             message = f"velocity limit of commanded {label('joint', joint.name)} is 0, so the joint never moves"
-            yield Finding(velocity.at, message)
+            yield at_value(project, velocity.at, message)
         elif project.library and joint.limit and _may_move(joint.limit):
             message = f"velocity limit of {label('joint', joint.name)} is 0; if commanded, the joint never moves"
-            yield Finding(velocity.at, message)
+            yield at_value(project, velocity.at, message)
 
 
 def _may_move(limit: Limit) -> bool:

@@ -142,7 +142,7 @@ class Expander:
     def definitions(self) -> Definitions:
         """Return the definitions that were read, and the arguments that were given."""
         defaults = {name: element.attrs.get("default", "") for name, element in self.declared.items()}
-        return Definitions(self._properties, {**defaults, **self._given}, tuple(self.loaded))
+        return Definitions(self._properties, {**defaults, **self._given}, tuple(self.loaded), self._written)
 
     # -- the replaced helpers of xacro -------------------------------------------------------------------------------
 

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
+from types import MappingProxyType
 
 from urdfctl.source.disk.shown import current_folder
 from urdfctl.source.span import Call, Place
+from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
 _PARTS = r"\$\(\s*arg\s+([^\s()]+)\s*\)|\$\{([^{}]*)\}|\$\([^()]*\)"
@@ -34,6 +36,7 @@ _DECIDING = {
 }
 _TEXT = r"'[^']*'|\"[^\"]*\""
 _NAME = r"(?<![\w.])[A-Za-z_]\w*"
+_WHOLE = r"\s*\$\{\s*([A-Za-z_]\w*)\s*\}\s*"
 _MOST_STEPS = 200
 _DEEPEST = 20
 
@@ -59,6 +62,11 @@ def no_influence(_place: Place) -> Influence:
     return Influence()
 
 
+def no_origin(place: Place) -> Place:
+    """Return the place itself, for one whose values are not traced."""
+    return place
+
+
 class _Scoped(NamedTuple):
     """A source text, and the macro call in which its names are looked up."""
 
@@ -67,11 +75,43 @@ class _Scoped(NamedTuple):
 
 
 class Definitions(NamedTuple):
-    """The definitions of an expansion: the texts of each property and argument, and the files that were loaded."""
+    """The definitions of an expansion.
+
+    properties, arguments: the texts of each.
+    loaded: the files that were loaded.
+    written: the elements that define each property.
+    """
 
     properties: Mapping[str, Collection[str]]
     arguments: Mapping[str, str]
     loaded: tuple[str, ...]
+    written: Mapping[str, Sequence[Element]] = MappingProxyType({})
+
+    def origin(self, place: Place) -> Place:
+        """Return where the value is written that a text takes over as a whole: in a property or the call of a macro.
+
+        The place itself, if the text is more than the name of one of these, or if a property has several texts.
+        """
+        for _ in range(_DEEPEST):
+            name = re.fullmatch(_WHOLE, place.span.text)
+            found = self._place_of(name[1], place.call) if name else None
+            if found is None:
+                break
+            place = found
+        return place
+
+    def _place_of(self, name: str, call: Call | None) -> Place | None:
+        for step in call.chain() if call is not None else ():
+            tag = step.source.start_tag(step.offset) if step.kind == "macro" else None
+            if tag is not None and name in tag.attributes:
+                return step.at[name]
+            if step.definition is not None and re.search(rf"(?<!\w){name}\b", step.definition.text):
+                return None  # a parameter with a default
+        elements = {(one.source.path, one.start): one for one in self.written.get(name, ())}
+        if len(elements) != 1:
+            return None
+        [element] = elements.values()
+        return element.at["value" if "value" in element.attrs else "default"]
 
     def influence_on(self, place: Place) -> Influence:
         """Return what the texts at a place depend on. A property with several definitions is not traced."""
