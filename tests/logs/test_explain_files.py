@@ -95,3 +95,55 @@ def test_the_distro_of_the_files_can_be_named(robot: Folder) -> None:
     )
     assert "found:" not in command("-", "--in", "arm", "--distro", "noetic", given=prefixed).stdout
     assert "(UC226)" in command("-", "--in", "arm", "--distro", "indigo", given=prefixed).stdout
+
+
+HUMBLE = {
+    "arm/robot.urdf": """<robot name="arm">
+  <link name="base"/>
+  <link name="fore"/>
+  <joint name="elbow" type="continuous"><parent link="base"/><child link="fore"/></joint>
+  <ros2_control name="arm" type="system">
+    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+    <joint name="elbow">
+      <command_interface name="position"/>
+      <state_interface name="position"/>
+    </joint>
+  </ros2_control>
+</robot>
+""",
+    "arm/controllers.yaml": """controller_manager:
+  ros__parameters:
+    update_rate: 100
+    elbow_controller:
+      type: forward_command_controller/ForwardCommandController
+elbow_controller:
+  ros__parameters:
+    joints: [elbow]
+    interface_name: effort
+""",
+}
+NOT_AVAILABLE = (
+    "Unable to activate controller 'elbow_controller' since the command interface 'elbow/effort' is not available."
+)
+
+
+def test_a_cause_names_the_other_places_that_belong_to_it_and_the_repair(folder: Folder) -> None:
+    folder.write(HUMBLE)
+    text = command(NOT_AVAILABLE, "--in", "arm", "--distro", "jazzy").stdout
+    assert "found: arm/controllers.yaml:8:14: 'elbow' has no 'effort' command" in text
+    assert "see: arm/robot.urdf:8:7: interfaces of 'elbow' are defined here" in text
+    answer = json.loads(command(NOT_AVAILABLE, "--in", "arm", "--distro", "jazzy", "--format", "json").stdout)
+    [found] = [one for cause in answer["messages"][0]["causes"] for one in cause["found"]]
+    assert found["related"][0] == {
+        "file": "arm/robot.urdf",
+        "line": 8,
+        "column": 7,
+        "message": "interfaces of 'elbow' are defined here",
+    }
+
+
+def test_a_cause_says_how_its_rule_repairs_it(robot: Folder) -> None:
+    without = ROBOT.replace("<hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>", "")
+    robot.write({"arm/robot.urdf": without})
+    text = " ".join(command("gazebo.log", "--in", "arm").stdout.split())
+    assert "fix: add <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>, which" in text

@@ -27,8 +27,21 @@ _LEAST_NAME = 3
 """Letters of a value that is looked for in findings."""
 
 
+class RelatedPlace(NamedTuple):
+    """Another line that belongs to a cause, such as that of the hardware that a controller needs."""
+
+    file: str
+    line: int
+    column: int
+    message: str
+
+
 class FoundCause(NamedTuple):
-    """A line of a file in which a rule found a cause. message: what is wrong there. fixable: by a safe fix."""
+    """A line of a file in which a rule found a cause.
+
+    message: what is wrong there. fixable: by a safe fix. fix: what to do there; empty if the rule does not say.
+    related: other lines that belong to it.
+    """
 
     file: str
     line: int
@@ -36,6 +49,8 @@ class FoundCause(NamedTuple):
     code: str
     message: str
     fixable: bool = False
+    fix: str = ""
+    related: tuple[RelatedPlace, ...] = ()
 
 
 class CheckedFolder(NamedTuple):

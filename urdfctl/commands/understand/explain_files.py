@@ -13,8 +13,10 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.lint.run import LintRequest, lint, merge
 from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.logs.digest import Digest, KnownMessage
-from urdfctl.logs.evidence import CheckedFolder, FoundCause, with_findings
+from urdfctl.logs.evidence import CheckedFolder, FoundCause, RelatedPlace, with_findings
 from urdfctl.report.common import relative
+
+_MOST_RELATED = 2
 
 
 def checked(digest: Digest, folder: str, distro: str | None = None) -> tuple[Digest, CheckedFolder]:
@@ -24,21 +26,28 @@ def checked(digest: Digest, folder: str, distro: str | None = None) -> tuple[Dig
     Raises UserError if there is nothing to lint.
     """
     findings = [relative(finding) for finding in _findings(folder, distro or digest.distro or None)]
-    found = [
-        FoundCause(
-            file=one.at.file,
-            line=one.at.line,
-            column=one.at.column,
-            code=one.code,
-            message=one.message,
-            fixable=bool(one.fix and one.fix.safe),
-        )
-        for one in findings
-    ]
+    found = [_cause(one) for one in findings]
     known = [_with(entry, found) for entry in digest.known]
     kinds = list(dict.fromkeys(entry.kind for entry in known))
     known.sort(key=lambda entry: (kinds.index(entry.kind), not entry.reading.is_found))
     return digest._replace(known=tuple(known)), CheckedFolder(folder, _others(findings, known))
+
+
+def _cause(finding: Diagnostic) -> FoundCause:
+    at, fix = finding.at, finding.fix
+    related = tuple(
+        RelatedPlace(note.at.file, note.at.line, note.at.column, note.message) for note in finding.notes if note.at
+    )
+    return FoundCause(
+        file=at.file,
+        line=at.line,
+        column=at.column,
+        code=finding.code,
+        message=finding.message,
+        fixable=bool(fix and fix.safe),
+        fix=fix.title if fix else "",
+        related=related[:_MOST_RELATED],
+    )
 
 
 def linted(folder: str, distro: str | None) -> list[TargetResult]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from urdfctl import __version__
 from urdfctl.logs.digest import Digest, KnownMessage, Unknown
-from urdfctl.logs.evidence import CheckedFolder
+from urdfctl.logs.evidence import CheckedFolder, FoundCause
 from urdfctl.report.log_explanation.next_commands import next_commands
 from urdfctl.rules import fault_of
 
@@ -48,7 +48,7 @@ def _message(known: KnownMessage) -> dict[str, Any]:
             {
                 "cause": cause.text,
                 "rules": [{"code": code, "name": fault_of(code).name} for code in cause.rules],
-                "found": [place._asdict() for place in cause.found],
+                "found": [_found(place) for place in cause.found],
             }
             for cause in reading.causes
         ],
@@ -66,3 +66,7 @@ def _unknown(unknown: Unknown) -> dict[str, Any]:
         "level": unknown.level or None,
         "nearest": {"id": nearest.message.id, "text": nearest.pattern.shown} if nearest else None,
     }
+
+
+def _found(found: FoundCause) -> dict[str, object]:
+    return {**found._asdict(), "related": [place._asdict() for place in found.related]}

@@ -105,6 +105,11 @@ def _found(cause: LikelyCause) -> Iterator[str]:
     for found in cause.found[:_MOST_FOUND]:
         place = f"{visible(found.file)}:{found.line}:{found.column}"
         yield from _paragraph(f"{place}: {found.message} ({found.code})", "       found: ", "              ")
+        for one in found.related:
+            there = f"{visible(one.file)}:{one.line}:{one.column}"
+            yield from _paragraph(f"{there}: {one.message}", "              see: ", "                   ")
+        if found.fix:
+            yield from _paragraph(found.fix, "              fix: ", "                   ")
     if len(cause.found) > _MOST_FOUND:
         yield f"       and {len(cause.found) - _MOST_FOUND} more"
 
