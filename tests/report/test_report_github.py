@@ -42,8 +42,10 @@ def test_what_a_file_writes_is_neither_a_command_nor_a_property(folder: Folder) 
     )
 
 
-def test_nothing_found_is_nothing_said(folder: Folder) -> None:
-    assert render(report(folder)) == ""
+def test_nothing_found_is_said_in_the_log_of_the_step_and_is_no_command(folder: Folder) -> None:
+    sound = report(folder)
+    assert render(sound) == "no findings in r.xacro\n"
+    assert render(sound._replace(known=40)) == "no findings in r.xacro; 40 hidden by the baseline\n"
 
 
 def test_paths_count_from_the_root_of_the_checkout(folder: Folder) -> None:

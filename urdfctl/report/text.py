@@ -171,7 +171,7 @@ def _summary(report: Report, width: int) -> Iterator[Piece]:
     counts = [f"{number} {_plural(severity, number)}" for severity in Severity if (number := report.count(severity))]
     if len(_shown_findings(report)) < len(report.findings):
         counts[-1] += " (--verbose shows it)"
-    summary = f"{', '.join(counts) or 'no findings'} in {_scope(report)}{_details(report)}"
+    summary = f"{', '.join(counts) or 'no findings'} in {scope(report)}{_details(report)}"
     summary += f"; {report.known} hidden by the baseline" if report.known else ""
     yield Piece(wrapped(visible(summary + _fixable(report)), width), "bold")
 
@@ -212,7 +212,7 @@ def _open_distro(report: Report, width: int) -> Iterator[Piece]:
         yield Piece(wrapped(f"ROS distro unknown ({names}): {how}", width))
 
 
-def _scope(report: Report) -> str:
+def scope(report: Report) -> str:
     """Return the path of a single file, or the numbers of robots and files. Variants of a robot count once."""
     paths = {target.path: is_robot(target) for target in report.targets}
     robots = sum(paths.values())
