@@ -57,8 +57,10 @@ def test_a_robot_that_leans_names_the_parts_that_are_mounted_too_high() -> None:
     robot = Mechanism("base", {**bodies, "caster": LinkBody("caster", 0.1)}, (wheel, caster))
     ball = (Shape("sphere", Pose(), (0.05,)), Shape("sphere", Pose((0.0, 0.2, 0.0)), (0.05,)))
     known = Shapes({"wheel": ball, "caster": (Shape("sphere", Pose((0.0, 0.1, 0.0)), (0.05,)),)})
-    messages = [one.message for one in ground_troubles(robot, known, [task]) if one.code == "UC986"]
-    [message] = messages
+    [trouble] = [one for one in ground_troubles(robot, known, [task]) if one.code == "UC986"]
+    assert trouble.subject == "joint:c"
+    assert trouble.notes == ("lower its <origin> by 0.05 m, or enlarge the part",)
+    message = trouble.message
     assert message.startswith("the robot leans by 14 degrees at rest: the robot stands on 'caster'; ")
     assert message.endswith("'caster' is 0.05 m higher than the lowest part of the robot")
 

@@ -17,7 +17,9 @@ from urdfctl.rules.smoke.wheel_off_the_ground import standing_on
     options=["--distro=jazzy"],
     bad=[
         {
-            "robot.urdf": ROVER.replace('<robot name="rover">', '«<robot name="rover">»')
+            "robot.urdf": ROVER.replace(
+                '<joint name="front_mount" type="fixed">', '«<joint name="front_mount" type="fixed">»'
+            )
             .replace('xyz="0.15 0 -0.05"', 'xyz="0.15 0 0"')
             .replace('<mass value="5"/>', '<origin xyz="0.08 0 0"/><mass value="5"/>'),
             "controllers.yaml": WHEELS % "base",

@@ -12,7 +12,17 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.rules.smoke.wheels_slip import wheels_slip
 from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
-from urdfctl.smoke.robot import GRAVITY, TIPPED, TOUCHING, Mechanism, Shapes, friction_of, heights_of, rest_pose_of
+from urdfctl.smoke.robot import (
+    GRAVITY,
+    TIPPED,
+    TOUCHING,
+    Hinge,
+    Mechanism,
+    Shapes,
+    friction_of,
+    heights_of,
+    rest_pose_of,
+)
 from urdfctl.smoke.statics.efforts import TIME
 from urdfctl.smoke.tasks import ControllerTask, speed_of
 
@@ -48,9 +58,21 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Contro
         on = tuple(name for name in at_rest.contacts if name not in {hinge.child for hinge in hinges})
         high, height = _highest(heights_of(mechanism, shapes), at_rest.contacts)
         fields = {"on": on, "high": high, "height": f"{height:.2g}"}
-        yield trouble_of(base_leans, ROBOT, None, (), degrees=math.degrees(at_rest.tilt), **fields)
+        subject, repair = _repair_of_leaning(high, height, hinges, mechanism)
+        yield trouble_of(base_leans, subject, None, repair, degrees=math.degrees(at_rest.tilt), **fields)
     if not lifted:
         yield from traction_troubles(mechanism, at_rest.contacts, tasks)
+
+
+def _repair_of_leaning(
+    high: Sequence[str], height: float, wheels: Sequence[Hinge], mechanism: Mechanism
+) -> tuple[str, tuple[str, ...]]:
+    """Return the joint at which the part is mounted that makes a robot lean, and what to change there."""
+    mounts = [hinge for hinge in mechanism.hinges if hinge.child in high and hinge not in wheels]
+    if len(mounts) != len(high) or height <= TOUCHING:
+        return ROBOT, ("check that a caster or another wheel carries the base on this side",)
+    others = f", and likewise joint '{mounts[1].name}'" if mounts[1:] else ""
+    return f"joint:{mounts[0].name}", (f"lower its <origin> by {height:.2g} m, or enlarge the part{others}",)
 
 
 def _highest(heights: Mapping[str, float], on: Iterable[str]) -> tuple[tuple[str, ...], float]:
