@@ -29,6 +29,23 @@ from urdfctl.rules.written import at_written
                 </ros2_control>
             """,
         },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                  <joint name="«lifter»"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
+        {
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+                  <joint name="«lifter»"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+        },
     ],
     good=[
         {
@@ -55,16 +72,27 @@ def component_joint_unknown(project: Project) -> Iterator[Finding]:
         return
     joints = list(parts(project, "joint"))
     known = KnownNames(robot.joint_names, (joint.name for _, joint in joints))
+    left = _only_left(robot, [joint.name or "" for _, joint in joints])
     for control, joint in joints:
         name = joint.name
         if name is None or not is_known(name) or name.strip() in known:
             continue
         meant = known.meant_by(name)
         hint = f"; did you mean '{meant}'?" if meant else ""
+        if meant is None and left:
+            meant, hint = left, f"; did you mean '{left}', the only joint that no component has?"
         message = f"{component(control)} names joint '{name}', which the robot does not have{hint}"
         is_sure = known.is_sure(name, meant)
         finding = at_written(joint.at["name"], name, meant, message, tuple(_links(robot, name)), safe=is_sure)
         yield finding._replace(severity=severity_where(project, JAZZY))
+
+
+def _only_left(robot: Robot, named: list[str]) -> str | None:
+    """The only joint that moves by itself and that no component has, if only one name in components is unknown."""
+    joints = {joint.name for joint in robot.joints}
+    free = [joint.name for joint in robot.joints if joint.moves and not joint.mimic and joint.name not in named]
+    is_single = len({name for name in named if name not in joints}) == 1
+    return free[0] if is_single and len(free) == 1 else None
 
 
 def _links(robot: Robot, name: str) -> Iterator[Note]:
