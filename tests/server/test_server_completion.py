@@ -121,6 +121,6 @@ def _without_spawns(project: Project) -> Project:
 @pytest.mark.parametrize("name", ["my_robot", "mybot", "radu", "gripper"])
 def test_inserting_what_is_offered_causes_no_finding(name: str, tmp_path: Path) -> None:
     """The exhaustive form is tests/bench/exhaustive/test_completion.py."""
-    found = list(insertions(copied(SAMPLES / name, tmp_path), number=12, seed=3, each=2))
-    assert len(found) > 8
+    found = list(insertions(copied(SAMPLES / name, tmp_path), number=6, seed=3, each=2))
+    assert len(found) > 3
     assert list(map(str, filter(Insertion.is_harmful, found))) == []

@@ -35,11 +35,11 @@ OLD = ("foxy", "galactic", "humble", "iron")
 class MockManager:
     """A manager that runs, and the questions to it."""
 
-    def __init__(self, rclpy: Any, node: Any, name: str) -> None:
-        self.rclpy, self.node, self.name = rclpy, node, name
+    def __init__(self, rclpy: Any, node: Any, name: str, process: subprocess.Popen[bytes]) -> None:
+        self.rclpy, self.node, self.name, self.process = rclpy, node, name, process
 
     def ask(self, service: str, kind: str, longest: float, **fields: object) -> Any:
-        """Return the response of a service. Raises TimeoutError if it does not answer in time."""
+        """Return the response of a service. Raises TimeoutError if it does not answer in time, or has ended."""
         import controller_manager_msgs.srv
 
         service_type = getattr(controller_manager_msgs.srv, kind)
@@ -50,7 +50,7 @@ class MockManager:
                 setattr(request, field, value)
         try:
             until, future = time.monotonic() + longest, None
-            while time.monotonic() < until:
+            while time.monotonic() < until and self.process.poll() is None:
                 if future is None and client.service_is_ready():
                     future = client.call_async(request)
                 self.rclpy.spin_once(self.node, timeout_sec=0.05)
@@ -115,7 +115,7 @@ def result_of(plan: dict[str, Any], rclpy: Any, folder: str) -> dict[str, object
         topic = f"{plan['manager'].rpartition('/')[0]}/robot_description"
         qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         node.create_publisher(String, topic, qos).publish(String(data=plan["description"]))
-        manager = MockManager(rclpy, node, plan["manager"])
+        manager = MockManager(rclpy, node, plan["manager"], process)
         try:
             manager.ask("list_controllers", "ListControllers", START)
         except TimeoutError:
