@@ -44,7 +44,7 @@ def _missing(finding: Diagnostic) -> Iterator[tuple[str, str]]:
     manifest = next((note.at.file for note in finding.notes if note.at), "")
     build_file = os.path.join(os.path.dirname(manifest), "CMakeLists.txt")
     named = re.match(r"'([^'/]+)", finding.message)
-    if named and is_file(build_file):
+    if named and manifest and is_file(build_file):
         yield build_file, named[1]
 
 

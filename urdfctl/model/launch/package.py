@@ -11,7 +11,8 @@ from urdfctl.model.robot import text_of
 from urdfctl.source.disk.files import first_bytes
 from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import Place
-from urdfctl.source.workspaces.packages import PackageNotFound, Packages
+from urdfctl.source.workspaces.packages import PackageNotFound, Packages, package_name
+from urdfctl.source.workspaces.packages import package_around as folder_around
 from urdfctl.source.xml.dom import Document, Element
 from urdfctl.startup.records import NamedTuple
 
@@ -24,7 +25,8 @@ class Package(NamedTuple):
     dependencies: its run dependencies, as the manifest lists them.
     reaches: returns whether a package is among its run dependencies, directly or through other source packages.
     installs: returns whether a source file, by its path, is installed to the share folder; None if unknown.
-    build_file: the file with the install rules.
+    left_out_by: returns the build file of the source package that contains a file and does not install it; None if it
+        does, or if that is unknown.
     shares_models: returns whether a package, by its name, adds its folder to Gazebo's model path; None if unknown.
     """
 
@@ -35,7 +37,7 @@ class Package(NamedTuple):
     dependencies: frozenset[str]
     reaches: Callable[[str], bool]
     installs: Callable[[str], bool | None]
-    build_file: str
+    left_out_by: Callable[[str], str | None] = lambda _: None
     shares_models: Callable[[str], bool | None] = lambda _: None
     tag: str = "exec_depend"
     """The element for a run dependency in the manifest's format."""
@@ -76,7 +78,7 @@ def package_around(packages: Packages, tree: Callable[[str], Document | None]) -
         dependencies=running,
         reaches=partial(_reaches, packages, running),
         installs=partial(_installs, packages, folder, name),
-        build_file="setup.py" if "python" in kind else "CMakeLists.txt",
+        left_out_by=partial(_left_out_by, packages),
         shares_models=partial(_shares_models, packages),
         tag="run_depend" if root.attrs.get("format", "1") == "1" else "exec_depend",
     )
@@ -92,6 +94,15 @@ def _installs(packages: Packages, folder: str, name: str, path: str) -> bool | N
     """Whether a file of the package is installed; None if unknown."""
     relative = os.path.relpath(path, folder)
     return packages.install_map(folder, name).installs(relative) if not relative.startswith(os.pardir) else None
+
+
+def _left_out_by(packages: Packages, path: str) -> str | None:
+    """The build file of the package that contains a file and surely does not install it, if any."""
+    folder = folder_around(os.path.dirname(path))
+    name = package_name(os.path.join(folder, "package.xml")) if folder else None
+    if folder is None or name is None or _installs(packages, folder, name, path) is not False:
+        return None
+    return next(filter(is_file, (os.path.join(folder, name) for name in ("CMakeLists.txt", "setup.py"))), None)
 
 
 def _reaches(packages: Packages, running: frozenset[str], name: str) -> bool:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 
-from urdfctl.model.launch import Launch, Package
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2
 from urdfctl.rules.launch_samples import MANIFEST, SOUND
-from urdfctl.source.span import Place
 
 _MANIFEST = MANIFEST.replace("</package>", "<export><build_type>ament_cmake</build_type></export></package>")
 
@@ -32,14 +31,36 @@ def _files(folders: str, mark: str = "") -> dict[str, str]:
     }
 
 
+def _of_other_package(folders: str) -> dict[str, str]:
+    """A package beside, whose file the launch file gives to a program."""
+    mark = ("", "") if "config" in folders else ("«", "»")
+    node = '<node pkg="teleop" exec="teleop"><param from="{0}$(find-pkg-share pad)/config/pad.yaml{1}"/></node>'
+    launch = _files("")["launch/arm.launch.xml"].replace("</launch>", node.format(*mark) + "</launch>")
+    return {
+        "launch/arm.launch.xml": launch,
+        "package.xml": _MANIFEST.replace(
+            "<export>", "<exec_depend>pad</exec_depend><exec_depend>teleop</exec_depend><export>"
+        ),
+        "pad/package.xml": _MANIFEST.replace("<name>arm<", "<name>pad<"),
+        "pad/config/pad.yaml": "teleop: {ros__parameters: {axis: 1}}\n",
+        "pad/CMakeLists.txt": f"project(pad)\ninstall(DIRECTORY {folders} DESTINATION share/pad)\nament_package()\n",
+    }
+
+
 @rule(
     "UC615",
     severity=Severity.ERROR,
     runtime="refuses",
     authority="ament_index_python get_package_share_directory(): <prefix>/share/<package>, where only install() rules and "
     "data_files of setup.py put files",
-    bad=[_files("launch urdf", "$(find-pkg-share arm)/config/controllers.yaml")],
-    good=[_files("launch urdf config")],
+    bad=[
+        _files("launch urdf", "$(find-pkg-share arm)/config/controllers.yaml"),
+        {**_files("launch urdf config"), **_of_other_package("launch")},
+    ],
+    good=[
+        _files("launch urdf config"),
+        {**_files("launch urdf config"), **_of_other_package("launch config")},
+    ],
 )
 def file_not_installed(project: Project) -> Iterator[Finding]:
     """File used by a launch file is not installed.
@@ -57,19 +78,19 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
     severity = None if launch.ros == ROS_2 else Severity.WARNING
     if severity and not package.installs(launch.path):
         return
-    for path, at, use in _own(launch, package):
-        if package.installs(path) is False:
-            inner = path.removeprefix(package.folder).lstrip("/")
-            folder = inner.rpartition("/")[0]
-            what = f"folder '{folder}'" if folder else "it"
-            message = f"'{inner}' is not installed: {package.build_file} does not list {what}"
-            manifest = Note("the package's manifest is here", package.at)
-            yield Finding(at, message, (manifest,), severity=Severity.WARNING if use == "argument" else severity)
-
-
-def _own(launch: Launch, package: Package) -> Iterator[tuple[str, Place, str]]:
-    """Yield the package's files that the launch file uses in every case, and what for."""
     for reference in launch.references:
-        path = reference.file.path
-        if path and reference.sure and reference.file.exists and path.startswith(f"{package.folder}/"):
-            yield path, reference.file.at, reference.use
+        file = reference.file
+        build = package.left_out_by(file.path) if file.path and file.exists and reference.sure else None
+        if build is None or file.path is None:
+            continue
+        folder = os.path.dirname(build)
+        is_own = folder == package.folder
+        if not is_own and (launch.ros != ROS_2 or file.text != file.path):
+            continue
+        inner = os.path.relpath(file.path, folder)
+        above = os.path.dirname(inner)
+        what = f"folder '{above}'" if above else "it"
+        of = "" if is_own else f" of package '{os.path.basename(folder)}'"
+        message = f"'{inner}'{of} is not installed: {os.path.basename(build)} does not list {what}"
+        notes = (Note("the package's manifest is here", package.at),) if is_own else ()
+        yield Finding(file.at, message, notes, severity=Severity.WARNING if reference.use == "argument" else severity)
