@@ -103,3 +103,20 @@ def test_what_holds_only_in_the_distro_of_a_readmes_prose_is_a_warning(
     folder.write({**PACKAGE, "README.md": readme})
     found = {finding["code"]: finding["severity"] for finding in report(folder)["findings"]}
     assert found["UC611"] == severity
+
+
+@pytest.mark.parametrize(
+    ("launch", "ros"),
+    [
+        ('<launch><node name="a" pkg="p" type="x"/></launch>', 1),
+        ('<launch><node name="a" pkg="p" exec="x"/></launch>', None),
+        ('<launch><node pkg="p" type="x"/><node pkg="p" exec="x"/></launch>', None),
+        ("<launch/>", None),
+    ],
+)
+def test_launch_files_beside_a_robot_tell_the_generation_where_nothing_else_does(
+    launch: str, ros: int | None, folder: Folder
+) -> None:
+    folder.write({".git/HEAD": "", "worlds/objects/table.urdf": '<robot name="r"><link name="a"/></robot>'})
+    folder.write({"worlds/launch/table.launch": launch})
+    assert {target["ros"] for target in report(folder)["targets"] if target["robot"]} == {ros}

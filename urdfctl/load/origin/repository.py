@@ -1,7 +1,8 @@
 """What the files of a repository say about its distro that no robot needs: containers, CI, what is built beside it.
 
 The folders from a package up to its workspace are looked at; the nearest one with a file that names a distro counts.
-What a README tells its readers to type counts only where there is nothing else, and its prose least.
+What a README tells its readers to type counts only where there is nothing else, and its prose and launch files beside
+the robot least.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfctl.catalog.distros import ALL
+from urdfctl.catalog.distros import ALL, since
 from urdfctl.model.project import EvidenceItem
 from urdfctl.source.disk.files import first_bytes
 from urdfctl.source.disk.gate import names_in
@@ -68,6 +69,7 @@ def items_of_repository(folder: str, workspace: str) -> Iterator[EvidenceItem]:
         (_configuring, "repository", _WEIGHT),
         (_advising, "repository", _WEIGHT_OF_README),
         (_mentioning, PROSE, _WEIGHT_OF_PROSE),
+        (_launching, "repository", _WEIGHT_OF_PROSE),
     ):
         named = next(filter(None, (files(level) for level in levels)), ())
         if named:
@@ -107,6 +109,21 @@ def _advising(folder: str) -> tuple[_NamedDistro, ...]:
 def _mentioning(folder: str) -> tuple[_NamedDistro, ...]:
     """What the prose of a README names."""
     return tuple(one for path in _matching(folder, _README) for one in _named(path, (_MENTIONED,)))
+
+
+@remembered
+def _launching(folder: str) -> tuple[_NamedDistro, ...]:
+    """What launch files in XML are for: roslaunch, if nothing in them is of ROS 2."""
+    for path in _matching(os.path.join(folder, "launch"), (("", ".launch"),)):
+        try:
+            text = first_bytes(path, _MOST_BYTES)
+        except OSError:
+            continue
+        node = re.search(rb"<node\b[^>]*\stype\s*=", text)
+        if node and not re.search(rb"find-pkg-share|\bexec\s*=", text):
+            line = text.count(b"\n", 0, node.start()) + 1
+            return tuple(_NamedDistro(name, f"{path}:{line}") for name in since("indigo"))
+    return ()
 
 
 def _matching(folder: str, ends: Iterable[tuple[str, str]]) -> Iterator[str]:
