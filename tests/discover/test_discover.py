@@ -223,6 +223,9 @@ def test_a_robot_of_a_folder_that_loses_all_but_one_link_by_a_fault_is_linted(fo
     ("name", "text", "is_candidate"),
     [
         ("bad.launch.py", "def generate_launch_description(:\n    pass\n", True),
+        ("xml.launch.py", "<?xml version='1.0'?>\n<!-- of the arm -->\n<launch/>", True),
+        ("xml.py", "<launch/>", False),
+        ("page.launch.py", "<html><launch/></html>", False),
         ("bad.launch", '<launch><node pkg="a" type="b" name="c"></launch>', True),
         ("sound.launch.py", "def generate_launch_description():\n    '\\d'\n", False),
         ("sound.launch", '<launch><node pkg="a" type="b" name="c"/></launch>', False),

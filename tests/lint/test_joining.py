@@ -406,3 +406,25 @@ def test_a_description_that_the_launch_file_changes_or_writes_is_that_of_its_fil
     folder.write(crane2(whole=IN_PYTHON.format(made, given)))
     (target,) = report2(folder)["targets"]
     assert (target["robot"], target["launch"]) == ("folder/crane.urdf", "folder/launch/whole.launch.py")
+
+
+@pytest.mark.parametrize("argument", ["", '<arg name="rate" default="10"/>'])
+@pytest.mark.parametrize("spawned", ["winch", "wench"])
+def test_a_launch_file_with_a_robot_that_is_included_only_with_an_argument_is_a_start_too(
+    folder: Folder, spawned: str, argument: str
+) -> None:
+    """If it may get arguments that are not its defaults, what is found in it is a warning at most."""
+    include = '<include file="$(find crane)/launch/{0}.launch" {1}="$(arg tall)"/>'
+    start = launch('<arg name="tall" default="false"/>', include.format("tall", "if"), include.format("low", "unless"))
+    parts = (WORLD, DESCRIBED.format("crane", "crane.urdf"), LOADED.format("crane", "c.yaml"))
+    tall, low = launch(argument, *parts, SPAWNED.format(spawned)), launch(*parts, SPAWNED.format("winch"))
+    folder.write({**package("crane", "slew", "hoist"), "crane/c.yaml": controllers(winch="hoist")})
+    named = {"world": start, "tall": tall, "low": low}
+    folder.write({f"crane/launch/{name}.launch": text for name, text in named.items()})
+    given = report(folder)
+    assert {launched: names for _, launched, _, names in joins(given)} == {
+        "crane/launch/world.launch": ["winch"],
+        "crane/launch/tall.launch": [spawned],
+    }
+    severity = "warning" if argument else "error"
+    assert [one["severity"] for one in given["findings"] if one["code"] == "UC601"] == [severity] * (spawned != "winch")

@@ -128,15 +128,20 @@ def generate_launch_description():
     assert target.arguments == (("model", "small"),)
 
 
-def test_of_files_chosen_by_another_argument_the_one_that_fits_the_robot_is_loaded(folder: Folder) -> None:
+@pytest.mark.parametrize("default", [1, 2])
+def test_of_files_chosen_by_another_argument_the_one_that_fits_the_robot_is_loaded(
+    folder: Folder, default: int
+) -> None:
+    """The file for the small arm names no joint that the large one lacks: the one that names most fits best."""
     joint = '<joint name="{0}" type="fixed"><parent link="base"/><child link="{0}"/></joint><link name="{0}"/>'
     arms = {"small": ["a"], "large": ["a", "b"]}
     for name, joints in arms.items():
         inside = "".join(map(joint.format, joints))
         folder.write({f"{name}.urdf.xacro": f'<robot name="r"><link name="base"/>{inside}</robot>'})
         folder.write({f"{len(joints)}dof.yaml": f"arm: {{type: a/B, joints: {joints}}}\n"})
-    dof = '<arg name="dof" default="2"/><rosparam file="$(dirname)/$(arg dof)dof.yaml" ns="$(arg name)"/>'
-    folder.write({"l.launch": NEEDS_MODEL.format("", DESCRIPTION + dof)})
+    dof = f'<arg name="dof" default="{default}"/>'
+    loaded = '<rosparam file="$(dirname)/$(arg dof)dof.yaml" ns="$(arg name)"/>'
+    folder.write({"l.launch": NEEDS_MODEL.format("", DESCRIPTION + dof + loaded)})
     loader = Loader(Settings())
     for target in loader.variants(Target(str(folder.path / "l.launch"))):
         controllers = loader.load(target).project.controllers

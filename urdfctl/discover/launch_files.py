@@ -8,12 +8,13 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import lru_cache
 
 from urdfctl.discover.included import included_in
-from urdfctl.discover.walk import LAUNCHES
+from urdfctl.discover.walk import LAUNCHES, text_of
 
 _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']control[\"']"
 _DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
 _PLANNING = rb"\bmoveit_ros_move_group\b|\bgenerate_(?:demo|move_group|rsp|spawn_controllers)_launch\b"
 _SIMULATING = rb"\b(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo)\b"
+_ARGUMENTS = rb"<arg\b|\$\((?:var|arg)\b|\bLaunchConfiguration|(?m:^\s*-\s*arg:)"
 _DEMO = rb"\bgenerate_demo_launch\b"
 _ONLY_INCLUDED = ".launch.xml"
 """The ending of launch files for ROS 1 that are only included."""
@@ -21,6 +22,7 @@ _ROS2 = (".py", ".yaml", ".yml")
 _PARAMETERS = rb"(?m)^[ \t]*[\"']?ros__parameters[\"']?[ \t]*:"
 _MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"
 _TYPE = rb"(?m)(?:^[ \t]*|[{,][ \t]*)[\"']?type[\"']?[ \t]*:[ \t]*[\"']?\w*(?:controller|broadcaster)\w*/\w"
+_XML = rb"(?s)\s*(?:<[?!][^<>]{0,2000}>\s*){0,9}<launch\b"
 _TEMPLATE = rb"\{\{|\{%|<%"
 _MOST_BYTES = 1 << 18
 _MOST_BRACES = 10_000
@@ -46,9 +48,10 @@ def may_launch(path: str) -> bool:
 
 
 def is_launch_file(path: str, text: bytes) -> bool:
-    """Return whether a file in a folder is a launch file."""
+    """Return whether a file in a folder is a launch file. One in XML with a name for Python is, and is broken."""
     if path.endswith(".py"):
-        return b"def generate_launch_description" in text
+        is_misnamed = path.endswith(LAUNCHES) and re.match(_XML, text) is not None
+        return b"def generate_launch_description" in text or is_misnamed
     return bool(re.search(rb"(?m)^launch[ \t]*:", text)) if path.endswith(_ROS2) else b"<launch" in text
 
 
@@ -113,6 +116,11 @@ def only_mentioned(texts: Mapping[str, bytes], started: Collection[str]) -> list
         return []
     inner = (path for path in texts if path not in started and not path.endswith(_ONLY_INCLUDED))
     return [path for path in inner if _starts_robots(texts[path])]
+
+
+def takes_arguments(path: str) -> bool:
+    """Return whether a launch file may start something else if another one includes it with arguments."""
+    return re.search(_ARGUMENTS, text_of(path)) is not None
 
 
 @lru_cache(maxsize=_MOST_TEXTS)

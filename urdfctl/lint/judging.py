@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from urdfctl.discover.backups import is_backup
+from urdfctl.discover.launch_files import takes_arguments
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.lint.chosen import chosen_starts
 from urdfctl.lint.elimination import pairs_by_elimination
@@ -255,11 +256,16 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
 
 
 def _not_followed(files: DiscoveredFiles, started: LaunchedTargets) -> list[PlannedTarget]:
-    """The launch files that others seem to include, and that none of them reads, nor a namesake: the text was in a
-    comment, or the path is not understood."""
-    read = {os.path.basename(file) for file in _files_read([pair for _, pair in started])}
-    left = (path for path in files.mentioned if os.path.basename(path) not in read)
-    return [PlannedTarget(Target(path), TargetOrigin.LAUNCHED) for path in left]
+    """The launch files that others seem to include, and that none of them starts, nor a namesake: the text was in a
+    comment, the path is not understood, or a condition is false, and then their arguments may not be the defaults."""
+    known = {path for _, (_, result) in started for path in (result.launch or result.path, *_included(result))}
+    names = {os.path.basename(path) for path in known}
+    left = (path for path in files.mentioned if os.path.basename(path) not in names)
+    return [PlannedTarget(Target(path, guessed=takes_arguments(path)), TargetOrigin.LAUNCHED) for path in left]
+
+
+def _included(result: TargetResult) -> tuple[str, ...]:
+    return (*result.bringup.includes, *result.bringup.unfollowed) if result.bringup else ()
 
 
 def _outer(launched: LaunchedTargets) -> LaunchedTargets:

@@ -139,8 +139,9 @@ def listed_joints(path: str, files: Files) -> Iterator[tuple[str, Place]]:
                 yield item.text, item.at
 
 
-def missing_joints(launch: Launch, robot: Document, files: Files) -> int:
-    """Return how many joints the parameter files of a launch file name that a robot does not have."""
+def misfit(launch: Launch, robot: Document, files: Files) -> tuple[int, int]:
+    """Return how many joints the parameter files of a launch file name that a robot does not have, and how many of its
+    joints they do not name."""
     root = robot.documentElement
     known = {joint.attrs.get("name") for joint in root.elements() if joint.tagName == "joint"} if root else set()
     named: set[str] = set()
@@ -150,7 +151,7 @@ def missing_joints(launch: Launch, robot: Document, files: Files) -> int:
         except FileProblem:
             continue
         named.update(name for document in documents for name in _joints(document))
-    return len(named - known)
+    return len(named - known), len(known - named)
 
 
 def _joints(node: Node, depth: int = 0) -> Iterator[str]:

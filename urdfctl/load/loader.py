@@ -200,8 +200,8 @@ class Loader:
         return [target._replace(arguments=one.arguments, guessed=one.is_guessed) for one in found]
 
     def _fitting(self, target: Target, launch_file: LaunchFile, robot: Document) -> LaunchFile:
-        """The launch file with those of its parameter files that fit the joints of a robot."""
-        from urdfctl.load.controller_files import missing_joints
+        """The launch file with those of its parameter files that fit the joints of a robot best."""
+        from urdfctl.load.controller_files import misfit
         from urdfctl.load.launch_files import read_launch
         from urdfctl.load.launch_variants import file_choices
 
@@ -212,12 +212,12 @@ class Loader:
             return read_launch(path, arguments, files, packages, self.settings.environ).launch
 
         launch = launch_file.launch
-        missing = missing_joints(launch, robot, files) if launch else 0
-        for choice in file_choices(launch, given, read) if launch and missing else ():
+        least = misfit(launch, robot, files) if launch else (0, 0)
+        for choice in file_choices(launch, given, read) if launch and any(least) else ():
             other = read({**given, **choice})
-            number = missing_joints(other, robot, files) if other else missing
-            if number < missing:
-                missing, launch = number, other
+            found = misfit(other, robot, files) if other else least
+            if found < least:
+                least, launch = found, other
         return launch_file._replace(launch=launch)
 
     def _launch_file(self, path: str, target: Target) -> LaunchFile | None:

@@ -27,6 +27,13 @@ from urdfctl.source.problem import ProblemKind
                     return LaunchDescription«»([Node(package='joint_state_publisher', executable='joint_state_publisher')]
             """,
         },
+        {
+            "arm.launch.py": """
+                «»<launch>
+                  <node pkg="joint_state_publisher" exec="joint_state_publisher"/>
+                </launch>
+            """,
+        },
     ],
     good=[
         {

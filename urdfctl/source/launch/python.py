@@ -74,7 +74,7 @@ def read_python(source: SourceText, surroundings: Surroundings) -> Script:
             return Script(None, conflict)
         offset = source.offset(error.lineno or 1, error.offset or 1)
         at = Place(source, offset, end=offset)
-        return Script(None, Problem(ProblemKind.PYTHON_SYNTAX, at, f"Python syntax error: {error.msg}"))
+        return Script(None, Problem(ProblemKind.PYTHON_SYNTAX, at, _told(source, error)))
     except (ValueError, RecursionError, MemoryError) as error:
         message = "nested too deeply" if isinstance(error, (RecursionError, MemoryError)) else str(error)
         at = Place(source, 0, end=0)
@@ -84,6 +84,11 @@ def read_python(source: SourceText, surroundings: Surroundings) -> Script:
     run.block(tree.body, module)
     entry = module.names.get(_ENTRY)
     return Script(entry.call((), {}, None) if isinstance(entry, Function) else None)
+
+
+def _told(source: SourceText, error: SyntaxError) -> str:
+    is_xml = source.data.lstrip().startswith(b"<")
+    return "launch file is XML; let its name end in '.launch.xml'" if is_xml else f"Python syntax error: {error.msg}"
 
 
 def _parsed(source: SourceText) -> ast.Module:
