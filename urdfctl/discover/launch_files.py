@@ -7,7 +7,6 @@ import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import lru_cache
 
-from urdfctl.discover.included import included_in
 from urdfctl.discover.walk import LAUNCHES, text_of
 
 _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']control[\"']"
@@ -99,6 +98,8 @@ def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> li
     named = {path for name in naming for path, text in texts.items() if name in text} if naming else {*texts}
     if not named:
         return []
+    from urdfctl.discover.included import included_in
+
     by_name: dict[str, list[str]] = {}
     for path in texts:
         by_name.setdefault(os.path.basename(path), []).append(path)

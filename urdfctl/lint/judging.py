@@ -11,7 +11,6 @@ from urdfctl.discover.backups import is_backup
 from urdfctl.discover.launch_files import takes_arguments
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.lint.chosen import chosen_starts
-from urdfctl.lint.elimination import pairs_by_elimination
 from urdfctl.lint.findings.weakening import as_started, as_unused, as_used
 from urdfctl.lint.joining import Joined, is_lonely, joined, starts_in, targets_near, unjoined
 from urdfctl.lint.planning import Arguments, Plan, PlannedTarget, TargetOrigin, is_launched_already, with_bringups
@@ -293,6 +292,8 @@ def _paired(
     """The targets, with the only robot and the only controller file of a package together."""
     if not unused:
         return reported
+    from urdfctl.lint.elimination import pairs_by_elimination
+
     pairs = dict(pairs_by_elimination(reported, [target.path for target in unused]))
     again = dict(zip(pairs, linted(list(pairs.values())), strict=True))
     return [again.get(target, (target, result)) for target, result in reported]

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from urdfctl.catalog.catalog import Catalog
-from urdfctl.catalog.hardware import Behaviour
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfctl.catalog.catalog import Catalog
+    from urdfctl.catalog.hardware import Behaviour
 
 
 def behaviour_of(catalog: Catalog, hardware: str | None, distro: str, does: str) -> Behaviour | None:

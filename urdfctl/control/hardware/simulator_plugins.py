@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ROS1, ROS2, since
-from urdfctl.catalog.hardware import PluginChild, SimulatorPlugin, library_of
 from urdfctl.control.hardware.gazebo_plugins import DRIVES, LIBRARIES, MOVERS
 from urdfctl.control.robots import robot_in
 from urdfctl.model.project import Project
@@ -14,6 +14,9 @@ from urdfctl.source.opaque import is_known
 from urdfctl.source.span import Place
 from urdfctl.startup.per_object import once_for_the_last
 from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.catalog.hardware import PluginChild, SimulatorPlugin
 
 IN_GAZEBO = {"gazebo-classic": "Gazebo Classic", "gz": "gz"}
 """The simulators whose plugin loads the hardware, with their names in messages."""
@@ -35,6 +38,8 @@ class LoadedPlugin(NamedTuple):
     @property
     def library(self) -> str:
         """The library, without `lib` and `.so`."""
+        from urdfctl.catalog.hardware import library_of
+
         return library_of(self.plugin.filename or "")
 
     @property
