@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from urdfctl.load.near_files import file_near
 from urdfctl.model.launch import InlineParameters, Launch, LaunchedFile, Word
-from urdfctl.model.launch.build_launch import is_of_ros2, launch_of
 from urdfctl.model.launch.package import package_around
+from urdfctl.model.launch.ros1 import is_of_ros2, launch_of
 from urdfctl.model.launch.scope import Sources
 from urdfctl.names import is_slip, nearest
 from urdfctl.source.disk.files import FileProblem, Files

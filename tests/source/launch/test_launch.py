@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import pytest
 
 from urdfctl.model.launch import Launch, Spawn, joined
-from urdfctl.model.launch.build_launch import launch_of
+from urdfctl.model.launch.ros1 import launch_of
 from urdfctl.model.launch.scope import Sources
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import SourceText

@@ -14,7 +14,7 @@ from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
-from urdfctl.model.launch.build_launch import is_of_ros2
+from urdfctl.model.launch.ros1 import is_of_ros2
 from urdfctl.source.span import SourceSpan
 
 _GONE = frozenset("gazebo_ros gazebo_plugins gazebo_ros2_control gazebo_ros_pkgs gazebo_msgs gazebo_dev".split())

@@ -26,7 +26,7 @@ from urdfctl.migrate.shared.bridge_file import bridge_file_of
 from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
-from urdfctl.model.launch.build_launch import is_of_ros2
+from urdfctl.model.launch.ros1 import is_of_ros2
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.xml.dom import Element
 from urdfctl.source.yaml.tree import Mapping as Map

@@ -10,7 +10,7 @@ from urdfctl.migrate.launch.actions import Text, is_literal, parsed, plain, word
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of
-from urdfctl.model.launch.build_launch import is_of_ros2
+from urdfctl.model.launch.ros1 import is_of_ros2
 from urdfctl.source.xml.dom import Element
 
 _DESCRIPTION = "robot_description"

@@ -25,7 +25,7 @@ from urdfctl.migrate.shared.controller_files import installed_path, sections, ty
 from urdfctl.migrate.shared.hardware import simulated_by, started_by_launch_files
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
-from urdfctl.model.launch.build_launch import is_of_ros2
+from urdfctl.model.launch.ros1 import is_of_ros2
 from urdfctl.source.disk.files import is_yaml
 from urdfctl.source.disk.gate import exists, matching
 from urdfctl.source.workspaces.packages import package_around, package_name

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import ChainMap
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import islice
 
 from urdfctl.model.controllers import FileReference
@@ -16,15 +16,15 @@ from urdfctl.model.launch.parts import (
     LaunchedFile,
     Node,
     ParameterLoad,
-    ProgramOption,
     Rewriting,
     Simulation,
     Spawn,
     Word,
     joined,
 )
+from urdfctl.model.launch.ros1.elements import all_elements, held_of, is_of_ros2, makes_urdf, world_of
+from urdfctl.model.launch.ros1.nodes import model_in, node_of, spawn_of
 from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_environment
-from urdfctl.model.launch.spawned_models import urdf_file_of
 from urdfctl.model.launch.xacro_command import of_command
 from urdfctl.model.moveit import MoveItFiles
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -40,12 +40,6 @@ _SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
 """Packages whose launch files start a simulator, but no controllers."""
 _SERVERS = ("gazebo", "gzserver", "debug", "gdbrun", "perf")
 """The programs of gazebo_ros that are a simulator."""
-_OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
-_SPAWNING = {"spawn": True, "load": False, "start": True}
-"""The verbs of the program `controller_manager` that load controllers, and whether they start them."""
-
-
-"""The endings of files that programs get as arguments."""
 
 
 def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
@@ -89,28 +83,6 @@ def _with_loads(files: MoveItFiles, loads: Sequence[ParameterLoad]) -> MoveItFil
     return files._replace(kinematics=last("_kinematics"), limits=last("_planning"), controllers=known)
 
 
-_ONLY_IN_ROS_2 = frozenset("let executable timer node_container load_composable_node push_ros_namespace".split())
-"""Elements that roslaunch does not have."""
-
-
-def is_of_ros2(root: Element) -> bool:
-    """Return whether a launch file in XML is for ROS 2, by its attributes, elements or substitutions."""
-    for element in _all(root):
-        if "exec" in element.attrs or "namespace" in element.attrs or element.tagName in _ONLY_IN_ROS_2:
-            return True
-        if any("$(var " in value or "$(find-pkg-share " in value for value in element.attrs.values()):
-            return True
-    return False
-
-
-def _all(element: Element) -> Iterator[Element]:
-    pending = [element]
-    while pending:
-        current = pending.pop()
-        yield current
-        pending.extend(current.elements())
-
-
 class _LaunchBuilder:
     def __init__(self, sources: Sources) -> None:
         self.sources = sources
@@ -139,7 +111,7 @@ class _LaunchBuilder:
     def walk(self, parent: Element, scope: Scope) -> None:
         for element in parent.elements():
             texts = self._texts(scope, element)
-            held = self._held(element, texts)
+            held = held_of(element, texts)
             inner = scope._replace(sure=scope.sure and held is True, held=scope.held and held is not False)
             if not inner.held:
                 self.skipped.append(element.at.span.text)
@@ -175,16 +147,6 @@ class _LaunchBuilder:
 
         return Substitutions(scope.file, scope.arguments, sources.find, sources.environ, too_long)
 
-    @staticmethod
-    def _held(element: Element, texts: Substitutions) -> bool | None:
-        """Whether the condition of an element is true; None if unknown."""
-        if "if" in element.attrs:
-            return texts.truth(element.attrs["if"])
-        if "unless" in element.attrs:
-            truth = texts.truth(element.attrs["unless"])
-            return None if truth is None else not truth
-        return True
-
     # -- elements ----------------------------------------------------------------------------------------------------
 
     def _argument(self, element: Element, scope: Scope, texts: Substitutions) -> None:
@@ -207,14 +169,15 @@ class _LaunchBuilder:
             if child.tagName == "arg":
                 self._named_file(child, scope, texts)
         if any(f"$(find {package})" in written for package in _SIMULATOR_ALONE):
-            self._simulation(element, scope, texts)
+            simulation = world_of(element, texts, sure=scope.sure) if scope.held else None
+            self.simulations += [simulation] if simulation else []
             return
         self._includes += 1
         arguments = dict(scope.arguments) if element.attrs.get("pass_all_args", "").lower() in ("true", "1") else {}
         for child in element.elements():
-            if child.tagName == "arg" and self._held(child, texts) is not False:
+            if child.tagName == "arg" and held_of(child, texts) is not False:
                 text = child.attrs.get("value", child.attrs.get("default"))
-                sure = self._held(child, texts) is True
+                sure = held_of(child, texts) is True
                 arguments[child.attrs.get("name", "")] = texts.resolve(text) if text is not None and sure else UNKNOWN
         document = None
         if UNKNOWN not in path and scope.depth < _MOST_DEPTH and self._includes <= _MOST_INCLUDES:
@@ -225,25 +188,12 @@ class _LaunchBuilder:
             if scope.held:
                 self.unread.append(Word(written, element.at["file"]))
             return
-        declared = {each.attrs.get("name") for each in _all(document.documentElement) if each.tagName == "arg"}
+        declared = {each.attrs.get("name") for each in all_elements(document.documentElement) if each.tagName == "arg"}
         for child in element.elements():
             if child.tagName == "arg" and child.attrs.get("name") not in declared and scope.held:
                 self.strays.append(Word(child.attrs.get("name", ""), child.at["name"]))
         inner = Scope(path, scope.namespace, ChainMap(arguments), scope.sure, scope.depth + 1, held=scope.held)
         self.walk(document.documentElement, inner)
-
-    def _simulation(self, element: Element, scope: Scope, texts: Substitutions) -> None:
-        if not scope.held or "world" not in element.attrs.get("file", ""):
-            return
-        arguments = [child for child in element.elements() if child.tagName == "arg"]
-        given = [argument for argument in arguments if argument.attrs.get("name") == "paused"]
-        paused = texts.truth(given[-1].attrs.get("value", "")) if given else False
-        at = given[-1].at if given else element.at
-        clocks = [
-            child for child in arguments if child.attrs.get("name") == "use_sim_time" and child.attrs.get("value")
-        ]
-        clock = Word(texts.resolve(clocks[-1].attrs["value"]), clocks[-1].at["value"]) if clocks else None
-        self.simulations.append(Simulation("gazebo-classic", at, paused, scope.sure, clock))
 
     def _param(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))
@@ -252,7 +202,7 @@ class _LaunchBuilder:
         if last.endswith(_SEMANTIC):
             self._semantic(element, name, scope, texts)
             return
-        if last != _DESCRIPTION and not (last.endswith("_description") and _makes_urdf(element)):
+        if last != _DESCRIPTION and not (last.endswith("_description") and makes_urdf(element)):
             self._named_file(element, scope, texts)
             if "value" in element.attrs:
                 self._contained(name, element.at["value"], scope)
@@ -347,59 +297,30 @@ class _LaunchBuilder:
         name = texts.resolve(element.attrs.get("name", ""))
         inside = scope._replace(namespace=scope.joined(name), arguments=scope.arguments.new_child(), in_node=True)
         self.walk(element, inside)
-        kind = element.attrs.get("type", "")
         words = texts.resolve(element.attrs.get("args", "")).split()
         if scope.held:
             self._started(element, name, words, scope, texts)
-        if element.attrs.get("pkg") != "controller_manager" or kind not in ("spawner", "controller_manager"):
+        spawned = spawn_of(element, words, scope)
+        if spawned is None:
             return
-        active = True
-        if kind == "controller_manager":
-            if not words or words[0] not in _SPAWNING:
-                return
-            active = _SPAWNING[words.pop(0)]
-        self._spawn(element, words, scope, texts, active=active)
+        spawn, files = spawned
+        (self.spawns if scope.held else self.elsewhere).append(spawn)
+        for file in files if scope.held else ():
+            self._load(file.text, file.at, "", scope, texts)
 
     def _started(self, element: Element, name: str, words: list[str], scope: Scope, texts: Substitutions) -> None:
-        package = Word(element.attrs.get("pkg", ""), element.at["pkg"])
-        program = Word(element.attrs.get("type", ""), element.at["type"])
-        at = element.at["args"]
-        given = tuple(map(Word, words, at.words(words)))
-        for word in words:
-            if word.endswith(FILE_ENDINGS):
-                self._reference(word, at, if_known(word), "argument", sure=scope.sure)
-        if package.text == "gazebo_ros" and program.text in _SERVERS:
+        given = tuple(map(Word, words, element.at["args"].words(words)))
+        node = node_of(element, name, given, scope, texts)
+        for word in given:
+            if word.text.endswith(FILE_ENDINGS):
+                self._reference(word.text, word.at, word.known, "argument", sure=scope.sure)
+        if node.runs("gazebo_ros", *_SERVERS):
             paused = any(word in ("-u", "--pause") for word in words)
             self.simulations.append(Simulation("gazebo-classic", element.at, paused, scope.sure))
-        namespace = if_known(scope.namespace)
-        model = urdf_file_of(package.text, program.text, words)
+        model = model_in(node)
         if model is not None:
-            self._model(element, given[model], namespace, scope)
-        children = list(element.elements())
-        parameters = tuple(Word(child.attrs["name"], child.at["name"]) for child in children if "name" in child.attrs)
-        parameters += tuple(
-            Word(child.attrs["param"], child.at["param"]) for child in children if "param" in child.attrs
-        )
-        remaps = tuple(
-            (texts.resolve(child.attrs.get("from", "")), texts.resolve(child.attrs.get("to", "")))
-            for child in children
-            if child.tagName == "remap"
-        )
-        loads_files = any(child.tagName == "rosparam" and "param" not in child.attrs for child in children)
-        self.nodes.append(
-            Node(
-                package=package,
-                executable=program,
-                name=if_known(name),
-                namespace=namespace,
-                at=element.at,
-                words=given,
-                parameters=parameters,
-                remaps=remaps,
-                sure=scope.sure,
-                complete=not loads_files and not self._remapped,
-            )
-        )
+            self._model(element, model, node.namespace, scope)
+        self.nodes.append(node._replace(complete=node.complete and not self._remapped))
 
     def _model(self, element: Element, file: Word, namespace: str | None, scope: Scope) -> None:
         """Add the description of a model that a node puts into the simulator from a file."""
@@ -408,44 +329,3 @@ class _LaunchBuilder:
         node = element.attrs["type"]
         description = Description(reference, (), namespace, file.at, scope.sure, command=command, node=node)
         self.descriptions.append(description)
-
-    def _spawn(self, element: Element, words: list[str], scope: Scope, texts: Substitutions, *, active: bool) -> None:
-        names: list[tuple[str, Place]] = []
-        options: list[ProgramOption] = []
-        namespace, complete = scope.namespace, True
-        at = element.at["args"]
-        rest = zip(words, at.words(words), strict=True)
-        for word, place in rest:
-            option, mark, value = word.partition("=")
-            if option in _OPTIONS_WITH_VALUE:
-                value, of_value = (value, place) if mark else next(rest, ("", at))
-                namespace = scope.joined(value) if option == "--namespace" else namespace
-                options.append(ProgramOption(option, Word(value, of_value), place))
-            elif word.startswith("--"):
-                active = active and option != "--stopped"
-                options.append(ProgramOption(option, None, place))
-            elif UNKNOWN in word:
-                complete = False
-            elif word.endswith((".yaml", ".yml")):
-                if scope.held:
-                    self._load(word, at, "", scope, texts)
-                complete = False
-            elif not word.startswith("-"):
-                names.append((word, place))
-        program = Word(element.attrs.get("type", ""), element.at["type"])
-        spawn = Spawn(
-            names=tuple(names),
-            namespace=if_known(namespace),
-            at=at,
-            active=active,
-            sure=scope.sure,
-            complete=complete,
-            program=program,
-        )
-        (self.spawns if scope.held else self.elsewhere).append(spawn._replace(options=tuple(options)))
-
-
-def _makes_urdf(element: Element) -> bool:
-    """Whether the value of a parameter comes from xacro or a URDF file."""
-    command = element.attrs.get("command", "")
-    return "xacro" in command or element.attrs.get("textfile", "").endswith(".urdf")

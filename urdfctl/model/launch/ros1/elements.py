@@ -1,0 +1,60 @@
+"""What the elements of a roslaunch file say by themselves, without what is around them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.model.launch.parts import Simulation, Word
+from urdfctl.model.launch.scope import Substitutions
+from urdfctl.source.xml.dom import Element
+
+_ONLY_IN_ROS_2 = frozenset("let executable timer node_container load_composable_node push_ros_namespace".split())
+"""Elements that roslaunch does not have."""
+
+
+def is_of_ros2(root: Element) -> bool:
+    """Return whether a launch file in XML is for ROS 2, by its attributes, elements or substitutions."""
+    for element in all_elements(root):
+        if "exec" in element.attrs or "namespace" in element.attrs or element.tagName in _ONLY_IN_ROS_2:
+            return True
+        if any("$(var " in value or "$(find-pkg-share " in value for value in element.attrs.values()):
+            return True
+    return False
+
+
+def all_elements(element: Element) -> Iterator[Element]:
+    """Yield an element and all elements in it, in no particular order."""
+    pending = [element]
+    while pending:
+        current = pending.pop()
+        yield current
+        pending.extend(current.elements())
+
+
+def held_of(element: Element, texts: Substitutions) -> bool | None:
+    """Return whether the condition of an element is true; None if unknown."""
+    if "if" in element.attrs:
+        return texts.truth(element.attrs["if"])
+    if "unless" in element.attrs:
+        truth = texts.truth(element.attrs["unless"])
+        return None if truth is None else not truth
+    return True
+
+
+def makes_urdf(element: Element) -> bool:
+    """Return whether the value of a parameter comes from xacro or a URDF file."""
+    command = element.attrs.get("command", "")
+    return "xacro" in command or element.attrs.get("textfile", "").endswith(".urdf")
+
+
+def world_of(element: Element, texts: Substitutions, *, sure: bool) -> Simulation | None:
+    """Return the simulator that an included launch file of Gazebo starts; None if that starts none."""
+    if "world" not in element.attrs.get("file", ""):
+        return None
+    arguments = [child for child in element.elements() if child.tagName == "arg"]
+    given = [argument for argument in arguments if argument.attrs.get("name") == "paused"]
+    paused = texts.truth(given[-1].attrs.get("value", "")) if given else False
+    at = given[-1].at if given else element.at
+    clocks = [child for child in arguments if child.attrs.get("name") == "use_sim_time" and child.attrs.get("value")]
+    clock = Word(texts.resolve(clocks[-1].attrs["value"]), clocks[-1].at["value"]) if clocks else None
+    return Simulation("gazebo-classic", at, paused, sure, clock)
