@@ -64,6 +64,18 @@ def test_a_configuration_that_is_there_stays_and_gets_the_baseline(folder: Folde
     assert "--distro jazzy" in (folder.path / ".github/workflows/urdfctl.yaml").read_text()
 
 
+def test_the_baseline_that_a_kept_configuration_names_is_the_one_that_is_written(folder: Folder) -> None:
+    kept = 'distro = "jazzy"\n"baseline" = "ci/known findings.json"\n'
+    folder.write({"r.urdf": ROBOT.format('<joint name="k" type="sideways"/>'), "urdfctl.toml": kept, "ci/x": ""})
+    ran = command("init", "--baseline")
+    assert ran.returncode == 0
+    assert (folder.path / "urdfctl.toml").read_text() == kept
+    assert json.loads((folder.path / "ci/known findings.json").read_text())["findings"]
+    assert not (folder.path / "urdfctl-baseline.json").exists()
+    assert ran.stderr.endswith("--write-baseline 'ci/known findings.json'\n")
+    assert command("check", ".", "--engine", "none").returncode == 0
+
+
 @pytest.mark.parametrize("engines", [(), ("mujoco",)])
 def test_the_baseline_is_written_by_what_the_workflow_runs(
     folder: Folder, monkeypatch: pytest.MonkeyPatch, engines: tuple[str, ...]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-import re
+import shlex
 import sys
 from collections.abc import Sequence
 
@@ -67,7 +67,9 @@ class InitOptions(TargetOptions, AnswerOptions):
     folder: str = argument("Folder of the project. Default: this folder.", default=".")
     pre_commit: bool | None = option(OTHER, "Add the pre-commit hook.")
     workflow: bool | None = option(OTHER, "Add a workflow for GitHub.")
-    baseline: bool = option(EXIT, f"Write what lint finds today to {_BASELINE}, and hide it in every run.")
+    baseline: bool = option(
+        EXIT, f"Write what lint finds today to the baseline, by default {_BASELINE}, and hide it in every run."
+    )
     force: bool = option(OUTPUT, "Overwrite existing files.")
 
 
@@ -103,14 +105,18 @@ def _init(options: InitOptions, answer: CommandAnswer) -> int:
     answer.message(f"'{target}' written: {number}" if kept is None else f"'{target}' stays; --force writes it anew")
     if not distro:
         answer.message(f"ROS distro is unknown; set it in '{target}', or use --distro")
+    named = config.baseline if kept is not None else None
+    baseline = os.path.normpath(named or os.path.join(folder, _BASELINE))
     if options.baseline:
-        _write_baseline(options, target, text, answer)
+        _write_baseline(options, baseline, answer)
+        if named is None:
+            write_file(target, f'baseline = "{_BASELINE}"\n{text}', force=True)
     source = origin()
     if source.lacks and (options.workflow or options.pre_commit):
         answer.message(f"the workflow cannot install urdfctl before there is {source.lacks}")
     _offer(hook, _hook(source), "--pre-commit", answer, wanted=options.pre_commit)
     _offer(workflow, _workflow(source, distro), "--workflow", answer, wanted=options.workflow)
-    more = f"{_as_in_workflow(options)} --write-baseline {_baseline_in(folder)}" if options.baseline else ""
+    more = f"{_as_in_workflow(options)} --write-baseline {shlex.quote(baseline)}" if options.baseline else ""
     answer.next(f"urdfctl check {folder}{more}")
     return 0
 
@@ -136,24 +142,14 @@ def _as_in_workflow(options: InitOptions) -> str:
     return "" if options.workflow and installed() else " --engine none"
 
 
-def _baseline_in(folder: str) -> str:
-    return os.path.normpath(os.path.join(folder, _BASELINE))
-
-
-def _write_baseline(options: InitOptions, target: str, text: str, answer: CommandAnswer) -> None:
-    """Write what lint finds, and name the file in the configuration, which lint, smoke, check and editors read.
-
-    text: the configuration without it.
-    """
+def _write_baseline(options: InitOptions, path: str, answer: CommandAnswer) -> None:
+    """Write what lint finds to the file that the configuration names, which lint, smoke, check and editors read."""
     config = configured([options.folder], options)
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
     run = lint(LintRequest((options.folder,), config, settings))
-    path = _baseline_in(options.folder)
     open_baseline([], Selection(), to_write=path).unknown(
         merge(outcomes_of(run.results), Selection()), {file for result in run.results for file in result.files}
     )
-    if not re.search(r"(?m)^baseline\s*=", text):
-        write_file(target, f'baseline = "{_BASELINE}"\n{text}', force=True)
     answer.file(path, FileState.WRITTEN)
     answer.message(f"what '{path}' lists is hidden; the smoke test's findings are not in it yet: see below")
 
