@@ -17,6 +17,24 @@ from urdfctl.source.xml.dom import Document, Element
 from urdfctl.startup.records import NamedTuple
 
 
+class LeftOut(NamedTuple):
+    """A file that its package does not install.
+
+    folder: that of the package. inner: the path of the file in it, and above: of the folder with the file; empty for
+    the package's own. build: the name of the build file.
+    """
+
+    folder: str
+    inner: str
+    above: str
+    build: str
+
+    @property
+    def package(self) -> str:
+        """The name of the package's folder."""
+        return os.path.basename(self.folder)
+
+
 class Package(NamedTuple):
     """The package that contains a launch file.
 
@@ -25,8 +43,8 @@ class Package(NamedTuple):
     dependencies: its run dependencies, as the manifest lists them.
     reaches: returns whether a package is among its run dependencies, directly or through other source packages.
     installs: returns whether a source file, by its path, is installed to the share folder; None if unknown.
-    left_out_by: returns the build file of the source package that contains a file and does not install it; None if it
-        does, or if that is unknown.
+    left_out: returns a file if the source package that contains it does not install it; None if it does, or if that is
+        unknown.
     shares_models: returns whether a package, by its name, adds its folder to Gazebo's model path; None if unknown.
     """
 
@@ -37,7 +55,7 @@ class Package(NamedTuple):
     dependencies: frozenset[str]
     reaches: Callable[[str], bool]
     installs: Callable[[str], bool | None]
-    left_out_by: Callable[[str], str | None] = lambda _: None
+    left_out: Callable[[str], LeftOut | None] = lambda _: None
     shares_models: Callable[[str], bool | None] = lambda _: None
     tag: str = "exec_depend"
     """The element for a run dependency in the manifest's format."""
@@ -78,7 +96,7 @@ def package_around(packages: Packages, tree: Callable[[str], Document | None]) -
         dependencies=running,
         reaches=partial(_reaches, packages, running),
         installs=partial(_installs, packages, folder, name),
-        left_out_by=partial(_left_out_by, packages),
+        left_out=partial(_left_out, packages),
         shares_models=partial(_shares_models, packages),
         tag="run_depend" if root.attrs.get("format", "1") == "1" else "exec_depend",
     )
@@ -96,13 +114,15 @@ def _installs(packages: Packages, folder: str, name: str, path: str) -> bool | N
     return packages.install_map(folder, name).installs(relative) if not relative.startswith(os.pardir) else None
 
 
-def _left_out_by(packages: Packages, path: str) -> str | None:
-    """The build file of the package that contains a file and surely does not install it, if any."""
+def _left_out(packages: Packages, path: str) -> LeftOut | None:
+    """A file, if the package that contains it surely does not install it."""
     folder = folder_around(os.path.dirname(path))
     name = package_name(os.path.join(folder, "package.xml")) if folder else None
     if folder is None or name is None or _installs(packages, folder, name, path) is not False:
         return None
-    return next(filter(is_file, (os.path.join(folder, name) for name in ("CMakeLists.txt", "setup.py"))), None)
+    inner = os.path.relpath(path, folder)
+    builds = (name for name in ("CMakeLists.txt", "setup.py") if is_file(os.path.join(folder, name)))
+    return next((LeftOut(folder, inner, os.path.dirname(inner), build) for build in builds), None)
 
 
 def _reaches(packages: Packages, running: frozenset[str], name: str) -> bool:

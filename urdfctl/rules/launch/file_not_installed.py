@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Note, Project, Severity, rule
@@ -80,17 +79,14 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
         return
     for reference in launch.references:
         file = reference.file
-        build = package.left_out_by(file.path) if file.path and file.exists and reference.sure else None
-        if build is None or file.path is None:
+        left_out = package.left_out(file.path) if file.path and file.exists and reference.sure else None
+        if left_out is None:
             continue
-        folder = os.path.dirname(build)
-        is_own = folder == package.folder
+        is_own = left_out.folder == package.folder
         if not is_own and (launch.ros != ROS_2 or file.text != file.path):
             continue
-        inner = os.path.relpath(file.path, folder)
-        above = os.path.dirname(inner)
-        what = f"folder '{above}'" if above else "it"
-        of = "" if is_own else f" of package '{os.path.basename(folder)}'"
-        message = f"'{inner}'{of} is not installed: {os.path.basename(build)} does not list {what}"
+        what = f"folder '{left_out.above}'" if left_out.above else "it"
+        of = "" if is_own else f" of package '{left_out.package}'"
+        message = f"'{left_out.inner}'{of} is not installed: {left_out.build} does not list {what}"
         notes = (Note("the package's manifest is here", package.at),) if is_own else ()
         yield Finding(file.at, message, notes, severity=Severity.WARNING if reference.use == "argument" else severity)
