@@ -36,7 +36,7 @@ def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
                 continue
             added = [name for name in new if name not in known]
             known.update(added)
-            indent, kind = indent_of(element), "depend" if element.tagName == "depend" else "exec_depend"
+            indent, kind = indent_of(element), "depend" if element.tagName == "depend" else _needed_to_run(root)
             edits.append(Edit(lines_of(element), "".join(f"{indent}<{kind}>{name}</{kind}>\n" for name in added)))
         edits += _missing(packages, root, known)
         if edits:
@@ -57,8 +57,14 @@ def _missing(packages: MigratedPackages, root: Element, known: set[str]) -> Iter
     last = [element for element in root.elements() if element.tagName.endswith("depend")][-1:]
     if needed and last:
         end = lines_of(last[0]).end
-        lines = "".join(f"{indent_of(last[0])}<exec_depend>{name}</exec_depend>\n" for name in needed)
+        kind = _needed_to_run(root)
+        lines = "".join(f"{indent_of(last[0])}<{kind}>{name}</{kind}>\n" for name in needed)
         yield Edit(SourceSpan(root.source, end, end), lines)
+
+
+def _needed_to_run(root: Element) -> str:
+    """The element for a package that is needed to run: a manifest of format 1 with <exec_depend> is invalid."""
+    return "run_depend" if root.attrs.get("format", "1").strip() == "1" else "exec_depend"
 
 
 def _successors(packages: MigratedPackages, name: str) -> tuple[str, ...] | None:
@@ -85,6 +91,30 @@ CLASSIC_MANIFEST = Step(
         Row("gazebo_plugins", "", "jazzy", _AUTHORITY),
     ),
     before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "package.xml": """
+                <package>
+                  <name>arm</name>
+                  <run_depend>gazebo_ros</run_depend>
+                </package>
+            """,
+            "robot.xacro": """
+                <gazebo>
+                  <plugin name="drive" filename="libgazebo_ros_diff_drive.so"/>
+                </gazebo>
+            """,
+            "launch/start.launch.py": """
+                from launch import LaunchDescription
+                from launch_ros.actions import Node
+
+
+                def generate_launch_description():
+                    return LaunchDescription([
+                        Node(package='gazebo_ros', executable='spawn_entity.py', arguments=['-topic', 'robot_description', '-entity', 'arm']),
+                    ])
+            """,
+        },
         {
             "options": "--to=jazzy --simulator=gz",
             "package.xml": """
@@ -115,6 +145,15 @@ CLASSIC_MANIFEST = Step(
         },
     ],
     after=[
+        {
+            "package.xml": """
+                <package>
+                  <name>arm</name>
+                  <run_depend>ros_gz_sim</run_depend>
+                  <run_depend>ros_gz_bridge</run_depend>
+                </package>
+            """,
+        },
         {
             "package.xml": """
                 <package format="3">
