@@ -81,3 +81,47 @@ def test_tools_and_messages_of_ros_1_are_needed_no_longer(folder: Folder) -> Non
         "rosbag2",
         "ament_index_python",
     ]
+
+
+USED = """\
+<launch>
+  <arg name="robot" default="arm"/>
+  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/robot/$(arg robot).urdf"/>
+  <!-- <node pkg="rviz" type="rviz" name="rviz" required="true"/> -->
+  <!--node pkg="rviz" type="rviz" name="rviz" required="true"/-->
+  <node pkg="arm" type="servo" name="servo"/>
+</launch>
+"""
+
+
+def test_the_programs_and_folders_that_files_use_are_installed(folder: Folder) -> None:
+    programs = "install(PROGRAMS nodes/known.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+    script = "#!/usr/bin/env python3\n"
+    files = {"CMakeLists.txt": COMMENTED + programs, "launch/arm.launch": USED, "robot/arm.urdf": ROBOT}
+    names = ("nodes/servo", "nodes/known.py", "nodes/library.py", "setup.py", "test/tried.py")
+    after = migrated(folder, {**files, **dict.fromkeys(names, script), "nodes/servo.txt": "servo"})
+    assert after["CMakeLists.txt"].endswith(
+        "install(DIRECTORY launch robot\n  DESTINATION share/${PROJECT_NAME}\n)\n\n"
+        "install(PROGRAMS\n  nodes/servo\n  DESTINATION lib/${PROJECT_NAME}\n)\n\nament_package()\n"
+    )
+    assert "rviz" not in after["package.xml"]
+
+
+def test_a_script_that_may_be_executed_is_installed_too(folder: Folder) -> None:
+    for name in ("scripts/teleop.py", "cfg/Gains.cfg", "setup.py"):
+        folder.write({f"arm/{name}": "#!/usr/bin/env python3\n"})
+        (folder.path / "arm" / name).chmod(0o755)
+    after = migrated(folder, {"CMakeLists.txt": COMMENTED, "urdf/arm.urdf": ROBOT})["CMakeLists.txt"]
+    assert "install(PROGRAMS\n  scripts/teleop.py\n  DESTINATION" in after
+    assert "Gains.cfg" not in after
+    assert "setup.py" not in after
+
+
+def test_commands_of_cmake_are_known_in_capitals(folder: Folder) -> None:
+    compiled = "PROJECT(arm)\nFIND_PACKAGE(catkin REQUIRED)\nADD_EXECUTABLE(mover src/mover.cpp)\nCATKIN_PACKAGE()\n"
+    after = migrated(folder, {"CMakeLists.txt": compiled, "urdf/arm.urdf": ROBOT})
+    assert after["CMakeLists.txt"] == compiled
+    assert "this package compiles code or messages" in after["MIGRATION.md"]
+    other = compiled.replace("ADD_EXECUTABLE(mover src/mover.cpp)\n", "")
+    after = migrated(folder, {"CMakeLists.txt": other, "urdf/arm.urdf": ROBOT})["CMakeLists.txt"]
+    assert after.startswith("PROJECT(arm)\nfind_package(ament_cmake REQUIRED)\n\ninstall(DIRECTORY urdf")

@@ -7,6 +7,8 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.used_files import programs_in, used_in
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry
 from urdfctl.source.disk.gate import exists, is_folder, names_in
@@ -17,7 +19,7 @@ _FOLDERS = ("config", "launch", "meshes", "models", "params", "robots", "rviz", 
 _AMENT = "find_package(ament_cmake REQUIRED)"
 _ARGUMENTS = r"\((?:[^()]|\([^()]*\))*\)"
 _REPLACED = (
-    (r"(?i)cmake_minimum_required\s*\(\s*VERSION\s+(?:2\.|3\.[0-4]\b)[\d.]*", "cmake_minimum_required(VERSION 3.8"),
+    (r"cmake_minimum_required\s*\(\s*VERSION\s+(?:2\.|3\.[0-4]\b)[\d.]*", "cmake_minimum_required(VERSION 3.8"),
     (rf"find_package\s*(?=\(\s*catkin\b){_ARGUMENTS}", _AMENT),
     (r"\$\{CATKIN_PACKAGE_SHARE_DESTINATION\}", "share/${PROJECT_NAME}"),
     (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_BIN_DESTINATION\}", "lib/${PROJECT_NAME}"),
@@ -37,36 +39,49 @@ _REMOVED = (
 )
 _OF_CLASSIC = (r"find_package\s*\(\s*gazebo(?:_dev|_ros|_plugins)?\b[^)]*\)",)
 _INSTALLS = (
-    r"(?i)\b(?:catkin_install_python|install)\s*\(\s*(?:PROGRAMS|FILES|DIRECTORY)\s+([^()]*?)\s+DESTINATION\b[^()]*\)"
+    r"\b(?:catkin_install_python|install)\s*\(\s*(?:PROGRAMS|FILES|DIRECTORY)\s+([^()]*?)\s+DESTINATION\b[^()]*\)"
 )
 _INSTALLED = "cmake-commands: install(FILES) ends with an error where a file is missing; colcon installs each package"
-_EMPTY_TESTS = r"(?ms)^if\s*\(BUILD_TESTING\)\s*endif\s*\(\s*(?:BUILD_TESTING)?\s*\)[ \t]*\n?"
+_EMPTY_TESTS = r"(?ims)^if\s*\(BUILD_TESTING\)\s*endif\s*\(\s*(?:BUILD_TESTING)?\s*\)[ \t]*\n?"
 
 
-def ament_build_file(source: SourceText, *, is_classic: bool) -> Proposal:
+def ament_build_file(packages: MigratedPackages, source: SourceText, *, name: str, is_classic: bool) -> Proposal:
     """Return the proposal to build a package by ament, and to install what launch files need.
 
+    name: that of the package.
     is_classic: whether Gazebo Classic simulates the robot, so that it may be looked for.
     """
     text = source.data.decode("utf-8", "surrogateescape")
     for pattern, replacement in _REPLACED:
         text = _outside_comments(text, pattern, replacement)
     for call in (*_REMOVED, *(() if is_classic else _OF_CLASSIC)):
-        text = re.sub(rf"(?m)^[ \t]*{call}[ \t]*(?:#[^\n]*)?\n?", "", text)
+        text = re.sub(rf"(?im)^[ \t]*{call}[ \t]*(?:#[^\n]*)?\n?", "", text)
     if not re.search(rf"(?m)^\s*{re.escape(_AMENT)}", text):
         text = _outside_comments(text, rf"project\s*{_ARGUMENTS}", rf"\g<0>\n\n{_AMENT}", count=1)
     text = re.sub(_EMPTY_TESTS, "", text)
     text = re.sub(r"\n{3,}", "\n\n", text).rstrip("\n") + "\n"
     folder = os.path.dirname(source.path)
-    missing = [name for name in _FOLDERS if _has_files(os.path.join(folder, name)) and not installs(text, name)]
-    text += f"\n{install_rule(*missing)}" if missing else ""
+    text += "".join(f"\n{rule}" for rule in _rules(packages, folder, name, text))
     text += "\nament_package()\n"
     what = "the build file uses ament_cmake and installs what launch files need"
     entries = [ReportEntry(EntryKind.DONE, what, file=source.path, authority=_AUTHORITY)]
-    for name in dict.fromkeys(_not_there(source)):
-        what = f"'{name}' is to be installed, but does not exist, so that colcon cannot install the package: remove it"
+    for path in dict.fromkeys(_not_there(source)):
+        what = f"'{path}' is to be installed, but does not exist, so that colcon cannot install the package: remove it"
         entries.append(ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_INSTALLED))
     return Proposal((Edit(SourceSpan(source, 0, len(source.data)), text),), entries=tuple(entries))
+
+
+def _rules(packages: MigratedPackages, folder: str, name: str, text: str) -> Iterator[str]:
+    """Yield the rules for what a build file does not install: usual folders, what files use, and programs."""
+    folders, files = used_in(packages, folder, name)
+    usual = (one for one in _FOLDERS if _has_files(os.path.join(folder, one)))
+    if missing := [one for one in sorted({*usual, *folders}) if not installs(text, one)]:
+        yield install_rule(*missing)
+    if lost := [one for one in files if one not in text]:
+        yield f"install(FILES {' '.join(lost)}\n  DESTINATION share/${{PROJECT_NAME}}\n)\n"
+    if programs := programs_in(packages, folder, name, text):
+        lines = "".join(f"  {program}\n" for program in programs)
+        yield f"install(PROGRAMS\n{lines}  DESTINATION lib/${{PROJECT_NAME}}\n)\n"
 
 
 def _not_there(source: SourceText) -> Iterator[str]:
@@ -97,7 +112,7 @@ def _outside_comments(text: str, pattern: str, replacement: str, *, count: int =
 
 
 def _matches(text: str, pattern: str) -> Iterator[re.Match[str]]:
-    for found in re.finditer(pattern, text):
+    for found in re.finditer(pattern, text, re.IGNORECASE):  # CMake's commands are read so
         line = text.rfind("\n", 0, found.start()) + 1
         if "#" not in text[line : found.start()]:
             yield found

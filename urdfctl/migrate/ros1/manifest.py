@@ -49,8 +49,9 @@ _NEW_NAMES: Mapping[str, tuple[str, ...]] = {
 _OF_CLASSIC = ("gazebo", "gazebo_dev", "gazebo_plugins", "libgazebo-dev")
 _NAMED_IN_LAUNCH = r"(?:FindPackageShare\(|find-pkg-share |package=|pkg=)['\"]?([\w-]+)"
 _LAUNCHES = (".launch.py", ".launch.xml")
+_COMMENT = r"(?ms)^[ \t]*#[^\n]*|<!--.*?-->"
 _NO_PACKAGES = ("mock_components", "fake_components")
-_COMPILED = r"(?m)^\s*(?:add_executable|add_library|generate_messages|pybind11_add_module|add_message_files)\s*\("
+_COMPILED = r"(?im)^\s*(?:add_executable|add_library|generate_messages|pybind11_add_module|add_message_files)\s*\("
 
 
 def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
@@ -71,7 +72,8 @@ def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
             entries=(ReportEntry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),),
         )
         if cmake.data:
-            yield ament_build_file(cmake, is_classic=started_by_launch_files(packages) == "gazebo-classic")
+            is_classic = started_by_launch_files(packages) == "gazebo-classic"
+            yield ament_build_file(packages, cmake, name=content(child(root, "name") or root), is_classic=is_classic)
 
 
 def _is_catkin(root: Element) -> bool:
@@ -190,6 +192,7 @@ def _needed(packages: MigratedPackages, folder: str) -> Iterator[str]:
             continue
         text = packages.read(path).data.decode("utf-8", "replace")
         if path.endswith(_LAUNCHES):
+            text = re.sub(_COMMENT, "", text)
             yield from re.findall(_NAMED_IN_LAUNCH, text)
             yield from ["xacro"] if "xacro " in text else []
             yield from ["moveit_configs_utils"] if "moveit_configs_utils" in text else []

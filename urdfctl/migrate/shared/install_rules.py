@@ -11,8 +11,8 @@ BRIDGE_FILE = "config/bridge.yaml"
 def installs(text: str, folder: str) -> bool:
     """Return whether a build file has an install rule that names a folder, or takes folders from an unknown list."""
     text = re.sub(r"#.*", "", text)
-    rules = re.findall(r"(?s)install\s*\((?:[^()]|\([^()]*\))*\)", text)
-    lists = re.findall(r"(?s)foreach\s*\(.*?\)", text)
+    rules = re.findall(r"(?is)install\s*\((?:[^()]|\([^()]*\))*\)", text)
+    lists = re.findall(r"(?is)foreach\s*\(.*?\)", text)
     if any(re.search(rf"(?<![\w/]){folder}\b", part) for part in [*rules, *lists]):
         return True
     is_known = bool(lists) and not any("$" in each for each in lists)
