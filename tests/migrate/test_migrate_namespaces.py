@@ -114,3 +114,37 @@ def test_a_manager_in_the_root_reads_a_description_in_a_namespace(folder: Folder
     assert "<ros> <remapping>robot_description:=/cell/robot_description</remapping> </ros>" in " ".join(
         after["arm.urdf.xacro"].split()
     )
+
+
+def test_the_manager_of_spawners_in_a_group_is_in_its_namespace_and_reads_the_description(folder: Folder) -> None:
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="grip"/>'
+    load = '<rosparam file="$(find arm)/config/c.yaml"/>'
+    files = {
+        "arm.urdf.xacro": arm(transmission("hardware_interface/EffortJointInterface")),
+        "config/c.yaml": "left:\n  grip: {type: effort_controllers/JointEffortController, joint: shoulder}\n",
+        "launch/outside.launch": launch(
+            DESCRIPTION, PUBLISHER.format(more=""), load, f'<group ns="left">{spawner}</group>'
+        ),
+        "launch/inside.launch": launch(f'<group ns="left">{load}{spawner}</group>'),
+    }
+    after = migrated(folder, files, "--simulator", "none")
+    outside, inside = (" ".join(after[f"launch/{name}side.launch.py"].split()) for name in ("out", "in"))
+    assert 'executable="ros2_control_node", namespace="/left",' in outside
+    assert 'executable="ros2_control_node", parameters=' in inside
+    for text in (outside, inside):
+        assert 'remappings=[("robot_description", "/robot_description")]' in text
+
+
+def test_a_spawner_reads_the_description_of_the_launch_files_that_are_started_with_it(folder: Folder) -> None:
+    inside = PUBLISHER.format(more="").replace("<node ", '<node ns="/left" ')
+    files = {
+        "arm.urdf.xacro": robot("/left"),
+        "launch/left.launch": launch(DESCRIPTION, SPAWN, inside),
+        "launch/put.launch": launch('<include file="$(find arm)/launch/tell.launch"/>', SPAWN),
+        "launch/tell.launch": launch(DESCRIPTION, inside),
+        "launch/other.launch": launch(DESCRIPTION, SPAWN, PUBLISHER.format(more="")),
+    }
+    after = migrated(folder, files, "--simulator", "gz")
+    topics = {"left": "/left/robot_description", "put": "/left/robot_description", "other": "robot_description"}
+    for name, topic in topics.items():
+        assert f'"-topic", "{topic}"' in " ".join(after[f"launch/{name}.launch.py"].split())

@@ -196,3 +196,29 @@ def test_tests_of_rostest_and_programs_without_an_ending_are_listed(folder: Fold
     report = migrated(folder, files)["MIGRATION.md"]
     assert "`test/arm.test:1`: is a test of rostest" in report
     assert "`nodes/mover:3`: is a node of rospy" in report
+
+
+def test_a_launch_file_may_have_any_name_that_ends_with_xml(folder: Folder) -> None:
+    upload = '<include file="$(find arm)/launch/upload.xml"/>'
+    files = {
+        "launch/upload.xml": f"<launch>{param('one')}</launch>",
+        "launch/arm.launch": f"<launch>{upload}{PUBLISHER}{SPAWN.format('robot_description')}</launch>",
+        "config/notes.xml": "<notes/>",
+        "urdf/one.xacro": arm(transmission("EffortJointInterface")),
+    }
+    after = migrated(folder, files, "--simulator", "gz")
+    assert 'FindPackageShare("arm"), "/urdf/one.xacro"' in after["launch/upload.launch.py"]
+    assert '"/launch/upload.launch.py"' in after["launch/arm.launch.py"]
+    assert "launch/upload.xml" not in after
+    assert after["config/notes.xml"] == "<notes/>"
+
+
+@pytest.mark.parametrize(("given", "shell"), [("states ctl", True), ("states", False), ("$(arg both)", True)])
+def test_a_shell_splits_the_words_that_another_launch_file_gives(folder: Folder, given: str, shell: bool) -> None:
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="$(arg name)"/>'
+    include = f'<include file="$(find arm)/launch/one.launch"><arg name="name" value="{given}"/></include>'
+    files = {
+        "launch/one.launch": f'<launch><arg name="name" default="ctl"/>{spawner}</launch>',
+        "launch/all.launch": f'<launch><arg name="both" default="ctl states"/>{include}</launch>',
+    }
+    assert ("shell=True" in migrated(folder, files)["launch/one.launch.py"]) is shell

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from itertools import pairwise
 
-from urdfctl.migrate.edits.markup import attribute, elements, root_of
+from urdfctl.migrate.edits.markup import attribute, elements
 from urdfctl.migrate.launch.actions import Text, is_literal, parsed, plain, words_of
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of
-from urdfctl.model.launch.ros1 import is_of_ros2
 from urdfctl.source.xml.dom import Element
 
 _DESCRIPTION = "robot_description"
@@ -36,7 +36,7 @@ def description_names(packages: MigratedPackages) -> frozenset[str]:
     Those are robot_description, and what a simulator or a publisher reads instead of it; all that are called so if
     nothing says which they read.
     """
-    every = [one for root in launch_roots(packages).values() for one in elements(root)]
+    every = [one for root in packages.found(launch_roots).values() for one in elements(root)]
     last = {attribute(one, "name").rpartition("/")[2] for one in every if _sets_text(one)}
     named = {name for name in last if name == _DESCRIPTION or name.endswith(f"_{_DESCRIPTION.partition('_')[2]}")}
     read = {_DESCRIPTION}
@@ -55,22 +55,11 @@ def names_description(old: Text) -> bool:
     return plain(old).rpartition("/")[2] == "robot_description"
 
 
-def launch_roots(packages: MigratedPackages) -> dict[str, Element]:
-    """Return the root elements of the launch files of ROS 1, by their paths."""
-    found = {}
-    for path in packages.files(".launch", ".launch.xml", "launch.xml"):
-        source = packages.read(path)
-        root = root_of(source) if b"<launch" in source.data else None
-        if root is not None and root.tagName == "launch" and not is_of_ros2(root):
-            found[path] = root
-    return found
-
-
 def idle_publisher(packages: MigratedPackages) -> Element | None:
     """Return the only robot_state_publisher of launch files that set no description; None if several differ."""
     found: dict[str, Element] = {}
     names = packages.found(description_names)
-    for root in launch_roots(packages).values():
+    for root in packages.found(launch_roots).values():
         every = list(elements(root))
         if not any(is_description(element, names) for element in every):
             found |= {_said(one): one for one in every if _is_publisher(one)}
@@ -92,16 +81,42 @@ def spaces_of_description(packages: MigratedPackages) -> frozenset[str]:
 
     They are as written, with arguments. They are those of robot_state_publisher; without one, those of the parameter.
     """
-    roots = launch_roots(packages)
+    return frozenset(space for spaces in packages.found(_published).values() for space in spaces)
+
+
+def spaces_by_file(packages: MigratedPackages) -> dict[str, frozenset[str]]:
+    """Return those namespaces for each launch file: of the files that are started with it, or of all without any.
+
+    With it are those that it includes, that include it, and so on.
+    """
+    published, every = packages.found(_published), packages.found(spaces_of_description)
+    joined: dict[str, set[str]] = {}
+    for path in packages.found(launch_roots):
+        joined.setdefault(path, {path})
+    for path, parents in packages.found(_including).items():
+        for parent, _ in parents:
+            both = joined[path] | joined[parent]
+            joined.update(dict.fromkeys(both, both))
+    own = {
+        path: frozenset(space for one in group for space in published.get(one, ())) for path, group in joined.items()
+    }
+    return {path: spaces or every for path, spaces in own.items()}
+
+
+def _published(packages: MigratedPackages) -> dict[str, set[str]]:
+    """The namespaces in which a launch file publishes the description, by its path."""
+    roots = packages.found(launch_roots)
     contexts = _contexts(packages, roots)
     nodes = [(path, one) for path, root in roots.items() for one in elements(root) if _is_publisher(one)]
     names = packages.found(description_names)
     chosen = nodes or [
         (path, one) for path, root in roots.items() for one in elements(root) if is_description(one, names)
     ]
-    return frozenset(
-        "/".join(part for part in (space, _own_space(one)) if part) for path, one in chosen for space in contexts[path]
-    )
+    found: dict[str, set[str]] = {}
+    for path, one in chosen:
+        spaces = {"/".join(part for part in (space, _own_space(one)) if part) for space in contexts[path]}
+        found.setdefault(path, set()).update(spaces)
+    return found
 
 
 def described_for(spaces: Collection[str], own: str) -> str:
@@ -123,13 +138,20 @@ def _own_space(element: Element) -> str:
 
 def _contexts(packages: MigratedPackages, roots: dict[str, Element]) -> dict[str, set[str]]:
     """The namespaces in which each launch file is included; that of the root for one that no other includes."""
+    including = packages.found(_including)
+    return {path: set(_spaces(path, including, ())) or {""} for path in roots}
+
+
+def _including(packages: MigratedPackages) -> dict[str, list[tuple[str, str]]]:
+    """The launch files that include each launch file, with the namespaces in which they do."""
+    roots = packages.found(launch_roots)
     including: dict[str, list[tuple[str, str]]] = {path: [] for path in roots}
     for path, root in roots.items():
         for one in elements(root):
             if one.tagName == "include":
                 for file in addressed_files(packages, attribute(one, "file")) & roots.keys():
                     including[file].append((path, namespace_of(one)))
-    return {path: set(_spaces(path, including, ())) or {""} for path in roots}
+    return including
 
 
 def _spaces(path: str, including: dict[str, list[tuple[str, str]]], seen: tuple[str, ...]) -> Iterator[str]:

@@ -11,10 +11,11 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
-from urdfctl.migrate.launch.actions import Action, Text, parsed
+from urdfctl.migrate.launch.actions import Action, Text, parsed, words_of
 from urdfctl.migrate.launch.expressions import Used, parts_of
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.described import description_names, is_description
+from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.migrate.ros1.roslaunch_values import around
 from urdfctl.migrate.ros1.set_descriptions import is_overridden
@@ -108,6 +109,31 @@ def said_by(description: Element) -> str:
 def _is_of_file(argument: Element) -> bool:
     """Whether an <arg> is one of its file, and not the value that an include passes on."""
     return not (isinstance(argument.parentNode, Element) and argument.parentNode.tagName == "include")
+
+
+def split_arguments(packages: MigratedPackages) -> dict[str, set[str]]:
+    """Return the arguments to which launch files give several words when they include a file, by its path."""
+    found: dict[str, set[str]] = {}
+    for root in packages.found(launch_roots).values():
+        every = list(elements(root))
+        own = {
+            one.attrs.get("name"): one.attrs.get("default", one.attrs.get("value", ""))
+            for one in every
+            if one.tagName == "arg"
+        }
+        for include in (one for one in every if one.tagName == "include"):
+            given = [one for one in include.elements() if one.tagName == "arg"]
+            texts = {one.attrs.get("name", ""): one.attrs.get("value", one.attrs.get("default", "")) for one in given}
+            several = {name for name, text in texts.items() if len(words_of(parsed(_resolved(text, own)))) > 1}
+            for path in addressed_files(packages, include.attrs.get("file", "")) if several else ():
+                found.setdefault(path, set()).update(several)
+    return found
+
+
+def _resolved(text: str, own: Mapping[str | None, str]) -> str:
+    """A text with the argument that it is as a whole replaced by its default."""
+    whole = re.fullmatch(r"\s*\$\(arg\s+([\w-]+)\)\s*", text)
+    return own.get(whole[1], text) if whole is not None else text
 
 
 def passed_on(

@@ -9,14 +9,15 @@ from collections.abc import Callable, Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.migrate.classic.launch_actions import gz_for
-from urdfctl.migrate.edits.markup import elements, root_of
+from urdfctl.migrate.edits.markup import elements
 from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.written import WrittenLaunch, as_python, as_xml
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.migrate.ros1.described import description_names, idle_publisher, spaces_of_description
-from urdfctl.migrate.ros1.included import IncludedFile, descriptions_in, included_file
+from urdfctl.migrate.ros1.described import description_names, idle_publisher, spaces_by_file
+from urdfctl.migrate.ros1.included import IncludedFile, descriptions_in, included_file, split_arguments
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
+from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
@@ -25,7 +26,6 @@ from urdfctl.migrate.shared.controller_files import installed_path, sections, ty
 from urdfctl.migrate.shared.hardware import simulated_by, started_by_launch_files
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
-from urdfctl.model.launch.ros1 import is_of_ros2
 from urdfctl.source.disk.files import is_yaml
 from urdfctl.source.disk.gate import exists, matching
 from urdfctl.source.workspaces.packages import package_around, package_name
@@ -55,7 +55,11 @@ def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:
     for path, root in wanted:
         target = _target(packages)._replace(left=frozenset(left), own_package=_package(path))
         published = descriptions_in(packages, root, os.path.dirname(path), own=False)
-        target = target._replace(included=_included_by(packages, path), published=published)
+        split = frozenset(packages.found(split_arguments).get(path, ()))
+        spaces = packages.found(spaces_by_file).get(path, frozenset())
+        target = target._replace(
+            included=_included_by(packages, path), published=published, split=split, described_in=spaces
+        )
         yield from _migrated(packages, path, root, target)
 
 
@@ -65,10 +69,8 @@ def _included_by(packages: MigratedPackages, path: str) -> Callable[[str], Inclu
 
 def _of_ros1(packages: MigratedPackages) -> Iterator[tuple[str, Element]]:
     """The launch files of ROS 1, with their root elements."""
-    for path in packages.files(".launch", ".launch.xml", "launch.xml"):
-        source = packages.read(path)
-        root = root_of(source) if b"<launch" in source.data else None
-        if root is not None and root.tagName == "launch" and not is_of_ros2(root) and "/.ros" not in path:
+    for path, root in packages.found(launch_roots).items():
+        if "/.ros" not in path:
             yield path, root
 
 
@@ -136,7 +138,6 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         spawned=packages.found(spawned_names),
         files_of=lambda node: _files_of(packages, node),
         publisher=packages.found(idle_publisher),
-        described_in=packages.found(spaces_of_description),
         descriptions=packages.found(description_names),
     )
 

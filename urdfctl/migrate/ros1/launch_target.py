@@ -34,6 +34,7 @@ class LaunchTarget(NamedTuple):
     descriptions: the names of the parameters that are descriptions.
     published: the descriptions that files publish which this one includes.
     included: returns what is known of an included launch file, by its written address.
+    split: the arguments of the file to which other files give several words.
     """
 
     distro: str
@@ -57,6 +58,7 @@ class LaunchTarget(NamedTuple):
     descriptions: frozenset[str] = frozenset({"robot_description"})
     published: frozenset[str] = frozenset()
     included: Callable[[str], IncludedFile] = lambda _: IncludedFile({}, frozenset())
+    split: frozenset[str] = frozenset()
 
     @property
     def apart(self) -> frozenset[str]:

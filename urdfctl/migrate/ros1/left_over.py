@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.launches import ENDINGS, launch_roots
 from urdfctl.source.disk.gate import matching
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.workspaces.packages import package_name
@@ -20,9 +21,8 @@ _ARGUMENT = re.compile(r"\$\((?:arg|eval|env|optenv) [^)]*\)")
 
 def renamed_parameters(packages: MigratedPackages, old: Collection[str], new: str) -> Iterator[Edit]:
     """Yield the edits of launch files that load files with some old paths, so that they load a new one."""
-    for path in packages.files(".launch", ".launch.xml"):
-        root = root_of(packages.read(path))
-        for element in elements(root) if root is not None else ():
+    for root in packages.found(launch_roots).values():
+        for element in elements(root):
             written = attribute(element, "file") if element.tagName == "rosparam" else ""
             head = written.rpartition("/")[0]
             tag = element.source.start_tag(element.start)
@@ -41,11 +41,7 @@ def renamed_includes(packages: MigratedPackages, left: Collection[str], ending: 
         for element in elements(root) if root is not None else ():
             written = attribute(element, "file") if element.tagName == "include" else ""
             tag = element.source.start_tag(element.start)
-            if (
-                addressed_files(packages, written) - {*left}
-                and tag is not None
-                and written.endswith((".launch", ".launch.xml"))
-            ):
+            if addressed_files(packages, written) - {*left} and tag is not None and written.endswith(ENDINGS):
                 base = written.removesuffix(".xml").removesuffix(".launch")
                 yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{base}{ending}")
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.edits.markup import attribute, elements, root_of
+from urdfctl.migrate.edits.markup import attribute, elements
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.doubles import with_doubles
 from urdfctl.migrate.ros1.launch_files import own_packages
+from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.migrate.ros1.node_sections import has_nested_list
 from urdfctl.migrate.ros1.roslaunch_nodes import has_successor
@@ -50,9 +51,8 @@ def _loaded(packages: MigratedPackages, programs: dict[str, str]) -> dict[str, s
     """
     found: dict[str, set[str | None]] = {}
     own = frozenset(own_packages(packages))
-    for path in packages.files(".launch", ".launch.xml"):
-        root = root_of(packages.read(path))
-        for element in elements(root) if root is not None else ():
+    for root in packages.found(launch_roots).values():
+        for element in elements(root):
             written = attribute(element, "file") if element.tagName == "rosparam" else ""
             reader, name = _reader(element) if written else (None, "")
             is_known = reader is not None and has_successor(reader, own)

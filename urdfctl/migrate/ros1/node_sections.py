@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from urdfctl.migrate.edits.markup import attribute, elements
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import MapItem
-from urdfctl.migrate.ros1.described import launch_roots
 from urdfctl.migrate.ros1.doubles import with_doubles
+from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of
 from urdfctl.source.yaml.tree import Mapping as Map
 from urdfctl.source.yaml.tree import Node, Sequence
@@ -18,7 +18,7 @@ from urdfctl.source.yaml.tree import Node, Sequence
 def node_types(packages: MigratedPackages) -> dict[str, str]:
     """Return the programs of the nodes in launch files of ROS 1, by the nodes' full names without the slash before."""
     found = {}
-    for root in launch_roots(packages).values():
+    for root in packages.found(launch_roots).values():
         for node in elements(root):
             if node.tagName == "node" and "$(" not in attribute(node, "name"):
                 parts = (namespace_of(node), attribute(node, "name"))

@@ -15,7 +15,7 @@ from urdfctl.migrate.launch.actions import (
     parsed,
 )
 from urdfctl.migrate.ros1.choices import LoadedFile, choices_in, chosen, without
-from urdfctl.migrate.ros1.described import is_description, names_description
+from urdfctl.migrate.ros1.described import described_for, is_description, names_description
 from urdfctl.migrate.ros1.description_commands import about_command, command_in
 from urdfctl.migrate.ros1.doubles import as_double
 from urdfctl.migrate.ros1.included import IncludedFile, kept_apart, passed_on, said_by
@@ -36,6 +36,8 @@ from urdfctl.migrate.ros1.roslaunch_values import (
     inline_parameters,
     parameter_name,
     root_around,
+    space_around,
+    space_beyond,
     value_of,
 )
 from urdfctl.migrate.ros1.set_descriptions import (
@@ -345,19 +347,30 @@ class LaunchReading(Notes):
 
     def _manager(self, element: Element, file: Text) -> Action:
         """The controller manager, in the namespace of the spawners."""
-        spaces = (
-            node.attrs.get("ns", "") for node in _all(root_around(element)) if node.attrs.get("type") == "spawner"
-        )
+        spawners = [node for node in _all(root_around(element)) if node.attrs.get("type") == "spawner"]
+        spaces = (node.attrs.get("ns", "") or space_beyond(node, element) for node in spawners)
         space = next((each for each in spaces if each.strip("/")), element.attrs.get("ns", ""))
-        topic = f"/{space.strip('/')}/robot_description" if space.strip("/") else "robot_description"
+        groups = "" if space.startswith("/") else space_around(element)
+        full = "/".join(filter(None, (groups, space.strip("/"))))
         return Action(
             "node",
             "ros2_control_node",
             value=parsed(space) if space else None,
             package="controller_manager",
             files=(file,),
-            remaps=((literal("~/robot_description"), parsed(topic)),) if self.target.remaps_description else (),
+            remaps=tuple(self._remapped_description(full)),
         )
+
+    def _remapped_description(self, space: str) -> Iterator[tuple[Text, Text]]:
+        """The remapping with which the manager in a namespace reads the description where it is published."""
+        published = described_for(self.target.described_in, space)
+        topic = (
+            f"/{published}/robot_description" if published else "/robot_description" if space else "robot_description"
+        )
+        if self.target.remaps_description:
+            yield literal("~/robot_description"), parsed(topic)
+        elif published != space:
+            yield literal("robot_description"), parsed(topic)
 
 
 def _variable(element: Element) -> Action:

@@ -49,10 +49,12 @@ class Notes:
         self.required: set[str] = set()
 
     def words_of(self, word: Text, *, unknown: int) -> int:
-        """Return the number of words that an argument has by default; 1 for other words."""
+        """Return the number of words that an argument has by default, or 2 if it gets several; 1 for other words."""
         if len(word) != 1 or word[0].kind != "arg":
             return 1
         name = word[0].text
+        if name in self.target.split:
+            return 2
         return (
             unknown
             if name in self.required or name not in self.defaults

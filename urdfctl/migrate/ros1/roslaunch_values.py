@@ -111,6 +111,18 @@ def namespace_of(element: Element) -> str:
     return _full_name(element, "" if element.tagName in ("node", "include") else None)
 
 
+def space_beyond(node: Element, other: Element) -> str:
+    """Return the namespace of a node, absolute; empty if the groups around another element have it too."""
+    space = namespace_of(node)
+    return f"/{space}" if space and space != space_around(other) else ""
+
+
+def space_around(element: Element) -> str:
+    """Return the namespace of the groups around an element, without the slash before."""
+    spaces = (one.attrs.get("ns", "").strip("/") for one in reversed(list(around(element))))
+    return "/".join(filter(None, spaces))
+
+
 def _full_name(element: Element, named: str | None = None) -> str:
     own = element.attrs.get("param" if element.tagName == "rosparam" else "name", "") if named is None else named
     if own.startswith("/"):

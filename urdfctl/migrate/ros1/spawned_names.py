@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from urdfctl.migrate.edits.markup import attribute, elements
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.migrate.ros1.described import launch_roots
+from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
@@ -26,7 +26,7 @@ def spawned_names(packages: MigratedPackages) -> dict[str, SpawnedName]:
     """Return the controllers that launch files of ROS 1 spawn by a name with slashes, by their full names."""
     spawned: dict[str, tuple[str, str]] = {}
     plain: set[str] = set()
-    for root in launch_roots(packages).values():
+    for root in packages.found(launch_roots).values():
         for node in elements(root):
             for word in _words(node):
                 manager, full = namespace_of(node), full_name(node, word)

@@ -13,12 +13,12 @@ from urdfctl.migrate.edits.markup import (
     attribute,
     elements,
     indent_of,
-    root_of,
     step_of,
 )
 from urdfctl.migrate.edits.places import plugin_elements
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.shared.hardware import host_plugin
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.migrate.todo import for_you
@@ -82,10 +82,8 @@ def _published_in(packages: MigratedPackages) -> frozenset[str]:
 
 def _spaces_of(packages: MigratedPackages, package: str, program: str) -> Iterator[str]:
     """The namespaces, as they are written, of the nodes of a program."""
-    for path in packages.files(".launch", ".launch.xml"):
-        source = packages.read(path)
-        root = root_of(source) if package.encode() in source.data else None
-        for node in elements(root) if root is not None else ():
+    for root in packages.found(launch_roots).values():
+        for node in elements(root) if package.encode() in root.source.data else ():
             is_meant = (attribute(node, "pkg"), attribute(node, "type")) == (package, program)
             if is_meant and node.tagName == "node" and "-sdf" not in attribute(node, "args").split():
                 yield _space_of(node)
