@@ -307,3 +307,33 @@ def test_a_launch_file_that_is_left_includes_what_other_launch_files_became(fold
     files = {"launch/planning_context.launch": context, "config/second.srdf": SRDF}
     after = migrated(folder, files)["launch/planning_context.launch"]
     assert after == context.replace("_upload.launch", "_upload.launch.py")
+
+
+ELSEWHERE = """\
+<launch>
+  <arg name="robot" default="left"/>
+  <param name="robot_description" textfile="$(find arm)/urdf/arm.xacro"/>
+  <param name="robot_description_semantic" textfile="$(find arm_moveit)/config/$(arg robot)/arm.srdf"/>
+  <group ns="robot_description_planning">
+    <rosparam command="load" file="$(find arm_moveit)/config/$(arg robot)/joint_limits.yaml"/>
+  </group>
+  <group ns="robot_description_kinematics"><rosparam file="$(find arm_moveit)/config/kinematics.yaml"/></group>
+</launch>
+"""
+
+
+def test_files_that_are_not_directly_in_config_are_named(folder: Folder) -> None:
+    files = {
+        "launch/planning_context.launch": ELSEWHERE,
+        "launch/move_group.launch": "<launch/>",
+        "config/left/arm.srdf": SRDF,
+        "config/left/joint_limits.yaml": "joint_limits: {}\n",
+        "config/left/controllers.yaml": LIST,
+    }
+    after = migrated(folder, files, "jazzy", mark=False)
+    assert """
+        .robot_description_semantic(file_path="config/left/arm.srdf")
+        .joint_limits(file_path="config/left/joint_limits.yaml")
+        .trajectory_execution(file_path="config/left/moveit_controllers.yaml")
+        .to_moveit_configs()
+""" in after["launch/move_group.launch.py"]

@@ -195,3 +195,26 @@ def test_a_robot_without_controllers_starts_in_the_simulator_as_before(
     programs = ("gz_sim.launch.py", "gazebo.launch.py", "parameter_bridge", "create", "spawn_entity.py")
     assert tuple(name for name in programs if f'{name}"' in text) == started
     assert "robot_state_publisher" in text
+
+
+ELSEWHERE = """\
+<launch>
+  <arg name="side" default="left"/>
+  <include file="$(find gazebo_ros)/launch/empty_world.launch"/>
+  <param name="robot_description" command="$(find xacro)/xacro $(find vendor_description)/arm.urdf.xacro"/>
+  <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm"/>
+  <rosparam file="$(find arm)/config/c.yaml"/>
+  <node name="spawner" pkg="controller_manager" type="spawner" args="$(arg side)/ctl"/>
+</launch>
+"""
+
+
+def test_a_robot_of_another_package_in_gazebo_has_its_manager_there(folder: Folder) -> None:
+    files = {"launch/arm.launch": ELSEWHERE, "config/c.yaml": CONTROLLERS}
+    text = " ".join(migrated(folder, files, "--simulator", "gz")["launch/arm.launch.py"].split())
+    assert "ros2_control_node" not in text
+    assert "let the plugin of gz in it load '$(find arm)/config/c.yaml' by <parameters>" in text
+    assert 'executable="spawner", arguments=["ctl", "--param-file",' in text
+    robot = {"urdf/arm.xacro": arm(transmission("EffortJointInterface"))}  # it is for real hardware
+    text = migrated(folder, files | robot, "--simulator", "gz")["launch/arm.launch.py"]
+    assert 'executable="ros2_control_node"' in text

@@ -49,6 +49,10 @@ SCOPED = """\
         ('<param name="/~serial" type="str" value="0012"/>', '"serial": "0012"'),
         ("<rosparam param='source_list'>[/arm/joint_states]</rosparam>", '"source_list": ["/arm/joint_states"]'),
         ("<rosparam ns='zeros'>\n  a: 1\n  b:\n    c: [1, 2.5]\n</rosparam>", '"zeros.a": 1, "zeros.b.c": [1.0, 2.5]'),
+        (
+            "<rosparam param='l' subst_value='true'>[/$(arg arm)/states]</rosparam>",
+            r'"l": ["[\"/", LaunchConfiguration("arm"), "/states\"]"]',
+        ),
         ("<rosparam>{names: ['1', two], on: [true, False]}</rosparam>", '"names": ["1", "two"], "on": [True, False]'),
     ],
 )

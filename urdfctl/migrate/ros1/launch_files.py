@@ -23,7 +23,7 @@ from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT,
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
 from urdfctl.migrate.ros1.spawned_names import spawned_names
 from urdfctl.migrate.shared.controller_files import installed_path, sections, type_names
-from urdfctl.migrate.shared.hardware import simulated_by, started_by_launch_files
+from urdfctl.migrate.shared.hardware import described_elsewhere, simulated_by, started_by_launch_files
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.source.disk.files import is_yaml
@@ -139,6 +139,7 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         files_of=lambda node: _files_of(packages, node),
         publisher=packages.found(idle_publisher),
         descriptions=packages.found(description_names),
+        elsewhere=packages.found(described_elsewhere),
     )
 
 

@@ -35,6 +35,7 @@ class LaunchTarget(NamedTuple):
     published: the descriptions that files publish which this one includes.
     included: returns what is known of an included launch file, by its written address.
     split: the arguments of the file to which other files give several words.
+    elsewhere: whether the description with the plugin of the simulator is in another package.
     """
 
     distro: str
@@ -59,6 +60,7 @@ class LaunchTarget(NamedTuple):
     published: frozenset[str] = frozenset()
     included: Callable[[str], IncludedFile] = lambda _: IncludedFile({}, frozenset())
     split: frozenset[str] = frozenset()
+    elsewhere: bool = False
 
     @property
     def apart(self) -> frozenset[str]:

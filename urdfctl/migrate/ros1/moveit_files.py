@@ -12,7 +12,7 @@ from urdfctl.migrate.edits.yaml_edits import MapEdits
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.left_over import renamed_parameters
-from urdfctl.migrate.ros1.moveit_package import is_of_moveit
+from urdfctl.migrate.ros1.moveit_package import CONTROLLERS_FILE, is_of_moveit
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.span import SourceSpan, SourceText
@@ -21,7 +21,6 @@ from urdfctl.source.yaml.tree import Mapping as Map
 from urdfctl.source.yaml.tree import Node, Scalar, YamlEntry, read_yaml
 from urdfctl.source.yaml.tree import Sequence as List
 
-CONTROLLERS_FILE = "moveit_controllers.yaml"
 _LIST = "controller_list"
 _MANAGER = "moveit_simple_controller_manager"
 _PIPELINE = "_planning_pipeline.launch.xml"

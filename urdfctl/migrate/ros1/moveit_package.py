@@ -18,6 +18,9 @@ from urdfctl.startup.records import NamedTuple
 MARK = ".setup_assistant"
 MOVE_GROUP = "move_group.launch"
 _CONTEXT = "planning_context.launch"
+CONTROLLERS_FILE = "moveit_controllers.yaml"
+_LOADED_BY = {"joint_limits.yaml": "joint_limits", "kinematics.yaml": "robot_description_kinematics"}
+"""The methods of MoveItConfigsBuilder that load the files of a planning context."""
 _ADDRESS = re.compile(r"\$\(find ([\w-]+)\)/([^\s'\"]+)")
 _ARGUMENT = re.compile(r"\$\(arg (\w+)\)")
 _GIVEN = re.compile(r"(\w+):='?([^\s']*)'?")
@@ -87,9 +90,25 @@ def _from_context(packages: MigratedPackages, folder: str, name: str, context: E
         given = dict(_GIVEN.findall(_filled(_source(robot), defaults))) if robot is not None else {}
         more = f", mappings={_dict(given)}" if given else ""
         calls.insert(0, f"robot_description(file_path={_shown(of_robot, name)}{more})")
+    calls += _elsewhere(packages, folder, name, context, defaults)
     files = addressed_files(packages, of_semantic[0])
     title = next((_robot(packages, path) for path in files), "") or name.removesuffix("_moveit_config")
     return MoveitPackage(folder, name, title, tuple(calls), needs_description=of_robot is None and not has_mark)
+
+
+def _elsewhere(
+    packages: MigratedPackages, folder: str, name: str, context: Element, defaults: Mapping[str, str]
+) -> Iterator[str]:
+    """Yield the calls for files that MoveItConfigsBuilder does not find by itself: it looks directly in config/."""
+    for one in elements(context):
+        address = _ADDRESS.search(_filled(one.attrs.get("file", ""), defaults)) if one.tagName == "rosparam" else None
+        call = _LOADED_BY.get(os.path.basename(address[2])) if address is not None else None
+        if address is not None and call and "$" not in address[2] and os.path.dirname(address[2]) != "config":
+            yield f"{call}(file_path={_shown(address, name)})"
+    config = os.path.join(folder, "config")
+    lists = [path for path in packages.files(f"/{CONTROLLERS_FILE}") if path.startswith(config + os.sep)]
+    if len(lists) == 1 and os.path.dirname(lists[0]) != config:
+        yield f"trajectory_execution(file_path={python_text(os.path.relpath(lists[0], folder).replace(os.sep, '/'))})"
 
 
 def _defaults(context: Element) -> dict[str, str]:

@@ -32,6 +32,7 @@ from urdfctl.migrate.ros1.roslaunch_nodes import (
     simulator_actions,
 )
 from urdfctl.migrate.ros1.roslaunch_values import (
+    around,
     given_by_name,
     inline_parameters,
     parameter_name,
@@ -300,13 +301,11 @@ class LaunchReading(Notes):
 
     def _parameter_files(self, parent: Element) -> list[LoadedFile]:
         found = []
-        around: Element | None = parent
-        while isinstance(around, Element):
-            loads = (one for one in around.elements() if one.tagName == "rosparam" and "file" in one.attrs)
+        for outer in (parent, *around(parent)):
+            loads = (one for one in outer.elements() if one.tagName == "rosparam" and "file" in one.attrs)
             found += [
                 LoadedFile(parsed(one.attrs["file"]), one.attrs.get("if"), one.attrs.get("unless")) for one in loads
             ]
-            around = around.parentNode if isinstance(around.parentNode, Element) else None
         return found
 
     def _param(self, element: Element) -> Iterator[Action]:
@@ -341,6 +340,11 @@ class LaunchReading(Notes):
             return  # the spawner starts the broadcaster, which the controller file declares
         elif not self.names_controllers(file):
             self.left.append(f"ROS 2 has no global parameters: give '{file}' to the node that reads it")
+        elif self.target.elsewhere:
+            text = (
+                f"the robot's description is in another package: let the plugin of {self.target.simulator} in it load"
+            )
+            self.left.append(f"{text} '{file}' by <parameters>")
         elif not self.target.simulated and not self.target.has_manager:
             self.target = self.target._replace(has_manager=True)
             yield self._manager(element, parsed(file))

@@ -237,7 +237,12 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
             space = value or ()
         else:
             spawned = reading.target.spawned.get(full_name(element, plain(word))) if is_literal(word) else None
-            word = literal(spawned.name) if spawned is not None else word  # noqa: PLW2901 (the same name in ROS 2)
+            last = word[-1].text.rpartition("/")[2] if word and word[-1].kind == "text" else ""
+            if spawned is not None or (last and not is_literal(word) and "/" in word[-1].text):
+                name = spawned.name if spawned is not None else last
+                if spawned is None:
+                    reading.decided.append(f"'{_file_text(word)}' is spawned as '{name}': names have no slash in ROS 2")
+                word = literal(name)  # noqa: PLW2901 (the same name in ROS 2)
             is_declared_elsewhere = option == OLD_NAME and DECLARED_IN in map(_file_text, files)
             names.append(literal(NEW_NAME) if is_declared_elsewhere else word)
     manager = (

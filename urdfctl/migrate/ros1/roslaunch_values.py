@@ -68,7 +68,8 @@ def _leaves(node: Node, name: str) -> Iterator[tuple[str, Text]]:
             yield from _leaves(entry.value, ".".join(filter(None, (name, parameter_name(entry.key.text)))))
     elif isinstance(node, Sequence):
         if node.items and name and all(isinstance(item, Scalar) for item in node.items):
-            yield name, (PartOfText("yaml", f"[{', '.join(_items(node))}]"),)
+            text = f"[{', '.join(_items(node))}]"
+            yield name, parsed(text) if "$(" in text else (PartOfText("yaml", text),)
     elif name and node.text:
         is_text = bool(node.style) and _NO_STRING.fullmatch(node.text)
         yield name, (PartOfText("yaml", yaml_text(node.text)),) if is_text else parsed(node.text)

@@ -11,6 +11,7 @@ from urdfctl.migrate.packages import OF_XML, MigratedPackages
 HARDWARE_OPTION = "--hardware PLUGIN"
 
 
+_HARDWARE = (b"<transmission", b"<ros2_control", b":ros2_control")
 _HOSTS = (
     b"libgazebo_ros_control.so",
     b"libgazebo_ros2_control.so",
@@ -23,8 +24,18 @@ def simulated_by(packages: MigratedPackages) -> str:
     """Return the simulator that runs the controllers after the migration; `none` if no plugin of the robots does."""
     simulator = packages.simulator or "none"
     if simulator in ("gz", "gazebo-classic") and not packages.found(_has_host):
-        return "none"
+        return simulator if packages.found(described_elsewhere) else "none"
     return simulator
+
+
+def described_elsewhere(packages: MigratedPackages) -> bool:
+    """Return whether launch files put a robot into Gazebo whose hardware no description here has: its package is
+    another one."""
+    if packages.found(_has_host) or any(
+        mark in packages.read(path).data for path in packages.files(*OF_XML) for mark in _HARDWARE
+    ):
+        return False
+    return any(b"spawn_model" in packages.read(path).data for path in packages.files(".launch", ".xml"))
 
 
 def _has_host(packages: MigratedPackages) -> bool:
