@@ -148,3 +148,15 @@ def test_a_spawner_reads_the_description_of_the_launch_files_that_are_started_wi
     topics = {"left": "/left/robot_description", "put": "/left/robot_description", "other": "robot_description"}
     for name, topic in topics.items():
         assert f'"-topic", "{topic}"' in " ".join(after[f"launch/{name}.launch.py"].split())
+
+
+def test_each_robot_has_the_publisher_of_the_launch_files_that_are_started_with_it(folder: Folder) -> None:
+    files = {"arm.urdf.xacro": robot("/left")}
+    for side in ("left", "right"):
+        remap = f'<remap from="joint_states" to="/{side}/joint_states"/>'
+        include = f'<include file="$(find arm)/launch/{side}_control.launch"/>'
+        files[f"launch/{side}.launch"] = launch(DESCRIPTION, SPAWN, include)
+        files[f"launch/{side}_control.launch"] = launch(PUBLISHER.format(more=remap))
+    after = migrated(folder, files, "--simulator", "gz")
+    for side in ("left", "right"):
+        assert f'remappings=[("joint_states", "/{side}/joint_states")]' in after[f"launch/{side}.launch.py"]

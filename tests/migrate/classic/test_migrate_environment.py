@@ -58,9 +58,9 @@ def test_a_package_without_meshes_and_models_exports_nothing_more(folder: Folder
     assert "gazebo_model_path" not in after(folder, {})["package.xml"]
 
 
-@pytest.mark.parametrize(("package", "count"), [("other", 1), ("base", 0)])
-def test_a_package_whose_path_is_set_exports_nothing(folder: Folder, package: str, count: int) -> None:
-    text = f'<launch>\n  <set_env name="GZ_SIM_RESOURCE_PATH" value="/ws/{package}/models"/>\n</launch>\n'
+@pytest.mark.parametrize(("path", "count"), [("other/..", 1), ("base/..", 0), ("base/models", 1), ("base/rviz", 1)])
+def test_a_package_whose_path_is_set_exports_nothing(folder: Folder, path: str, count: int) -> None:
+    text = f'<launch>\n  <set_env name="GZ_SIM_RESOURCE_PATH" value="/ws/{path}"/>\n</launch>\n'
     more = {"meshes/shell.stl": "solid shell\nendsolid\n", "launch/models.launch.xml": text}
     assert after(folder, more, MESH + CONTROL)["package.xml"].count("gazebo_model_path") == count
 

@@ -27,6 +27,8 @@ VARIABLES: Mapping[str, str] = {
 }
 _NAME = re.compile(rb"(?<!\w)GAZEBO_(?:MODEL|RESOURCE|PLUGIN)_PATH(?!\w)")
 _OF_XML = (".xacro", ".urdf", ".gazebo")
+_INSIDE = re.compile(rb"['\"]?\)?[\s,]*['\"]?/(?!\.\.)[\w.-]")
+_OTHER_THAN_MODELS = re.compile(rb"['\"]?\)?[\s,]*['\"]?/(?!\.\.|models)[\w.-]")
 _NEAR = 300
 """Bytes around the name of a variable in which its value is mostly written."""
 
@@ -61,8 +63,8 @@ def _exports(packages: MigratedPackages) -> Iterator[Proposal]:
             continue
         folder = os.path.dirname(path)
         is_used = content(name) in used or is_folder(os.path.join(folder, "meshes"))
-        lines = list(_paths(folder, is_used=is_used))
-        if lines and not _is_set(packages, content(name)) and (edit := _added(export, lines)) is not None:
+        lines = list(_paths(packages, folder, content(name), is_used=is_used))
+        if lines and (edit := _added(export, lines)) is not None:
             what = "the package exports where the simulator finds its meshes and models"
             yield Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, what, export.at, authority=_EXPORT),))
 
@@ -74,21 +76,26 @@ def _packages_of_meshes(packages: MigratedPackages) -> Iterator[str]:
             yield found[1].decode()
 
 
-def _paths(folder: str, *, is_used: bool) -> Iterator[str]:
-    """The elements that export the parent folder of a package, and its folder of models."""
-    if is_used:
+def _paths(packages: MigratedPackages, folder: str, name: str, *, is_used: bool) -> Iterator[str]:
+    """The elements that export the parent folder of a package, and its folder of models, unless they are set already."""
+    if is_used and not _is_set(packages, name, _INSIDE):
         yield '<gazebo_ros gazebo_model_path="${prefix}/.."/>'
-    if any(file == "model.config" for _, _, files in walk(os.path.join(folder, "models")) for file in files):
+    has_models = any(file == "model.config" for _, _, files in walk(os.path.join(folder, "models")) for file in files)
+    if has_models and not _is_set(packages, name, _OTHER_THAN_MODELS):
         yield '<gazebo_ros gazebo_model_path="${prefix}/models"/>'
 
 
-def _is_set(packages: MigratedPackages, name: str) -> bool:
-    """Whether a launch file or a hook of the packages says where the models of a package are."""
+def _is_set(packages: MigratedPackages, name: str, other: re.Pattern[bytes]) -> bool:
+    """Whether a launch file or a hook of the packages says where the models of a package are.
+
+    other: what follows the name where it is for another folder.
+    """
     near = re.compile(rb"(?s)(?<![\w-])%s(?![\w-])" % re.escape(name.encode()))
     for path in packages.files(*HOOKS, ".py", ".xml"):
         text = packages.read(path).data
         for found in re.finditer(rb"(?:GZ_SIM|IGN_GAZEBO)_RESOURCE_PATH", text):
-            if near.search(text, max(found.start() - _NEAR, 0), found.end() + _NEAR):
+            around = near.finditer(text, max(found.start() - _NEAR, 0), found.end() + _NEAR)
+            if any(not other.match(text, one.end()) for one in around):
                 return True
     return False
 

@@ -55,15 +55,22 @@ def names_description(old: Text) -> bool:
     return plain(old).rpartition("/")[2] == "robot_description"
 
 
-def idle_publisher(packages: MigratedPackages) -> Element | None:
-    """Return the only robot_state_publisher of launch files that set no description; None if several differ."""
-    found: dict[str, Element] = {}
-    names = packages.found(description_names)
-    for root in packages.found(launch_roots).values():
+def idle_publishers(packages: MigratedPackages) -> dict[str, Element]:
+    """Return the only robot_state_publisher of launch files that set no description, for each launch file: the one of
+    the files that are started with it, or of all without any; none if several differ."""
+    names, roots = packages.found(description_names), packages.found(launch_roots)
+    idle: dict[str, list[Element]] = {}
+    for path, root in roots.items():
         every = list(elements(root))
         if not any(is_description(element, names) for element in every):
-            found |= {_said(one): one for one in every if _is_publisher(one)}
-    return next(iter(found.values())) if len(found) == 1 else None
+            idle[path] = [one for one in every if _is_publisher(one)]
+    found: dict[str, Element] = {}
+    for path, group in packages.found(_started_together).items():
+        own = [one for other in sorted(group) for one in idle.get(other, ())]
+        kinds = {_said(one): one for one in own or (one for each in idle.values() for one in each)}
+        if len(kinds) == 1:
+            found[path] = next(iter(kinds.values()))
+    return found
 
 
 def _is_publisher(element: Element) -> bool:
@@ -85,22 +92,22 @@ def spaces_of_description(packages: MigratedPackages) -> frozenset[str]:
 
 
 def spaces_by_file(packages: MigratedPackages) -> dict[str, frozenset[str]]:
-    """Return those namespaces for each launch file: of the files that are started with it, or of all without any.
-
-    With it are those that it includes, that include it, and so on.
-    """
+    """Return those namespaces for each launch file: of the files that are started with it, or of all without any."""
     published, every = packages.found(_published), packages.found(spaces_of_description)
-    joined: dict[str, set[str]] = {}
-    for path in packages.found(launch_roots):
-        joined.setdefault(path, {path})
+    found = {}
+    for path, group in packages.found(_started_together).items():
+        found[path] = frozenset(space for one in group for space in published.get(one, ())) or every
+    return found
+
+
+def _started_together(packages: MigratedPackages) -> dict[str, set[str]]:
+    """The launch files that are started with each one: that it includes, that include it, and so on."""
+    joined: dict[str, set[str]] = {path: {path} for path in packages.found(launch_roots)}
     for path, parents in packages.found(_including).items():
         for parent, _ in parents:
             both = joined[path] | joined[parent]
             joined.update(dict.fromkeys(both, both))
-    own = {
-        path: frozenset(space for one in group for space in published.get(one, ())) for path, group in joined.items()
-    }
-    return {path: spaces or every for path, spaces in own.items()}
+    return joined
 
 
 def _published(packages: MigratedPackages) -> dict[str, set[str]]:

@@ -14,7 +14,7 @@ from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.written import WrittenLaunch, as_python, as_xml
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.migrate.ros1.described import description_names, idle_publisher, spaces_by_file
+from urdfctl.migrate.ros1.described import description_names, idle_publishers, spaces_by_file
 from urdfctl.migrate.ros1.included import IncludedFile, descriptions_in, included_file, split_arguments
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
 from urdfctl.migrate.ros1.launches import launch_roots
@@ -58,7 +58,11 @@ def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:
         split = frozenset(packages.found(split_arguments).get(path, ()))
         spaces = packages.found(spaces_by_file).get(path, frozenset())
         target = target._replace(
-            included=_included_by(packages, path), published=published, split=split, described_in=spaces
+            included=_included_by(packages, path),
+            published=published,
+            split=split,
+            described_in=spaces,
+            publisher=packages.found(idle_publishers).get(path),
         )
         yield from _migrated(packages, path, root, target)
 
@@ -137,7 +141,6 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         moveit=frozenset(packages_of_moveit(packages)),
         spawned=packages.found(spawned_names),
         files_of=lambda node: _files_of(packages, node),
-        publisher=packages.found(idle_publisher),
         descriptions=packages.found(description_names),
         elsewhere=packages.found(described_elsewhere),
     )
