@@ -125,3 +125,11 @@ def test_commands_of_cmake_are_known_in_capitals(folder: Folder) -> None:
     other = compiled.replace("ADD_EXECUTABLE(mover src/mover.cpp)\n", "")
     after = migrated(folder, {"CMakeLists.txt": other, "urdf/arm.urdf": ROBOT})["CMakeLists.txt"]
     assert after.startswith("PROJECT(arm)\nfind_package(ament_cmake REQUIRED)\n\ninstall(DIRECTORY urdf")
+
+
+def test_meshes_that_are_installed_among_the_headers_are_installed_for_robots_too(folder: Folder) -> None:
+    rule = "install(DIRECTORY {} DESTINATION ${{CATKIN_PACKAGE_{}_DESTINATION}})\n"
+    build = COMMENTED + rule.format("meshes", "INCLUDE") + rule.format("launch", "SHARE")
+    files = {"meshes/arm.stl": "solid", "launch/arm.launch": "<launch/>", "urdf/arm.urdf": ROBOT}
+    after = migrated(folder, {"CMakeLists.txt": build, **files})["CMakeLists.txt"]
+    assert "install(DIRECTORY meshes urdf\n  DESTINATION share/${PROJECT_NAME}\n)" in after

@@ -7,12 +7,17 @@ import signal
 import stat
 import subprocess
 import sys
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 from folder import Folder, environment
 from migrated_packages import FILES, MANIFEST, MIGRATED, ROBOT, content
 from moved_packages import FILES as OF_ROS1
+
+from urdfctl.errors import UserError
+from urdfctl.migrate.trial.scratch import Scratch
+from urdfctl.source.disk.folders import delete_folder
 
 needs_posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such rights, links and signals")
 STRANGE = {
@@ -180,3 +185,14 @@ def test_a_copy_is_complete_or_not_there_whenever_its_run_is_killed(folder: Fold
         assert not killed(folder, AS_COPY, 100)
     assert content(folder, "new") == {**before, "MIGRATION.md": b"2"}
     assert Path(new / "MIGRATION.md").is_file()
+
+
+def test_a_copy_that_another_program_deleted_is_not_written(tmp_path: Path) -> None:
+    package = tmp_path / "arm"
+    package.mkdir()
+    (package / "package.xml").write_text(MANIFEST)
+    with closing(Scratch([str(package)])) as scratch:
+        scratch.check()
+        delete_folder(os.path.dirname(scratch.root))
+        with pytest.raises(UserError, match="was deleted by another program; run urdfctl again"):
+            scratch.check()

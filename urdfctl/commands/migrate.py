@@ -303,6 +303,7 @@ def _is_written(options: MigrateOptions) -> bool:
 
 def _reported(result: Migration, scratch: Scratch, options: MigrateOptions, migration: MigrationOptions) -> _Written:
     """The report of a migration, if there is one to write. UserError if it cannot be written there."""
+    scratch.check()
     base = os.path.commonpath([scratch.real(folder) for folder in scratch.folders])
     is_written = _is_written(options)
     path = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)

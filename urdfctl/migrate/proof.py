@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.migrate.trial.scratch import Scratch
 from urdfctl.output.change import Change
@@ -12,6 +13,8 @@ from urdfctl.source.workspaces.packages import package_around, package_name
 
 _STARTS = (b"gz_sim.launch.py", b"gazebo.launch.py", b"gzserver.launch.py", b"ros2_control_node")
 """What a launch file names that starts a simulator, or the manager of real hardware."""
+_REQUIRED = re.compile(rb'DeclareLaunchArgument\("[\w-]+"\)|<arg name="[\w-]+"/>')
+"""An argument that a person would have to give."""
 _MOST = 3
 
 
@@ -32,6 +35,7 @@ def commands_for(scratch: Scratch, changes: Sequence[Change], target: str, base:
     return (
         f"urdfctl lint {shown} --distro {target}",
         "# in the folder of the workspace:",
+        "rosdep install --from-paths src --ignore-src -r -y",
         f"colcon build --packages-up-to {' '.join(built)}",
         ". install/setup.bash",
         *started[:_MOST],
@@ -39,11 +43,34 @@ def commands_for(scratch: Scratch, changes: Sequence[Change], target: str, base:
 
 
 def _starting(scratch: Scratch, folders: Iterable[str]) -> Iterator[tuple[str, str]]:
-    """Yield the launch files that start robots, each with the folder of its package."""
+    """Yield the launch files that start robots, each with the folder of its package: those that no other one includes
+    and that need no argument, if there are any."""
     known = set(folders)
+    launches: dict[str, tuple[str, bytes]] = {}
     for path in scratch.files():
         folder = package_around(os.path.dirname(path))
-        data = scratch.content(path) if folder in known and is_launch(path) else b""
-        is_of_ros2 = path.endswith((".launch.xml", ".launch.yaml")) or b"generate_launch_description" in data
-        if folder and is_of_ros2 and any(mark in data for mark in _STARTS):
-            yield folder, os.path.basename(path)
+        if folder in known and folder and is_launch(path):
+            launches[path] = folder, scratch.content(path)
+    texts = b"\n".join(data for _, data in launches.values())
+    starting = {
+        path: data for path, (_, data) in launches.items() if _is_of_ros2(path, data) and _starts(data, launches)
+    }
+    whole = [
+        path
+        for path, data in starting.items()
+        if not _REQUIRED.search(data) and f"/{os.path.basename(path)}".encode() not in texts
+    ]
+    for path in whole or starting:
+        yield launches[path][0], os.path.basename(path)
+
+
+def _is_of_ros2(path: str, data: bytes) -> bool:
+    return path.endswith((".launch.xml", ".launch.yaml")) or b"generate_launch_description" in data
+
+
+def _starts(data: bytes, launches: Mapping[str, tuple[str, bytes]], depth: int = 0) -> bool:
+    """Whether a launch file starts a simulator or a manager, or includes one that does."""
+    if any(mark in data for mark in _STARTS):
+        return True
+    included = (one for path, (_, one) in launches.items() if f"/{os.path.basename(path)}".encode() in data)
+    return depth < _MOST and any(_starts(one, launches, depth + 1) for one in included)

@@ -6,12 +6,15 @@ import re
 
 BRIDGE_FILE = "config/bridge.yaml"
 """The new file for ros_gz_bridge, which one step writes and another installs."""
+_INSTALL = r"(?is)install\s*\((?:[^()]|\([^()]*\))*\)"
+_ELSEWHERE = r"(?i)DESTINATION\s+[\"']?(?:include|bin|\$\{CATKIN_PACKAGE_INCLUDE_DESTINATION\})(?!\w)"
+"""A rule for a folder in which nothing of a package is looked for, except what is compiled."""
 
 
 def installs(text: str, folder: str) -> bool:
     """Return whether a build file has an install rule that names a folder, or takes folders from an unknown list."""
     text = re.sub(r"#.*", "", text)
-    rules = re.findall(r"(?is)install\s*\((?:[^()]|\([^()]*\))*\)", text)
+    rules = [rule for rule in re.findall(_INSTALL, text) if not re.search(_ELSEWHERE, rule)]
     lists = re.findall(r"(?is)foreach\s*\(.*?\)", text)
     if any(re.search(rf"(?<![\w/]){folder}\b", part) for part in [*rules, *lists]):
         return True

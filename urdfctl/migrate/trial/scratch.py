@@ -50,7 +50,10 @@ class Scratch:
         self._temporary = scratch_folder()
         self.root = os.path.join(os.path.realpath(self._temporary.name), os.path.basename(self._workspace) or "ws")
         self.folders = [self.of(folder) for folder in real]
+        self._mark = os.path.join(os.path.realpath(self._temporary.name), ".copied")
         try:
+            with open(self._mark, "wb"):
+                pass
             for folder, copy in zip(real, self.folders, strict=True):
                 _copy(folder, copy)
             self._copy_settings(real)
@@ -67,6 +70,11 @@ class Scratch:
     def close(self) -> None:
         """Delete the copy."""
         self._temporary.cleanup()
+
+    def check(self) -> None:
+        """Raise UserError if another program deleted the copy meanwhile, as cleaners of temporary folders do."""
+        if not is_file(self._mark):
+            raise UserError(f"the copy in '{self._temporary.name}' was deleted by another program; run urdfctl again")
 
     def of(self, real: str) -> str:
         """Return the path in the copy that stands for a real path."""
