@@ -11,7 +11,7 @@ from urdfctl.errors import UserError
 from urdfctl.output.change import Change, bytes_of
 from urdfctl.output.scratch import scratch_folder
 from urdfctl.source.disk.files import folders_upwards
-from urdfctl.source.disk.gate import is_file, walk
+from urdfctl.source.disk.gate import is_file, is_folder, walk
 from urdfctl.source.disk.gitignore import GitIgnore
 from urdfctl.source.workspaces.packages import package_around, package_folders, package_name
 from urdfctl.source.workspaces.workspace import workspace_of
@@ -52,8 +52,6 @@ class Scratch:
         self.folders = [self.of(folder) for folder in real]
         self._mark = os.path.join(os.path.realpath(self._temporary.name), ".copied")
         try:
-            with open(self._mark, "wb"):
-                pass
             for folder, copy in zip(real, self.folders, strict=True):
                 _copy(folder, copy)
             self._copy_settings(real)
@@ -73,7 +71,7 @@ class Scratch:
 
     def check(self) -> None:
         """Raise UserError if another program deleted the copy meanwhile, as cleaners of temporary folders do."""
-        if not is_file(self._mark):
+        if not is_folder(self._mark):
             raise UserError(f"the copy in '{self._temporary.name}' was deleted by another program; run urdfctl again")
 
     def of(self, real: str) -> str:
@@ -172,7 +170,8 @@ class Scratch:
                 yield from (path for path in paths if not git.ignores(path, is_folder=False))
 
     def _copy_settings(self, real: Sequence[str]) -> None:
-        """Copy the configuration files above the folders to migrate, and the .gitignore files."""
+        """Copy the configuration files above the folders to migrate, and the .gitignore files. Mark the copy as whole."""
+        os.makedirs(self._mark, exist_ok=True)
         above = {one for folder in real for one in folders_upwards(os.path.dirname(folder))}
         for folder in sorted(one for one in above if _is_below(one, self._workspace)):
             _mark_repository(folder, self.of(folder))
