@@ -170,7 +170,7 @@ class Scratch:
                 yield from (path for path in paths if not git.ignores(path, is_folder=False))
 
     def _copy_settings(self, real: Sequence[str]) -> None:
-        """Copy the configuration files above the folders to migrate, and the .gitignore files. Mark the copy as whole."""
+        """Copy the configuration files above the folders to migrate, and the .gitignore files, and mark the copy."""
         os.makedirs(self._mark, exist_ok=True)
         above = {one for folder in real for one in folders_upwards(os.path.dirname(folder))}
         for folder in sorted(one for one in above if _is_below(one, self._workspace)):
