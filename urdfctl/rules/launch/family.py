@@ -34,6 +34,7 @@ from urdfctl.rules.launch.node_name_twice import node_name_twice
 from urdfctl.rules.launch.package_misspelt import package_misspelt
 from urdfctl.rules.launch.package_not_in_manifest import package_not_in_manifest
 from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_not_given_to_controller
+from urdfctl.rules.launch.program_unknown import program_unknown
 from urdfctl.rules.launch.publisher_of_older_distro import publisher_of_older_distro
 from urdfctl.rules.launch.publisher_without_description import publisher_without_description
 from urdfctl.rules.launch.simulated_time_off import simulated_time_off
@@ -80,6 +81,7 @@ FAULTS: tuple[Fault, ...] = (
     spawner_without_name,
     spawner_after_endless_program,
     publisher_without_description,
+    program_unknown,
     described_by_macros_only,
     description_read_as_yaml,
     node_name_twice,
