@@ -23,6 +23,8 @@ _SPAWN = """
               <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param %s -model arm"/>
             </launch>
 """
+_FOREIGN = """
+      <include file="$(find-pkg-share other_arm)/launch/arm.launch.py"/>"""
 _SET = """
               <param name="robot_description" textfile="$(find arm)/arm.urdf"/>"""
 
@@ -54,6 +56,11 @@ def _of_ros1(parameter: str, set_before: str = _SET) -> dict[str, str]:
         _of_ros2(_GZ % "«robot_description»"),
         _of_ros1("«robot_descripton»"),
         _of_ros1("«robot_description»", ""),
+        {
+            **_of_ros1("«robot_description»", _SET.replace("robot_description", "robot_desc")),
+            "other.launch": f"<launch>{_SET}</launch>",
+        },
+        _of_ros2(PUBLISHER, _GZ % "«robot_descriptions»", _FOREIGN),
     ],
     good=[
         _of_ros2(PUBLISHER, _GZ % "robot_description"),
@@ -61,6 +68,7 @@ def _of_ros1(parameter: str, set_before: str = _SET) -> dict[str, str]:
         {**_of_ros2(PUBLISHER, _GZ % "robot_desc"), "publish.py": "node.create_publisher(String, 'robot_desc', 1)\n"},
         {**_of_ros2(_GZ % "robot_description"), "state.launch.xml": f"<launch>{PUBLISHER}</launch>"},
         _of_ros1("robot_description"),
+        _of_ros2(PUBLISHER, _GZ % "robot_model", _FOREIGN),
         {**_of_ros1("robot_description", ""), "README.md": "rosparam set robot_description -t arm.urdf\n"},
     ],
 )
@@ -69,14 +77,15 @@ def model_description_missing(project: Project) -> Iterator[Finding]:
 
     With `-topic`, the program waits for a description that never comes. With `-param` of ROS 1, it ends with a KeyError.
     Either way the robot is not spawned, and its controller manager does not start. It is an error if the launch file
-    publishes the description under another name.
+    publishes the description under another name. If some included file is not here, only a similar name is reported.
     """
     launch = project.launch
-    if launch is None or not launch.complete:
+    if launch is None or not (launch.complete or launch.unread):
         return
     for node in model_spawners(launch):
         if node.sure and node.complete and node.namespace is not None:
-            yield from _of_topic(project, launch, node) if launch.ros == ROS_2 else _of_parameter(project, launch, node)
+            found = _of_topic(project, launch, node) if launch.ros == ROS_2 else _of_parameter(project, launch, node)
+            yield from found if launch.complete else (each for each in found if each.fix is not None)
 
 
 def _of_topic(project: Project, launch: Launch, node: Node) -> Iterator[Finding]:
@@ -93,7 +102,7 @@ def _of_topic(project: Project, launch: Launch, node: Node) -> Iterator[Finding]
             yield _finding(node, word, f"nothing here publishes '{asked}'", Severity.WARNING)
     elif not project.may_mention(_named(asked)):
         topic, publisher = next(iter(offered.items()))
-        sure = all(each.sure for each in launch.nodes)
+        sure = launch.complete and all(each.sure for each in launch.nodes)
         found = _finding(node, word, f"robot_state_publisher publishes '{topic}'", None if sure else Severity.WARNING)
         fix = replaced(word.at, word.text, topic.lstrip("/")) if nearest(asked, [topic]) else None
         yield found._replace(notes=(Note("robot_state_publisher is started here", publisher.at),), fix=fix)
@@ -108,13 +117,23 @@ def _of_parameter(project: Project, launch: Launch, node: Node) -> Iterator[Find
         return
     if not all(load.file.exists for load in launch.loads) or any(not one.name for one in launch.inline):
         return
-    if project.may_mention(_named(asked)):
+    others = [
+        name for name in launch.named if re.search("desc|urdf", name.rpartition("/")[2]) and not _reads(launch, name)
+    ]
+    is_elsewhere = project.may_mention(_named(asked))
+    if is_elsewhere and not others:
         return
-    others = [name for name in launch.named if name.endswith("description")]
     what = f"the launch file sets '{others[0]}'" if others else "nothing here sets it"
     message = f"'{node.executable.text}' reads parameter '{asked}', but {what}"
     fix = replaced(word.at, word.text, others[0].lstrip("/")) if others and nearest(asked, others) else None
-    yield Finding(word.at, message, fix=fix, severity=None if others else Severity.WARNING)
+    sure = launch.complete and others and not is_elsewhere
+    yield Finding(word.at, message, fix=fix, severity=None if sure else Severity.WARNING)
+
+
+def _reads(launch: Launch, name: str) -> bool:
+    """Whether a node of the launch file may read a parameter: an argument or a parameter of it says its name."""
+    words = (word.text for node in launch.nodes for word in (*node.words, *node.parameters))
+    return any(re.search(_named(name), word) for word in words)
 
 
 def _finding(node: Node, word: Word, what: str, severity: Severity | None) -> Finding:
