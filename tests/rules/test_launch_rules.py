@@ -429,3 +429,26 @@ def test_an_included_file_that_is_not_here_makes_a_warning_that_names_it(folder:
     [doubtful] = robots.findings("arm.launch", ("UC643", "UC525"), workspace=str(folder.path), distro="noetic")
     assert doubtful.severity.value == "warning"
     assert "this file cannot be read here" in doubtful.notes[-1].message
+
+
+LOADED = """
+import os
+import yaml
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    with open(os.path.join(get_package_share_directory("arm"), "arm.yaml")) as file:
+        values = yaml.safe_load(file)
+    return LaunchDescription([Node(package="arm", executable="arm", parameters=[values])])
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "codes"), [("a:\n\tb: 1\n", ["UC026"]), ("a:\n  b: 1\n", []), ("a: {{ b }}: c\n", [])]
+)
+def test_yaml_that_a_launch_file_loads_is_checked(text: str, codes: list[str], folder: Folder) -> None:
+    manifest = "<package format='3'><name>arm</name></package>"
+    files = {"arm.launch.py": LOADED, "arm.yaml": text, "package.xml": manifest}
+    assert [one[0] for one in found(folder, files, "UC0")] == codes

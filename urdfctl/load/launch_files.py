@@ -273,7 +273,7 @@ class _LaunchFileReader:
         source = self._source(self.packages.source_of(path)) if self._loads <= _MOST_LOADS else None
         if source is None or len(source.data) > _MOST_BYTES:
             return None
-        return term_of_yaml(self._read_by_python(read_yaml(source)))
+        return term_of_yaml(self._well_formed(read_yaml(source)))
 
     def look_for_tags(self, inline: Iterable[InlineParameters]) -> None:
         """Look for tags that rosparam refuses in the parameters that ROS 1 launch files contain."""
@@ -292,10 +292,13 @@ class _LaunchFileReader:
         from urdfctl.source.launch.frontend import of_yaml
         from urdfctl.source.yaml.tree import read_yaml
 
-        file = self._read_by_python(read_yaml(source))
-        if not file.readable and not re.search(_TEMPLATE, source.data):
+        return of_yaml(self._well_formed(read_yaml(source)))
+
+    def _well_formed(self, file: YamlFile) -> YamlFile:
+        """A YAML file that launch, or a launch file, reads, and where it is no YAML; a template is not known to be."""
+        if not file.readable and not re.search(_TEMPLATE, file.source.data):
             self.problems += [problem for problem in file.problems if problem not in self.problems]
-        return of_yaml(file)
+        return self._read_by_python(file)
 
     def module(self, name: str, importer: str) -> SourceText | None:
         """The text of a Python module of the workspace; None if there is no such module."""
