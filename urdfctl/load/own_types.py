@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.definitions import Definition, definition_of
-from urdfctl.model.project import OwnTypes
+from urdfctl.model.project import OwnHardware, OwnTypes
 from urdfctl.names import is_slip
 from urdfctl.source.disk.files import FileProblem, Files
-from urdfctl.source.workspaces.plugin_exports import ExportedClass, definition_files, exported_classes, sources_of_class
+from urdfctl.source.workspaces.plugin_exports import (
+    ExportedClass,
+    built_classes,
+    category_of,
+    definition_files,
+    exported_classes,
+    sources_of_class,
+)
 from urdfctl.source.yaml.tree import read_yaml
 from urdfctl.startup.records import NamedTuple
 
@@ -51,6 +59,7 @@ def own_types(wanted: Collection[str], exports: Iterable[ExportedClasses], files
     prefixes = prefixes_of(wanted)
     controllers: dict[str, Mapping[str, Any]] = {}
     hardware: list[str] = []
+    classes: dict[str, OwnHardware] = {}
     for each in exports:
         if each.package not in prefixes and not any(_may_be_meant(one.name, wanted) for one in each.classes):
             continue
@@ -59,7 +68,21 @@ def own_types(wanted: Collection[str], exports: Iterable[ExportedClasses], files
                 controllers[one.name] = _controller(one, each, wanted, files)
             elif one.base.endswith(_HARDWARE_BASES):
                 hardware.append(one.name)
-    return OwnTypes(controllers, tuple(hardware))
+                if one.name in wanted:
+                    classes[one.name] = _hardware(one, each)
+    return OwnTypes(controllers, tuple(hardware), classes)
+
+
+def _hardware(one: ExportedClass, exports: ExportedClasses) -> OwnHardware:
+    """How a package makes a hardware class known to pluginlib."""
+    return OwnHardware(
+        package=exports.package,
+        kind=one.kind,
+        base=one.base,
+        description=os.path.relpath(one.path, exports.folder),
+        category=category_of(exports.folder, one.path),
+        built=built_classes(exports.folder),
+    )
 
 
 def _may_be_meant(name: str, wanted: Collection[str]) -> bool:

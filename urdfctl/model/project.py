@@ -68,17 +68,37 @@ class Evidence(NamedTuple):
         return generations.pop() if len(generations) == 1 else None
 
 
+class OwnHardware(NamedTuple):
+    """How a package of the workspace makes a hardware class known to pluginlib.
+
+    kind: the C++ class, as the plugin description says it.
+    base: the C++ class that it is loaded as.
+    description: the plugin description, by its path in the package.
+    category: what the build file exports that description for; empty if for nothing, None if unknown.
+    built: the classes that the sources export, each with its base.
+    """
+
+    package: str
+    kind: str
+    base: str
+    description: str
+    category: str | None = None
+    built: tuple[tuple[str, str], ...] = ()
+
+
 class OwnTypes(NamedTuple):
     """Types that packages of the workspace export, as far as the project concerns them.
 
     controllers: entries of controllers in the form of the catalogue, by type. `open`: the controller may read other
         parameters too; if it has no `parameters`, they are unknown.
     hardware: the names of hardware plugins.
+    classes: the classes of those that the project uses, by name.
     nodes: the parameters of other nodes, by the node's name.
     """
 
     controllers: Mapping[str, Mapping[str, Any]] = MappingProxyType({})
     hardware: tuple[str, ...] = ()
+    classes: Mapping[str, OwnHardware] = MappingProxyType({})
     nodes: Mapping[str, Mapping[str, Mapping[str, Any]]] = MappingProxyType({})
 
 

@@ -26,6 +26,7 @@ from urdfctl.rules.ros2_control.component_without_name import component_without_
 from urdfctl.rules.ros2_control.component_without_parts import component_without_parts
 from urdfctl.rules.ros2_control.component_without_type import component_without_type
 from urdfctl.rules.ros2_control.element_not_read import element_not_read
+from urdfctl.rules.ros2_control.hardware_class_not_exported import hardware_class_not_exported
 from urdfctl.rules.ros2_control.hardware_given_twice import hardware_given_twice
 from urdfctl.rules.ros2_control.hardware_parameter_malformed import hardware_parameter_malformed
 from urdfctl.rules.ros2_control.hardware_parameter_unknown import hardware_parameter_unknown
@@ -139,4 +140,5 @@ FAULTS: tuple[Fault, ...] = (
     part_without_prefix,
     mimic_joint_not_in_component,
     mimic_offset_not_applied,
+    hardware_class_not_exported,
 )

@@ -19,7 +19,11 @@ _MOST_BYTES = 1 << 20
 _MOST_SOURCES = 300
 _COMMENT = re.compile(r"#[^\n]*")
 _XML_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
-_EXPORT_FILE = re.compile(r"(?i)\bpluginlib_export_plugin_description_file\s*\(\s*[^\s()]+\s+\"?([^\s()\"]+)\"?\s*\)")
+_EXPORT_CALL = re.compile(
+    r"(?i)\bpluginlib_export_plugin_description_file\s*\(\s*\"?([^\s()\"]+)\"?\s+\"?([^\s()\"]+)\"?\s*\)"
+)
+_OTHER_WAYS = re.compile(r"(?i)\b(?:include|function|macro|add_subdirectory|ament_index_register_resource)\s*\(")
+_EXPORTING = re.compile(r"\bPLUGINLIB_EXPORT_CLASS\s*\(\s*([\w:]+)\s*,\s*([\w:]+)\s*\)")
 _PLUGIN_ATTRIBUTE = re.compile(r"<\w+\s[^<>]*\bplugin\s*=\s*[\"']\$\{prefix\}/([^\"']+)[\"']")
 _LIBRARY = re.compile(r"(?i)\bgenerate_parameter_(?:library|module)\s*\(\s*([^\s()]+)\s+\"?([^\s()\"]+)\"?")
 _SET = re.compile(r"(?i)\bset\s*\(\s*(\w+)\s+\"?([^\s()\"]+)\"?\s*\)")
@@ -34,11 +38,15 @@ class ExportedClass(NamedTuple):
     name: the name that it is loaded by.
     class_name: the C++ class, without namespace.
     base: the C++ class that the plugin has to be, with namespace.
+    kind: the C++ class, as it is written.
+    path: the plugin description.
     """
 
     name: str
     class_name: str
     base: str
+    kind: str = ""
+    path: str = ""
 
 
 class DefinitionFile(NamedTuple):
@@ -62,7 +70,8 @@ def exported_classes(folder: str, files: Files) -> Iterator[ExportedClass]:
             base, kind = element.attrs.get("base_class_type", ""), element.attrs.get("type", "")
             if element.tagName == "class" and base and kind:
                 name = element.attrs.get("name") or kind
-                yield ExportedClass(name.strip(), kind.strip().rpartition("::")[2], base.strip())
+                kind = kind.strip()
+                yield ExportedClass(name.strip(), kind.rpartition("::")[2], base.strip(), kind, path)
 
 
 def _descriptions(folder: str) -> list[str]:
@@ -72,9 +81,27 @@ def _descriptions(folder: str) -> list[str]:
     if "${prefix}" in manifest:
         named += _PLUGIN_ATTRIBUTE.findall(_XML_COMMENT.sub("", manifest))
     if "plugin_description_file" in cmake.lower():
-        named += _EXPORT_FILE.findall(_substituted(cmake))
+        named += [path for _, path in _EXPORT_CALL.findall(_substituted(cmake))]
     paths = [os.path.normpath(os.path.join(folder, name)) for name in named]
     return list(dict.fromkeys([*(path for path in paths if is_file(path)), *_by_form(folder)]))
+
+
+def category_of(folder: str, description: str) -> str | None:
+    """Return what the CMakeLists.txt of an ament package exports a plugin description for.
+
+    Empty if it exports it for nothing; None if that is not known.
+    """
+    cmake = _substituted(_text(os.path.join(folder, "CMakeLists.txt")))
+    calls = [(category, path) for category, path in _EXPORT_CALL.findall(cmake)]
+    if "ament" not in cmake or _OTHER_WAYS.search(cmake) or any("$" in word for call in calls for word in call):
+        return None
+    named = [category for category, path in calls if os.path.normpath(os.path.join(folder, path)) == description]
+    return "hardware_interface" if "hardware_interface" in named else next(iter(named), "")
+
+
+def built_classes(folder: str) -> tuple[tuple[str, str], ...]:
+    """Return the classes that the C++ sources of a package export for pluginlib, each with its base."""
+    return tuple(_EXPORTING.findall(sources_of_class(folder, "PLUGINLIB_EXPORT_CLASS")))
 
 
 def _by_form(folder: str) -> Iterator[str]:
