@@ -4,16 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from urdfctl.model.launch import Launch, Simulation, Spawn, Word, joined
+from urdfctl.model.launch import Launch, Simulation, Word, joined
+from urdfctl.model.launch.ros2.actions import (
+    ALTERING,
+    HANDLERS,
+    HARMLESS,
+    NODES,
+    PROCESSES,
+    SPAWNING,
+    WITHOUT_CONTROLLERS,
+)
 from urdfctl.model.launch.ros2.containers import nodes_in_container
 from urdfctl.model.launch.ros2.descriptions import content_of
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import LAUNCHES
 from urdfctl.model.launch.ros2.nodes import Nodes
 from urdfctl.model.launch.ros2.simulators import (
+    COMPONENTS,
     commanded_simulation,
     included_nodes,
     included_simulation,
+    node_of_component,
     node_simulation,
     package_outside,
     simulator_of,
@@ -27,7 +38,6 @@ from urdfctl.source.launch.terms import (
     Items,
     OneOf,
     Perhaps,
-    Table,
     Term,
     UnknownTerm,
 )
@@ -38,33 +48,6 @@ from urdfctl.startup.records import NamedTuple
 _MOST_DEPTH = 16
 _MOST_INCLUDES = 200
 _MOST_ACTIONS = 5000
-_WITHOUT_CONTROLLERS = frozenset(
-    "nav2_bringup slam_toolbox ros_gz_bridge foxglove_bridge rosbridge_server realsense2_camera rplidar_ros joy "
-    "teleop_twist_joy robot_localization turtlebot3_navigation2 velodyne usb_cam moveit_servo rviz2 depthai_ros_driver "
-    "sick_scan_xd ldlidar_stl_ros2 urg_node micro_ros_agent urdf_launch launch_testing_ament_cmake".split()
-)
-"""Packages whose launch files start no controllers, in addition to the simulators."""
-_HARMLESS = frozenset(
-    (
-        "LogInfo Shutdown EmitEvent SetEnvironmentVariable AppendEnvironmentVariable UnsetEnvironmentVariable "
-        "PrependEnvironmentVariable SetROSLogDir "
-        "UnregisterEventHandler ResetEnvironment PushEnvironment PopEnvironment LifecycleTransition "
-        "UnsetLaunchConfiguration ReadyToTest AppendEnvironment"
-    ).split()
-)
-"""Actions that have no effect on a robot and its controllers."""
-_ALTERING = frozenset({"SetParameter", "SetParametersFromFile", "SetRemap", "SetUseSimTime"})
-"""Actions that change the parameters or remappings of all following nodes."""
-_NODES = frozenset({"Node", "LifecycleNode"})
-_PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
-_OF_ROS_GZ = {"GzServer": ("ros_gz_sim", "gzserver"), "RosGzBridge": ("ros_gz_bridge", "bridge_node")}
-_HANDLERS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start", "OnExecutionComplete": "on_completion"}
-_SPAWNING = frozenset(
-    (
-        "generate_load_controller_launch_description generate_controllers_spawner_launch_description "
-        "generate_controllers_spawner_launch_description_from_dict"
-    ).split()
-)
 
 
 class Ros2Sources(NamedTuple):
@@ -116,14 +99,12 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
     facts = walk.facts
     waiting = walk.handlers.waiting(walk.nodes(scope), complete=walk.complete)
     never = walk.handlers.never
-    order = {name: index for index, spawn in enumerate(facts.spawns) for name, _ in spawn.names}
-    spawns = sorted(facts.spawns, key=lambda spawn: _turn(spawn, facts.spawns, order))
     launch = Launch(
         path,
         2,
         tuple(facts.descriptions),
         tuple(facts.loads),
-        tuple(spawns),
+        facts.spawns_in_turn(),
         complete=walk.complete and not walk.unread,
         elsewhere=tuple(facts.elsewhere),
         nodes=tuple(node for node in facts.nodes if not any(node is other for other in never)),
@@ -140,14 +121,6 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
     missing = {one.file.path for one in launch.references if one.file.exists is False and one.file.path}
     made = {path for path in missing if any(path in word for word in walk.words_of_programs)}
     return launch.with_open_files(made) if made else launch
-
-
-def _turn(spawn: Spawn, spawns: list[Spawn], order: Mapping[str, int], depth: int = 0) -> int:
-    """The number of spawners in a row that must exit before this one starts."""
-    if depth > len(spawns):
-        return depth
-    before = (spawns[order[name]] for name in spawn.after if name in order)
-    return max((1 + _turn(earlier, spawns, order, depth + 1) for earlier in before if earlier is not spawn), default=0)
 
 
 class _Walk:
@@ -220,18 +193,18 @@ class _Walk:
         self.handlers.acts(term)
         if term.short in _ACTIONS:
             _ACTIONS[term.short](self, term, scope, state)
-        elif term.short in _NODES:
+        elif term.short in NODES:
             before = len(self.facts.nodes)
             self.nodes(scope).node(term, sure=state.sure, held=state.held, after=state.after)
             for node in self.facts.nodes[before:]:
                 self._simulates(node_simulation(node))
-        elif term.short in _PROCESSES:
+        elif term.short in PROCESSES:
             self._process(term, scope, state)
-        elif term.short in _SPAWNING:
+        elif term.short in SPAWNING:
             self.nodes(scope).helper(term, sure=state.sure, held=state.held)
-        elif term.short in _ALTERING:
+        elif term.short in ALTERING:
             self.facts.altered = True
-        elif term.short not in _HARMLESS and state.held:
+        elif term.short not in HARMLESS and state.held:
             self.complete = False
 
     def description(self, term: Called, scope: ActionScope, state: _State) -> None:
@@ -313,14 +286,14 @@ class _Walk:
     def handler(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Follow the actions of an event handler for the start or the exit of a process."""
         event = term.given("event_handler", 0)
-        if not isinstance(event, Called) or event.short not in _HANDLERS:
+        if not isinstance(event, Called) or event.short not in HANDLERS:
             self.handlers.may_start(event)
             return
         target = event.given("target_action", 0)
         if isinstance(target, Called) and event.short != "OnProcessStart":
             arguments = self.nodes(scope).spawner_arguments(target)
             state = state._replace(after=tuple(word.text for word in arguments.names) if arguments else ())
-        actions = event.given(_HANDLERS[event.short], 1)
+        actions = event.given(HANDLERS[event.short], 1)
         if isinstance(actions, Function):
             actions = actions.call([UnknownTerm(term.at), UnknownTerm(term.at)], {}, self.texts(scope).context)
         facts, spawns, nodes = self.facts, len(self.facts.spawns), len(self.facts.nodes)
@@ -363,7 +336,7 @@ class _Walk:
         for name, value in given.entries.items() if given else ():
             scope.settings[name] = texts.of(value)
             self._described(name, value, scope)
-        if not is_simulator and package_outside(path) not in _WITHOUT_CONTROLLERS:
+        if not is_simulator and package_outside(path) not in WITHOUT_CONTROLLERS:
             at = source.at if source is not None else term.at
             self._follow(path, Word(path, at), scope, state)
 
@@ -391,18 +364,8 @@ class _Walk:
             self.simulations.append(simulation)
 
     def component(self, term: Called, scope: ActionScope, state: _State) -> None:
-        """Follow an action of ros_gz that starts a node: the server, which is never paused, or a bridge."""
-        package, program = _OF_ROS_GZ[term.short]
-        keywords: dict[str, Term] = {}
-        if "namespace" in term.keywords:
-            keywords["namespace"] = term.keywords["namespace"]
-        file = term.given("config_file")
-        if file is not None:
-            table = Table(term.at)
-            table.put(Constant("config_file", term.at), file)
-            keywords["parameters"] = Items([table], term.at)
-        words = {"package": Constant(package, term.at), "executable": Constant(program, term.at)}
-        self._act(Called("Node", term.at, (), {**keywords, **words}), scope, state)
+        """Follow an action of ros_gz that starts a node."""
+        self._act(node_of_component(term), scope, state)
 
     def _process(self, term: Called, scope: ActionScope, state: _State) -> None:
         words = self.nodes(scope).command(term, sure=state.sure, held=state.held, after=state.after)
@@ -431,6 +394,6 @@ _ACTIONS: dict[str, Callable[[_Walk, Called, ActionScope, _State], None]] = {
     "IncludeLaunchDescription": _Walk.include,
     "ComposableNodeContainer": _Walk.composed,
     "LoadComposableNodes": _Walk.composed,
-    **dict.fromkeys(_OF_ROS_GZ, _Walk.component),
+    **dict.fromkeys(COMPONENTS, _Walk.component),
     **dict.fromkeys(LAUNCHES, _Walk.moveit),
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch import (
@@ -42,6 +42,11 @@ class LaunchFacts:
         self.given: list[GivenParameters] = []
         self.altered = False
         """Whether an action changes the parameters or remappings of all following nodes."""
+
+    def spawns_in_turn(self) -> tuple[Spawn, ...]:
+        """Return the spawners in the order in which they start: each after those whose exit it waits for."""
+        order = {name: index for index, spawn in enumerate(self.spawns) for name, _ in spawn.names}
+        return tuple(sorted(self.spawns, key=lambda spawn: _turn(spawn, self.spawns, order)))
 
     def exists(self, path: str) -> bool:
         """Return whether a path certainly exists."""
@@ -105,3 +110,11 @@ class LaunchFacts:
                 more=content.more,
             )
         )
+
+
+def _turn(spawn: Spawn, spawns: Sequence[Spawn], order: Mapping[str, int], depth: int = 0) -> int:
+    """The number of spawners in a row that must exit before this one starts."""
+    if depth > len(spawns):
+        return depth
+    before = (spawns[order[name]] for name in spawn.after if name in order)
+    return max((1 + _turn(earlier, spawns, order, depth + 1) for earlier in before if earlier is not spawn), default=0)

@@ -8,10 +8,12 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.model.launch import Node, Simulation, Word
 from urdfctl.model.launch.ros2.texts import Texts
-from urdfctl.source.launch.terms import Constant, Table
+from urdfctl.source.launch.terms import Called, Constant, Items, Table, Term
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
+COMPONENTS = {"GzServer": ("ros_gz_sim", "gzserver"), "RosGzBridge": ("ros_gz_bridge", "bridge_node")}
+"""Actions of ros_gz that start a node, with its package and program."""
 _SERVERS = ("gz_server.launch", "gzserver.launch", "ros_gz_sim.launch")
 """How the launch files of ros_gz_sim begin that start the server alone, which is never paused (gzserver.cpp)."""
 _SPAWNING = ("gz_spawn_model.launch", "ros_gz_spawn_model.launch")
@@ -106,3 +108,18 @@ def _gz(arguments: str, at: Place, *, sure: bool, is_open: bool = False) -> Simu
     is_unknown = UNKNOWN in arguments or is_open
     paused = False if runs else None if is_unknown else True
     return Simulation("gz", at, paused, sure)
+
+
+def node_of_component(term: Called) -> Called:
+    """Return the node that an action of ros_gz starts: the server, which is never paused, or a bridge."""
+    package, program = COMPONENTS[term.short]
+    keywords: dict[str, Term] = {}
+    if "namespace" in term.keywords:
+        keywords["namespace"] = term.keywords["namespace"]
+    file = term.given("config_file")
+    if file is not None:
+        table = Table(term.at)
+        table.put(Constant("config_file", term.at), file)
+        keywords["parameters"] = Items([table], term.at)
+    words = {"package": Constant(package, term.at), "executable": Constant(program, term.at)}
+    return Called("Node", term.at, (), {**keywords, **words})

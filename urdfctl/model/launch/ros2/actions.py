@@ -1,0 +1,32 @@
+"""The actions of launch files by their names: what each is to a robot and its controllers."""
+
+from __future__ import annotations
+
+WITHOUT_CONTROLLERS = frozenset(
+    "nav2_bringup slam_toolbox ros_gz_bridge foxglove_bridge rosbridge_server realsense2_camera rplidar_ros joy "
+    "teleop_twist_joy robot_localization turtlebot3_navigation2 velodyne usb_cam moveit_servo rviz2 depthai_ros_driver "
+    "sick_scan_xd ldlidar_stl_ros2 urg_node micro_ros_agent urdf_launch launch_testing_ament_cmake".split()
+)
+"""Packages whose launch files start no controllers, in addition to the simulators."""
+HARMLESS = frozenset(
+    (
+        "LogInfo Shutdown EmitEvent SetEnvironmentVariable AppendEnvironmentVariable UnsetEnvironmentVariable "
+        "PrependEnvironmentVariable SetROSLogDir "
+        "UnregisterEventHandler ResetEnvironment PushEnvironment PopEnvironment LifecycleTransition "
+        "UnsetLaunchConfiguration ReadyToTest AppendEnvironment"
+    ).split()
+)
+"""Actions that have no effect on a robot and its controllers."""
+ALTERING = frozenset({"SetParameter", "SetParametersFromFile", "SetRemap", "SetUseSimTime"})
+"""Actions that change the parameters or remappings of all following nodes."""
+NODES = frozenset({"Node", "LifecycleNode"})
+PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
+HANDLERS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start", "OnExecutionComplete": "on_completion"}
+"""Event handlers, and the argument with their actions."""
+SPAWNING = frozenset(
+    (
+        "generate_load_controller_launch_description generate_controllers_spawner_launch_description "
+        "generate_controllers_spawner_launch_description_from_dict"
+    ).split()
+)
+"""Functions of controller_manager.launch_utils that make a spawner."""
