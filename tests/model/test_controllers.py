@@ -258,3 +258,9 @@ def test_a_file_that_is_no_yaml_leaves_nothing_to_be_called_absent() -> None:
     made = model("a: [", ROS2)
     assert not made.complete
     assert [file.readable for file in made.files] == [False, True]
+
+
+@pytest.mark.parametrize("key", ['""', "/"])
+def test_a_section_of_the_root_is_no_parameter_of_ros_1(key: str) -> None:
+    text = f"{key}:\n  arm: {{type: position_controllers/JointTrajectoryController, joints: [a]}}\n"
+    assert told(model(text, ros=1)) == [("arm", "", "position_controllers/JointTrajectoryController")]

@@ -282,6 +282,8 @@ class _Ros1:
     def __init__(self, leaves: Iterable[Leaf], started: Sequence[str]) -> None:
         self.leaves: dict[tuple[str, ...], Leaf] = {}
         for leaf in leaves:
+            if not leaf.path:  # the key "/": the root, which is no parameter
+                continue
             known = self.leaves.get(leaf.path)
             if known is None or known.value.kind is not ValueKind.MAP or leaf.value.kind is not ValueKind.MAP:
                 self.leaves[leaf.path] = leaf
