@@ -80,7 +80,7 @@ def _hardware(one: ExportedClass, exports: ExportedClasses) -> OwnHardware:
         kind=one.kind,
         base=one.base,
         description=os.path.relpath(one.path, exports.folder),
-        category=category_of(exports.folder, one.path),
+        category=category_of(exports.folder, one.path, one.base.partition("::")[0]),
         built=built_classes(exports.folder),
     )
 

@@ -62,13 +62,22 @@ def _files(
         _files(base="ActuatorInterface"),
         _files(component="actuator"),
     ],
-    good=[_files(_PLUGIN), _files(_PLUGIN, export="include(cmake/plugins.cmake)")],
+    good=[
+        _files(_PLUGIN),
+        _files(_PLUGIN, export="include(cmake/plugins.cmake)"),
+        {
+            **_files(_PLUGIN, export=_EXPORT % "gz_ros2_control", base="GazeboSimSystemInterface"),
+            "arm.xml": _DESCRIPTION.replace(
+                "hardware_interface::SystemInterface", "gz_ros2_control::GazeboSimSystemInterface"
+            ),
+        },
+    ],
 )
 def hardware_class_not_exported(project: Project) -> Iterator[Finding]:
     """Own hardware class is described, but pluginlib does not find or cannot create it.
 
     The plugin description, its export in CMakeLists.txt, PLUGINLIB_EXPORT_CLASS in the sources and the type of the
-    component must agree. If one differs, the controller manager rejects the description, and nothing is controlled.
+    component must agree. Hardware of a simulator is exported for the package of the simulator's base class. If one differs, the controller manager rejects the description, and nothing is controlled.
     """
     for control in components(project):
         for hardware in control.hardware[-1:]:
@@ -83,9 +92,10 @@ def hardware_class_not_exported(project: Project) -> Iterator[Finding]:
 
 def _fault(name: str, own: OwnHardware, kind: str) -> tuple[str, str] | None:
     """What is wrong with the export of a class, and what to write; None if nothing is, as far as is known."""
-    export = f"pluginlib_export_plugin_description_file({_CATEGORY} {own.description})"
+    category = own.base.partition("::")[0]
+    export = f"pluginlib_export_plugin_description_file({category} {own.description})"
     where = f"CMakeLists.txt of package '{own.package}'"
-    if own.category is not None and own.category != _CATEGORY:
+    if own.category is not None and own.category != category:
         what = (
             f"exports '{own.description}' for '{own.category}'"
             if own.category
@@ -94,7 +104,7 @@ def _fault(name: str, own: OwnHardware, kind: str) -> tuple[str, str] | None:
         return f"pluginlib does not find '{name}': {where} {what}", f"write {export} there"
     base = own.base.rpartition("::")[2]
     expected = f"{kind.capitalize()}Interface"
-    if kind in TYPES and base != expected:
+    if kind in TYPES and category == _CATEGORY and base != expected:
         meant = base.removesuffix("Interface").lower()
         return f"'{name}' is a {base}, which a component of type '{kind}' cannot load", f'write type="{meant}"'
     bases = [

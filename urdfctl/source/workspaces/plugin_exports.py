@@ -86,17 +86,17 @@ def _descriptions(folder: str) -> list[str]:
     return list(dict.fromkeys([*(path for path in paths if is_file(path)), *_by_form(folder)]))
 
 
-def category_of(folder: str, description: str) -> str | None:
+def category_of(folder: str, description: str, expected: str) -> str | None:
     """Return what the CMakeLists.txt of an ament package exports a plugin description for.
 
-    Empty if it exports it for nothing; None if that is not known.
+    Empty if it exports it for nothing; None if that is not known. If it exports it for several, the expected one.
     """
     cmake = _substituted(_text(os.path.join(folder, "CMakeLists.txt")))
     calls = [(category, path) for category, path in _EXPORT_CALL.findall(cmake)]
     if "ament" not in cmake or _OTHER_WAYS.search(cmake) or any("$" in word for call in calls for word in call):
         return None
     named = [category for category, path in calls if os.path.normpath(os.path.join(folder, path)) == description]
-    return "hardware_interface" if "hardware_interface" in named else next(iter(named), "")
+    return expected if expected in named else next(iter(named), "")
 
 
 def built_classes(folder: str) -> tuple[tuple[str, str], ...]:
