@@ -34,6 +34,7 @@ from urdfctl.rules.launch.node_name_twice import node_name_twice
 from urdfctl.rules.launch.package_misspelt import package_misspelt
 from urdfctl.rules.launch.package_not_in_manifest import package_not_in_manifest
 from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_not_given_to_controller
+from urdfctl.rules.launch.plugin_without_description import plugin_without_description
 from urdfctl.rules.launch.program_unknown import program_unknown
 from urdfctl.rules.launch.publisher_of_older_distro import publisher_of_older_distro
 from urdfctl.rules.launch.publisher_without_description import publisher_without_description
@@ -88,6 +89,7 @@ FAULTS: tuple[Fault, ...] = (
     joint_states_of_nobody,
     mesh_not_on_model_path,
     installed_file_missing,
+    plugin_without_description,
     manager_without_clock,
     clock_of_other_world,
     package_misspelt,
