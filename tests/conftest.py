@@ -52,6 +52,14 @@ def refuse_to_crawl_everything(event: str, arguments: tuple[object, ...]) -> Non
         raise AssertionError("a test searches '/'; give it a workspace or a package path")
 
 
+@pytest.fixture(scope="session", autouse=True)
+def _rules() -> None:
+    """Import all rules before the first test, so that workers, which are forks, need not do it each time."""
+    from urdfctl.rules import all_faults  # not before coverage begins
+
+    all_faults()
+
+
 @pytest.fixture
 def judging_engine() -> None:
     """The engine that is installed moves what generators make, as it does for users."""

@@ -13,6 +13,7 @@ from urdfctl.load.target import Target
 from urdfctl.migrate.packages import Linted
 from urdfctl.migrate.trial.memory import Memory
 from urdfctl.migrate.trial.scratch import Scratch
+from urdfctl.rules import all_faults
 from urdfctl.source.disk.files import is_launch, is_yaml
 from urdfctl.startup.records import NamedTuple
 
@@ -24,6 +25,7 @@ class Lint:
     """Lints what is in the folders of a copy now, with all rules. watch: as in `lint`."""
 
     def __init__(self, scratch: Scratch, watch: Watch = unwatched) -> None:
+        all_faults()  # many workers follow, which are forks: they need not import the rules
         self._scratch, self._watch = scratch, watch
         self._results = Memory[TargetResult](scratch, _MOST_STATES)
         self._variants = Memory[list[Target]](scratch, _MOST_STATES)

@@ -327,7 +327,9 @@ class _Walk:
         path = texts.of(source)
         given = table_of(term.given("launch_arguments"))
         is_simulator = simulator_of(path) is not None
-        if state.held:  # before the arguments are set: one may contain the former value of its own name
+        if not state.held:
+            self.skipped.append(path)
+        else:  # before the arguments are set: one may contain the former value of its own name
             self.nodes(scope).files_given(given, texts, sure=state.sure)
             if is_simulator:
                 self._simulates(included_simulation(path, given, texts, term.at, sure=state.sure))
@@ -347,8 +349,6 @@ class _Walk:
             self.facts.reference(path, written.at, "include", sure=state.sure)
             if self._includes <= _MOST_INCLUDES and state.depth < _MOST_DEPTH * 4:
                 included = self.sources.read(path)
-        if not state.held:
-            self.skipped.append(path)
         if included is None:
             if state.held:
                 self.unread.append(written)
