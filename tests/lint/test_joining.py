@@ -191,6 +191,31 @@ def test_a_launch_file_of_roslaunch_in_a_package_of_ros_2_is_joined_with_no_star
         [],
     )
     assert not [each for each in given["targets"] if "arm/launch/control.launch" in each["beside"]]
+    assert [(one["severity"], one["file"]) for one in given["findings"] if one["code"] == "UC639"] == [
+        ("warning", "arm/launch/control.launch")
+    ]
+
+
+def test_a_launch_file_left_over_from_ros_1_is_joined_with_nothing_of_other_packages(folder: Folder) -> None:
+    folder.write({**package("crane", "slew", "hoist"), **control("site", winch="hoist")})
+    folder.write({"site/package.xml": MANIFEST.format("site").replace("catkin", "ament_cmake")})
+    shown = folder.run("show", ".").stdout
+    absent = "it is written for ROS 1, and its package is built for ROS 2"
+    assert f"site/launch/control.launch  (starts controllers without a robot: {absent})" in shown
+    told = folder.run("lint", ".").stdout
+    assert "site/launch/control.launch:1:62: warning UC639" in told
+    assert absent not in told
+
+
+@pytest.mark.parametrize(("built", "severity"), [("ament_cmake", "warning"), ("catkin", "error")])
+def test_what_is_found_in_a_launch_file_left_over_from_ros_1_is_a_warning(
+    folder: Folder, built: str, severity: str
+) -> None:
+    folder.write({**package("arm", "shoulder"), **control("arm", turn="shouldr")})
+    folder.write({"arm/package.xml": MANIFEST.format("arm").replace("catkin", built)})
+    given = json.loads(folder.run("lint", ".", "--format", "json", "--exit-zero").stdout)
+    assert {one["severity"] for one in given["findings"] if one["code"] == "UC440"} == {severity}
+    assert errors(given) == ([] if severity == "warning" else [("UC440", "arm/c.yaml")])
 
 
 @pytest.mark.parametrize(

@@ -205,6 +205,43 @@ def test_show_names_what_is_not_joined_if_there_is_nothing_else(folder: Folder) 
     assert "launch/absent.launch.xml  (starts a robot of package 'derrick'" in shown.stdout, shown.stderr
 
 
+ELSEWHERE = '<include file="$(find-pkg-share {})/launch/{}.launch.py"/>'
+IMPORTS = """from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+
+
+"""
+
+
+@pytest.mark.parametrize("language", ["xml", "py"])
+def test_a_launch_file_that_only_starts_launch_files_that_are_not_here_is_named_with_their_packages(
+    folder: Folder, language: str
+) -> None:
+    """Nothing is checked of what it starts. What shows a camera or a map starts no robot."""
+    others = [("derrick_bringup", "start"), ("derrick_moveit_config", "demo"), ("nav2_bringup", "bringup_launch")]
+    asked = "get_package_share_directory('{}') + '/launch/{}.launch.py'"
+    lines = [f"IncludeLaunchDescription(PythonLaunchDescriptionSource({asked.format(*one)}))" for one in others]
+    made = f"{IMPORTS}def generate_launch_description():\n    return LaunchDescription([{', '.join(lines)}])\n"
+    file, text = f"launch/all.launch.{language}", launch(*(ELSEWHERE.format(*one) for one in others))
+    folder.write({file: made if language == "py" else text})
+    given = written(folder, here=launch(PUBLISHER, MANAGER), camera=launch(ELSEWHERE.format("zed_camera", "start")))
+    packages = ["derrick_bringup", "derrick_moveit_config"]
+    assert [(one["launch"], one["lacks"]["packages"]) for one in given["unjoined"]] == [(file, packages)]
+    told = " ".join(folder.run("lint", file, "--distro", "jazzy").stdout.split())
+    absent = "launch files of packages 'derrick_bringup' and 'derrick_moveit_config', not in this workspace"
+    assert f"1 launch file starts {absent}: {file}" in told
+    assert f"{file}  (starts {absent})" in folder.run("show", ".").stdout
+
+
+def test_what_starts_only_what_is_not_here_is_named_if_there_is_nothing_else(folder: Folder) -> None:
+    folder.write({"package.xml": MANIFEST, "launch/a.launch.xml": launch(ELSEWHERE.format("derrick_bringup", "start"))})
+    ran = folder.run("lint", ".")
+    assert ran.returncode == 2, ran.stdout
+    assert "they start no robot or controllers of this workspace; not in it: 'derrick_bringup'" in ran.stderr
+
+
 DEMO = """
 from launch_ros.actions import Node
 from moveit_configs_utils import MoveItConfigsBuilder

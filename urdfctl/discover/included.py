@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 
+from urdfctl.source.workspaces.robot_starts import may_start_robot
 from urdfctl.startup.records import NamedTuple
 
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
@@ -35,12 +36,15 @@ _ROS2 = (".py", ".yaml", ".yml")
 class Included(NamedTuple):
     """The launch files that one includes.
 
+    elsewhere: whether it seems to include one of another package that is not here and starts a robot.
+
     sure: those that it certainly includes.
     every: also those that only have the name of one that it includes.
     """
 
     sure: tuple[str, ...]
     every: tuple[str, ...]
+    elsewhere: bool = False
 
 
 class _Mention(NamedTuple):
@@ -62,14 +66,16 @@ def included_in(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) ->
     """
     sure: list[str] = []
     every: list[str] = []
-    is_ros2 = path.endswith(_ROS2)
+    is_ros2, elsewhere = path.endswith(_ROS2), False
     for naming in _named(text) if is_ros2 else _tails(text):
         candidates = [one for one in _like(naming.tail, by_name) if one != path]
         if naming.beside:
             candidates = [one for one in candidates if os.path.dirname(one) == os.path.dirname(path)]
         every += candidates
+        if naming.package and not candidates:
+            elsewhere = elsewhere or may_start_robot(naming.package, naming.tail)
         sure += _meant(path, text, naming.package, candidates) if is_ros2 else _in(naming.package, candidates)
-    return Included(tuple(dict.fromkeys(sure)), tuple(dict.fromkeys(every)))
+    return Included(tuple(dict.fromkeys(sure)), tuple(dict.fromkeys(every)), elsewhere)
 
 
 def _like(tail: str, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:

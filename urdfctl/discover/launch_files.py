@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 from urdfctl.discover.walk import LAUNCHES, text_of
+
+if TYPE_CHECKING:
+    from urdfctl.discover.included import Included
 
 _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']control[\"']"
 _DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
@@ -91,7 +95,7 @@ def _is_broken_xml(text: bytes) -> bool:
 
 def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> list[str]:
     """The launch files that no other one without a syntax error certainly includes, and which describe a robot, load
-    parameters or start controllers, themselves or by what they include, in order.
+    parameters or start controllers, themselves or by what they include, also elsewhere, in order.
 
     naming: if given, only those which also name one of these, themselves or by what they include.
     """
@@ -106,8 +110,7 @@ def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> li
     found = {path: included_in(path, text, by_name) for path, text in texts.items()}
     including = (path for path, included in found.items() if included.sure and not is_broken(path, texts[path]))
     inner = {included for path in including for included in found[path].sure}
-    every = {path: included.every for path, included in found.items()}
-    return [path for path in texts if path not in inner and _is_relevant(path, every, texts, named)]
+    return [path for path in texts if path not in inner and _is_relevant(path, found, texts, named)]
 
 
 def only_mentioned(texts: Mapping[str, bytes], started: Collection[str]) -> list[str]:
@@ -131,18 +134,18 @@ def _starts_robots(text: bytes) -> bool:
 
 
 def _is_relevant(
-    path: str, included: Mapping[str, Iterable[str]], texts: Mapping[str, bytes], named: Collection[str]
+    path: str, included: Mapping[str, Included], texts: Mapping[str, bytes], named: Collection[str]
 ) -> bool:
     """Whether a launch file or one that it includes starts robots, and it or one that it includes is in `named`."""
     pending, seen = [path], {path}
     starts, names = False, False
     while pending:
         current = pending.pop()
-        starts = starts or _starts_robots(texts[current])
+        starts = starts or included[current].elsewhere or _starts_robots(texts[current])
         names = names or current in named
         if starts and names:
             return True
-        new = [other for other in included[current] if other not in seen]
+        new = [other for other in included[current].every if other not in seen]
         seen.update(new)
         pending += new
     return False

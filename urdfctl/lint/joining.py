@@ -194,7 +194,8 @@ def _is_of_generation(start: TargetResult, lonely: TargetResult) -> bool:
 def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     """The starts beside which a launch file is started, the best known ones.
 
-    None, if it names another robot: one in a package that is not here.
+    None, if it names another robot: one in a package that is not here. What is left over from ROS 1 in a package for
+    ROS 2 belongs to nothing in other packages.
     """
     if lonely.joining.described_in:
         return []
@@ -206,6 +207,7 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
         same = [*described.values()][::-1]
     own = [start for start in same if _package(start.first) == _package(lonely)]
     own = [start for start in own if start.first.launch is not None] or own
+    same = own if lonely.joining.leftover else same
     fits = _has_joints if lonely.joining.claimed else _declares
     for near in (own, same):
         whole = [start for start in near if fits(lonely, start)]
@@ -302,8 +304,8 @@ def _manages(result: TargetResult) -> bool:
 
 
 def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjoined]:
-    """Return those results that start controllers without a robot, or a robot that is not here, each file once, with
-    the fact that is missing.
+    """Return those results that start controllers without a robot, or what is not here, each file once, with the fact
+    that is missing.
 
     left: the results that are in no join.
     """
@@ -312,15 +314,25 @@ def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjo
 
 
 def _is_absent(result: TargetResult) -> bool:
-    """Whether a result is of a launch file whose robot is in a package that is not here."""
-    return is_launch(result.path) and result.links is None and bool(result.joining.described_in)
+    """Whether a result is of a launch file whose robot, or what starts it, is in a package that is not here."""
+    missing = result.joining.described_in or result.joining.started_in
+    return is_launch(result.path) and result.links is None and bool(missing)
 
 
 def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
     if lonely.joining.described_in:
         return Unjoined(lonely.path, packages=lonely.joining.described_in, controls=is_lonely(lonely))
+    absent = Unjoined(
+        lonely.path,
+        packages=lonely.joining.started_in,
+        controls=is_lonely(lonely),
+        includes=bool(lonely.joining.started_in),
+        leftover=lonely.joining.leftover,
+    )
+    if lonely.joining.leftover or not absent.controls:
+        return absent
     reasons = [_missing_in(lonely, start) for start in starts]
-    return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=Unjoined(lonely.path))
+    return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=absent)
 
 
 def _missing_in(lonely: TargetResult, start: Start) -> Unjoined:

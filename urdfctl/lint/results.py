@@ -112,13 +112,15 @@ class TargetResult(NamedTuple):
 
 
 class Unjoined(NamedTuple):
-    """A launch file that starts controllers without a robot, or a robot that is not here, and the fact that is missing.
+    """A launch file that starts controllers without a robot, or what is not here, and the fact that is missing.
 
     robot: the description that fits best; None if nothing starts or describes a robot.
     joints: those that its controllers command, and that robot lacks.
     controllers: those that it spawns, and nothing declares for that robot.
-    packages: those that are not here and that it takes the description from.
+    packages: those that are not here and that it takes the description from, or launch files.
     controls: whether it starts controllers.
+    leftover: whether it is written for ROS 1, in a package for ROS 2.
+    includes: whether it takes launch files from those packages.
     """
 
     path: str
@@ -127,6 +129,8 @@ class Unjoined(NamedTuple):
     controllers: tuple[str, ...] = ()
     packages: tuple[str, ...] = ()
     controls: bool = True
+    includes: bool = False
+    leftover: bool = False
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Unjoined:

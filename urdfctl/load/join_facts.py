@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 _OUTSIDE = rf"{UNKNOWN}\(([\w-]+)\)"
 """A package whose folder is not known, in a command or a path."""
 
+_LISTS = ("joints", "declared", "described_in", "started_in")
+
 
 class JoinFacts(NamedTuple):
     """Facts of a target by which it is joined with what is started beside it.
@@ -25,6 +27,9 @@ class JoinFacts(NamedTuple):
     manages: whether it starts a simulator, or a controller manager.
     form: the generation of ROS that the launch file is written for; None if there is none.
     described_in: without a robot: the packages that its description is in, and that are not here.
+    started_in: without a robot: the packages that are not here and whose launch files it includes, if these seem to
+        start a robot.
+    leftover: whether the launch file is written for ROS 1, in a package for ROS 2.
     lost: whether it names a description that does not exist.
     waits: ROS 2: whether it certainly spawns controllers of a robot whose manager another launch file starts.
     """
@@ -35,6 +40,8 @@ class JoinFacts(NamedTuple):
     manages: bool = False
     form: int | None = None
     described_in: tuple[str, ...] = ()
+    started_in: tuple[str, ...] = ()
+    leftover: bool = False
     lost: bool = False
     waits: bool = False
 
@@ -42,7 +49,7 @@ class JoinFacts(NamedTuple):
     def from_json(cls, data: dict[str, Any]) -> JoinFacts:
         """Return the facts that `_asdict` and JSON made `data` from."""
         claimed = tuple((namespace, joint) for namespace, joint in data["claimed"])
-        lists = {name: tuple(data[name]) for name in ("joints", "declared", "described_in")} | {"claimed": claimed}
+        lists = {name: tuple(data[name]) for name in _LISTS} | {"claimed": claimed}
         return cls(**{**data, **lists})
 
 
@@ -57,6 +64,8 @@ def join_facts(project: Project) -> JoinFacts:
         manages=launch is not None and _manages(launch),
         form=launch.ros if launch else None,
         described_in=_described_in(launch) if project.robot is None and launch else (),
+        started_in=_started_in(launch) if project.robot is None and launch else (),
+        leftover=launch is not None and launch.is_leftover,
         lost=launch is not None and any(each.file.exists is False for each in launch.descriptions if each.sure),
         waits=project.robot is not None and launch is not None and _waits(launch),
     )
@@ -84,6 +93,16 @@ def _described_in(launch: Launch) -> tuple[str, ...]:
     unknown = (each for each in launch.descriptions if each.file.path is None)
     commands = (f"{each.command or ''} {each.file.text}" for each in unknown)
     return tuple(dict.fromkeys(name for command in commands for name in re.findall(_OUTSIDE, command)))
+
+
+def _started_in(launch: Launch) -> tuple[str, ...]:
+    """The packages that are not here and that a launch file starts launch files of, as far as these start robots."""
+    if not launch.unread:
+        return ()
+    from urdfctl.source.workspaces.robot_starts import may_start_robot, package_of
+
+    found = ((package_of(word.text, _OUTSIDE), word.text) for word in launch.unread)
+    return tuple(dict.fromkeys(name for name, text in found if name and may_start_robot(name, text)))
 
 
 def _claimed(project: Project) -> tuple[tuple[str, str], ...]:

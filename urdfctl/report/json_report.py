@@ -53,7 +53,7 @@ def target_document(target: TargetResult) -> dict[str, Any]:
 
 
 def unjoined_document(unjoined: Unjoined) -> dict[str, Any]:
-    """Return a launch file that starts controllers without a robot as plain data."""
+    """Return a launch file that starts controllers without a robot, or what is not here, as plain data."""
     robot = shown(unjoined.robot) if unjoined.robot else None
     lacks = {
         "joints": list(unjoined.joints),

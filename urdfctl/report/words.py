@@ -30,18 +30,17 @@ def notes(diagnostic: Diagnostic) -> Iterator[str]:
 
 
 def about_unjoined(unjoined: Sequence[Unjoined]) -> str:
-    """Return which launch files start controllers without a robot, or a robot that is not here, and what to do."""
-    lonely = [each for each in unjoined if each.controls]
+    """Return which launch files start controllers without a robot, or what is not here, and what to do."""
+    lonely = [each for each in unjoined if each.controls and not each.leftover]  # a finding names what is left over
     parts = []
     if lonely:
         listed = _listed((f"{shown(each.path)} ({missing_fact(each)})" for each in lonely), _MOST_NAMES)
         how = f"to check one with its robot: urdfctl lint ROBOT {shown(lonely[0].path)}"
         parts.append(f"{_starting(lonely)} controllers without a robot that fits: {listed}; {how}")
-    packages = dict.fromkeys(each.packages for each in unjoined if not each.controls)
-    for absent in packages:
-        found = [each for each in unjoined if not each.controls and each.packages == absent]
+    for absent in dict.fromkeys(what_it_starts(each) for each in unjoined if not each.controls):
+        found = [each for each in unjoined if not each.controls and what_it_starts(each) == absent]
         listed = _listed((shown(each.path) for each in found), _MOST_NAMES)
-        parts.append(f"{_starting(found)} a robot of {_quoted('package', absent)}, not in this workspace: {listed}")
+        parts.append(f"{_starting(found)} {absent}: {listed}")
     return ". ".join(parts)
 
 
@@ -53,13 +52,17 @@ def what_it_starts(unjoined: Unjoined) -> str:
     """Return what a launch file that is joined with no robot starts, and why it is joined with none."""
     if unjoined.controls:
         return f"controllers without a robot: {missing_fact(unjoined)}"
-    return f"a robot of {_quoted('package', unjoined.packages)}, not in this workspace"
+    what = "launch files" if unjoined.includes else "a robot"
+    return f"{what} of {_quoted('package', unjoined.packages)}, not in this workspace"
 
 
 def missing_fact(unjoined: Unjoined) -> str:
     """Return why a launch file is joined with no robot."""
     if unjoined.packages:
-        return f"its description is in {_quoted('package', unjoined.packages)}, not in this workspace"
+        what = "launch files that it includes are" if unjoined.includes else "its description is"
+        return f"{what} in {_quoted('package', unjoined.packages)}, not in this workspace"
+    if unjoined.leftover:
+        return "it is written for ROS 1, and its package is built for ROS 2"
     if unjoined.robot is None:
         return "nothing here starts or describes a robot"
     robot = shown(unjoined.robot)

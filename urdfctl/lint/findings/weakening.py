@@ -16,6 +16,7 @@ UNSTARTED = "only without xacro arguments; every launch file that starts this ro
 ASIDE = "the folder '{}' is not what the repository starts"
 UNUSED = "no robot uses this file"
 OTHER_ROBOT = "only for a robot that no launch file starts; the file also serves one that is started"
+LEFTOVER = "only where it is started with a launch file for ROS 1; its package is built for ROS 2"
 OF_PROSE = "only in the distro that the prose of a README names; set `distro` in urdfctl.toml if it is right"
 
 
@@ -32,7 +33,7 @@ def weakened(together: Outcome, apart: Iterable[Outcome], why: str) -> Outcome:
 
 def is_weakened(diagnostic: Diagnostic) -> bool:
     """Return whether `weakened` made a diagnostic less severe."""
-    return any(note.message in (GUESSED, UNSTARTED, OF_PROSE) for note in diagnostic.notes)
+    return any(note.message in (GUESSED, UNSTARTED, LEFTOVER, OF_PROSE) for note in diagnostic.notes)
 
 
 def _weakened(diagnostic: Diagnostic, why: str) -> Diagnostic:

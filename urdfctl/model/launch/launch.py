@@ -98,6 +98,11 @@ class Launch(NamedTuple):
         return tuple(dict.fromkeys(s.full_name(name) for s in self.spawns if s.active for name, _ in s.names))
 
     @property
+    def is_leftover(self) -> bool:
+        """Whether it is written for ROS 1, in a package that is built for ROS 2."""
+        return self.ros == 1 and self.package is not None and self.package.ros not in (None, 1)
+
+    @property
     def description(self) -> Description | None:
         """The robot description, if there is only one; of several robots, the first. None if it is not known."""
         robots = self.robots

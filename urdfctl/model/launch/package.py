@@ -39,7 +39,7 @@ class Package(NamedTuple):
     """The package that contains a launch file.
 
     at: the root element of the manifest.
-    ros: the ROS generation of its build system; None if unknown.
+    ros: the ROS generation of its build system; None if unknown, or if it is built for both.
     dependencies: its run dependencies, as the manifest lists them.
     reaches: returns whether a package is among its run dependencies, directly or through other source packages.
     installs: returns whether a source file, by its path, is installed to the share folder; None if unknown.
@@ -87,12 +87,12 @@ def package_around(packages: Packages, tree: Callable[[str], Document | None]) -
     built = " ".join(_texts(root, "buildtool_depend"))
     exports = (element for export in root.elements() if export.tagName == "export" for element in export.elements())
     kind = " ".join(text_of(element).value for element in exports if element.tagName == "build_type")
-    ros = 2 if "ament" in built + kind else 1 if "catkin" in built + kind else None
+    generations = [number for number, tool in ((1, "catkin"), (2, "ament")) if tool in built + kind]
     return Package(
         name=name,
         folder=folder,
         at=root.at,
-        ros=ros,
+        ros=generations[0] if len(generations) == 1 else None,
         dependencies=running,
         reaches=partial(_reaches, packages, running),
         installs=partial(_installs, packages, folder, name),

@@ -21,6 +21,7 @@ from urdfctl.rules.launch.installed_file_missing import installed_file_missing
 from urdfctl.rules.launch.joint_state_publisher_beside_broadcaster import joint_state_publisher_beside_broadcaster
 from urdfctl.rules.launch.joint_states_of_nobody import joint_states_of_nobody
 from urdfctl.rules.launch.joint_states_of_other_namespace import joint_states_of_other_namespace
+from urdfctl.rules.launch.launch_file_of_ros1 import launch_file_of_ros1
 from urdfctl.rules.launch.launched_file_missing import launched_file_missing
 from urdfctl.rules.launch.listed_joint_unknown import listed_joint_unknown
 from urdfctl.rules.launch.manager_beside_simulator import manager_beside_simulator
@@ -90,6 +91,7 @@ FAULTS: tuple[Fault, ...] = (
     mesh_not_on_model_path,
     installed_file_missing,
     plugin_without_description,
+    launch_file_of_ros1,
     manager_without_clock,
     clock_of_other_world,
     package_misspelt,
