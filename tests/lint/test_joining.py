@@ -433,6 +433,37 @@ def test_a_description_that_the_launch_file_changes_or_writes_is_that_of_its_fil
     assert (target["robot"], target["launch"]) == ("folder/crane.urdf", "folder/launch/whole.launch.py")
 
 
+@pytest.mark.parametrize("joint", ["hoist", "hoisst"])
+def test_controllers_in_the_launch_file_itself_are_not_replaced_by_a_file_that_nothing_uses(
+    folder: Folder, joint: str
+) -> None:
+    inline = f"<rosparam>\n{controllers(winch=joint)}</rosparam>"
+    start = launch(WORLD, DESCRIBED.format("crane", "crane.urdf"), inline, SPAWNED.format("winch"))
+    folder.write({**package("crane", "slew", "hoist"), "crane/launch/world.launch": start})
+    folder.write({"crane/old/c.yaml": controllers(winch="lift")})
+    assert errors(report(folder)) == ([] if joint == "hoist" else [("UC440", "crane/launch/world.launch")])
+
+
+@pytest.mark.parametrize("space", ["blue", "second"])
+def test_a_file_for_the_namespace_of_no_robot_belongs_to_the_robot_that_lacks_one(folder: Folder, space: str) -> None:
+    names = ("red", "blue")
+    described = [f'<param name="{name}/robot_description" textfile="$(find crane)/{name}.urdf"/>' for name in names]
+    loaded = [LOADED.format("crane", f"{name}.yaml") for name in names]
+    spawned = [SPAWNED.format(f"winch --namespace /{name}").replace('"s"', f'"{name}"') for name in names]
+    folder.write({f"crane/{name}.urdf": robot(name, f"{name}_hoist") for name in names})
+    for name, key in (("red", "red"), ("blue", space)):
+        inside = controllers(winch=f"{name}_hoist").replace("winch:", "  winch:")
+        folder.write({f"crane/{name}.yaml": f"{key}:\n{inside}"})
+    folder.write({"crane/package.xml": MANIFEST.format("crane")})
+    folder.write({"crane/launch/start.launch": launch(WORLD, *described, *loaded, *spawned)})
+    given = report(folder)
+    assert {each["namespace"]: each["controllers"] for each in given["targets"] if each["launch"]} == {
+        "/red": ["crane/red.yaml"],
+        "/blue": ["crane/blue.yaml"],
+    }
+    assert errors(given) == ([] if space == "blue" else [("UC601", "crane/launch/start.launch")])
+
+
 @pytest.mark.parametrize("argument", ["", '<arg name="rate" default="10"/>'])
 @pytest.mark.parametrize("spawned", ["winch", "wench"])
 def test_a_launch_file_with_a_robot_that_is_included_only_with_an_argument_is_a_start_too(

@@ -69,8 +69,8 @@ def shared(system: System, idioms: Idioms, _position: str) -> bool:
     if not (system.is_fleet and named and idioms["depth"] != "flat" and not system.moveit):
         return False
     first, second = system.robots
-    same = (first.model, first.joints, first.spawned, first.manager, first.asked)
-    return same == (second.model, second.joints, second.spawned, second.manager, second.asked)
+    same = (first.model, first.joints, first.spawned, first.manager, first.asked, first.section)
+    return same == (second.model, second.joints, second.spawned, second.manager, second.asked, second.section)
 
 
 def argued(system: System, idioms: Idioms, position: str) -> bool:

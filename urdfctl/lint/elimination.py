@@ -33,7 +33,8 @@ def pairs_by_elimination(
         of_package = list(alone.get(package, {}).values())
         if len(files) == 1 and len(of_package) == 1:
             target, result = of_package[0]
-            if not result.controllers and not target.by_elimination:
+            has_controllers = result.controllers or result.joining.declared
+            if not has_controllers and not target.by_elimination:
                 yield target, target._replace(controllers=(files[0],), by_elimination=True)
 
 

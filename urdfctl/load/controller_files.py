@@ -12,6 +12,7 @@ from urdfctl.model.controllers import Controllers, FileReference, MoveItList, Va
 from urdfctl.model.controllers.build_controllers import Loaded, controllers_of
 from urdfctl.model.controllers.controller_forms import form_of
 from urdfctl.model.launch import GivenParameters, InlineParameters, Launch, ParameterLoad, Rewriting, joined
+from urdfctl.model.launch.robot_homes import strays
 from urdfctl.model.robot import Robot
 from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.disk.gate import admits, is_file
@@ -92,7 +93,7 @@ def read_controllers(
     reader = _ControllerFileReader(files, is_started=launch is not None)
     for text, at, is_named in _named_by(robot, launch):
         reader.reference(text, at, is_named=is_named)
-    loads = launch.loads if launch else ()
+    loads = _own(launch, reader) if launch else ()
     surely = {_loaded_by(load) for load in loads if load.sure}
     for load in loads:
         if not load.sure and _loaded_by(load) in surely:
@@ -111,6 +112,21 @@ def read_controllers(
     for path in map(os.path.abspath, paths):
         reader.named(path)
     return reader.read()
+
+
+def _own(launch: Launch, reader: _ControllerFileReader) -> Several[ParameterLoad]:
+    """The parameter files that a launch file loads for a robot.
+
+    ROS 1: without those that set parameters in namespaces of no robot, if only another robot lacks parameters.
+    """
+    own, others = launch.description, launch.namespaces_of_others
+    if launch.ros > 1 or own is None or not others:
+        return launch.loads
+    home, homes = own.namespace or "", {own.namespace or "", *others}
+    spaces = [reader.spaces(load) for load in launch.loads]
+    strayed = strays(set().union(*spaces), homes, homes)
+    pairs = zip(launch.loads, spaces, strict=True)
+    return [load for load, names in pairs if not names or any(home in strayed.get(name, homes) for name in names)]
 
 
 def _loaded_by(load: ParameterLoad) -> tuple[str | None, str | None, Rewriting]:
@@ -239,6 +255,13 @@ class _ControllerFileReader:
             return
         if tree is not None and not (load.in_node and (of_other or form_of(tree) is None)):
             self._loaded.append(Loaded(self._rewritten(tree, load.rewriting), load.namespace or "", of_other))
+
+    def spaces(self, load: ParameterLoad) -> set[str]:
+        """Return the full names of what a file sets in ROS 1; empty if that is not known."""
+        tree = (
+            self._existing(load.file.path, load.file.at)[0] if load.file.path and load.namespace is not None else None
+        )
+        return _spaces(tree, load.namespace or "") if tree is not None else set()
 
     def _rewritten(self, tree: YamlFile, how: Rewriting) -> YamlFile:
         """A rewritten file: the same one for all nodes that get it so."""

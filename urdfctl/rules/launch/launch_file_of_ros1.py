@@ -50,7 +50,7 @@ def launch_file_of_ros1(project: Project) -> Iterator[Finding]:
     launch = project.launch
     if launch is None or not launch.is_leftover:
         return
-    places = (each.at for each in (*launch.nodes, *launch.spawns))
+    places = (*(node.at for node in launch.nodes), *(spawn.at for spawn in launch.spawns))
     at = next((at for at in places if at.source.path == launch.path), None)
     if at is not None and launch.package is not None:
         message = "launch file is written for ROS 1; 'ros2 launch' refuses it. Remove it, or migrate the package"
