@@ -22,7 +22,7 @@ def render(report: Report) -> str:
     """
     if not report.findings:
         hidden = f"; {report.known} hidden by the baseline" if report.known else ""
-        return f"no findings in {visible(scope(report))}{hidden}\n"
+        return as_text(f"no findings in {visible(scope(report))}{hidden}\n")
     return "".join(f"{_command(relative(diagnostic))}\n" for diagnostic in report.findings)
 
 
