@@ -17,11 +17,12 @@ from packaging.requirements import Requirement
 from texts import Pages, front_matter
 
 from urdfctl.catalog.distros import ALL
+from urdfctl.graph.svg import STYLE
 from urdfctl.report.pages import allowed_scripts, allowed_styles
 
 _HERE = Path(__file__).resolve().parent / "playground"
 _PYODIDE = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
-_SERVED = ("app.js", "worker.js", "driver.py", "style.css")
+_SERVED = ("app.js", "explained.js", "worker.js", "driver.py", "style.css")
 _EXAMPLE = ROOT / "samples" / "broken" / "mybot"
 _NEW_DATE = (2020, 1, 1, 0, 0, 0)
 """The same input makes the same archive."""
@@ -52,11 +53,11 @@ def write_playground(folder: Path, pyodide: Path) -> None:
 
 def policy() -> str:
     """Return what the playground may run and load: its own files, Python's WebAssembly, and the scripts and styles of
-    urdfctl's pages, by their hashes, for the robot in 3-D. It can connect to nothing but its own folder."""
+    urdfctl's pages, by their hashes, for the graph and the robot in 3-D. It can connect to its own folder only."""
     rules = (
         "default-src 'none'",
         f"script-src 'self' 'wasm-unsafe-eval' {allowed_scripts()}",
-        f"style-src 'self' {allowed_styles()}",
+        f"style-src 'self' {allowed_styles(STYLE)}",
         "connect-src 'self'",
         "worker-src 'self'",
         "img-src data:",

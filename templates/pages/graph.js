@@ -40,7 +40,7 @@ for (const box of document.querySelectorAll(".wired:not([data-ready])")) {
     if (found.length) found[0].scrollIntoView({ block: "nearest", inline: "nearest" });
   };
   const area = box.querySelector(".wired-drawing"), natural = drawing.viewBox.baseVal;
-  let scale = 1;
+  let scale = 1, isFitted = true;
   const zoom = (wanted) => {
     const middle = [area.scrollLeft + area.clientWidth / 2, area.scrollTop + area.clientHeight / 2].map(at => at / scale);
     scale = Math.min(4, Math.max(.1, wanted));
@@ -48,19 +48,25 @@ for (const box of document.querySelectorAll(".wired:not([data-ready])")) {
     drawing.setAttribute("height", natural.height * scale);
     area.scrollTo(middle[0] * scale - area.clientWidth / 2, middle[1] * scale - area.clientHeight / 2);
   };
-  const fit = () => zoom(Math.min(1, (area.clientWidth - 2) / natural.width));
-  const zooms = { in: () => zoom(scale * 1.3), out: () => zoom(scale / 1.3), fit };
+  const fit = () => { isFitted = true; zoom(Math.min(1, (area.clientWidth - 2) / natural.width)); };
+  const zoomBy = factor => { isFitted = false; zoom(scale * factor); };
+  const zooms = { in: () => zoomBy(1.3), out: () => zoomBy(1 / 1.3), fit };
   for (const button of box.querySelectorAll("[data-zoom]")) button.addEventListener("click", zooms[button.dataset.zoom]);
   area.addEventListener("wheel", event => {
     if (!event.ctrlKey) return;
     event.preventDefault();
-    zoom(scale * (event.deltaY < 0 ? 1.15 : 1 / 1.15));
+    zoomBy(event.deltaY < 0 ? 1.15 : 1 / 1.15);
   }, { passive: false });
   area.addEventListener("pointermove", event => {
     if (event.buttons === 1 && event.pointerType === "mouse") area.scrollBy(-event.movementX, -event.movementY);
   });
   fit();
   area.scrollTo(0, 0);
+  let width = area.clientWidth;
+  window.ResizeObserver && new ResizeObserver(() => {
+    if (isFitted && area.clientWidth !== width) fit();
+    width = area.clientWidth;
+  }).observe(area);
   search.addEventListener("input", searched);
   for (const node of nodes) {
     for (const event of ["mouseenter", "focus"]) node.addEventListener(event, () => show([node.dataset.node]));

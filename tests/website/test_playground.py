@@ -92,13 +92,18 @@ def test_a_robot_is_linted_mended_drawn_generated_and_shared_in_the_browser(addr
         mended = visit.press("fix", "findings")
         assert "UC201" not in mended
         visit.press("tab-graph", "graph")
-        assert visit.page.run("document.querySelector('#graph img').naturalWidth") > 100
+        assert "left_wheel_joint" in visit.page.run("document.querySelector('#graph iframe').srcdoc")
+        assert visit.page.run("document.querySelector('#graph iframe').getBoundingClientRect().width > 900")
         visit.press("tab-view", "view")
         assert visit.page.run("document.querySelector('#view iframe').srcdoc.includes('in 3-D')")
         visit.page.run("document.getElementById('distro').value = 'noetic'")
         visit.page.run("document.getElementById('simulator').value = 'gazebo-classic'")
         assert "package.xml" in visit.press("generate", "generated")
         assert "gains" in visit.press("explain", "explained")
+        cause = "No valid hardware interface element found in joint 'left_wheel_joint'."
+        visit.page.run(f"document.getElementById('message').value = {json.dumps(cause)}")
+        assert "Causes, most likely first" in visit.press("explain", "explained")
+        assert visit.page.run("document.querySelector('#explained a').href.includes('/messages/')")
         visit.page.run("document.getElementById('share').click()")
         shared = visit.until("location.hash.length > 1 && location.href")
         assert visit.page.refused == []

@@ -58,9 +58,9 @@ def allowed_scripts() -> str:
     return _hashes(_texts(os.path.join(own_folder(), "pages"), ".js").values())
 
 
-def allowed_styles() -> str:
-    """Return the hashes of the style sheets of all pages, as a Content-Security-Policy names them."""
-    return _hashes(_texts(os.path.join(own_folder(), "pages"), ".css").values())
+def allowed_styles(*others: str) -> str:
+    """Return the hashes of the styles of all pages and of some others, as a Content-Security-Policy names them."""
+    return _hashes([*_texts(os.path.join(own_folder(), "pages"), ".css").values(), *others])
 
 
 def _texts(folder: str, ending: str) -> dict[str, str]:

@@ -1,4 +1,6 @@
 // The page: files, what urdfctl finds in them, and what it makes of them. Python runs in worker.js.
+import {explained} from './explained.js';
+
 const MOST_SECONDS = 60;
 const EXAMPLE = './example.json';
 const byId = id => document.getElementById(id);
@@ -109,6 +111,7 @@ function number() {
 
 function goTo(file, line) {
   if (!files.has(file)) return;
+  widen(false);
   show(file);
   const text = byId('text');
   const before = text.value.split('\n').slice(0, line - 1).join('\n').length + (line > 1 ? 1 : 0);
@@ -165,6 +168,8 @@ async function fix() {
 
 function distro() { return byId('distro').value ? ['--distro', byId('distro').value] : []; }
 
+function isRobotHere() { return [...files.values()].some(text => /<robot\b/.test(text)); }
+
 function robot() {
   const named = [...files.keys()].filter(name => /<robot[^>]*\sname\s*=/.test(files.get(name)));
   return named.includes(shown) ? shown : named[0] ?? shown;
@@ -173,9 +178,13 @@ function robot() {
 // -- the other tabs -------------------------------------------------------------------------------------------------
 
 async function explain() {
-  await busy('Explaining', byId('explained'), async () => {
-    const answer = await command('explain', byId('message').value || byId('message').placeholder);
-    byId('explained').textContent = answer.out || answer.errors;
+  keep();
+  const panel = byId('explained');
+  await busy('Explaining', panel, async () => {
+    const where = isRobotHere() ? ['--in', '.', ...distro()] : [];
+    const answer = await command('explain', byId('message').value || byId('message').placeholder, ...where, '--format', 'json');
+    if (!answer.out.trim()) return panel.replaceChildren(problem(answer.errors || 'nothing to explain'));
+    panel.replaceChildren(...explained(JSON.parse(answer.out), {element, goTo}));
   });
 }
 
@@ -195,11 +204,20 @@ async function generate() {
 async function draw() {
   keep();
   const panel = byId('graph');
+  widen(true);
   await busy('Drawing', panel, async () => {
-    const answer = await command('graph', '.', '--format', 'svg', ...distro());
+    const answer = await command('graph', '.', '--format', 'html', ...distro());
     if (!answer.out.startsWith('<')) return panel.replaceChildren(problem(answer.errors || 'nothing to draw'));
-    panel.replaceChildren(element('img', '', {alt: 'what is wired to what', src: `data:image/svg+xml;charset=utf-8,${encodeURIComponent(answer.out)}`}));
+    panel.replaceChildren(framed('what is wired to what', answer.out));
   });
+}
+
+/** Return a page of urdfctl, which can run its own scripts and nothing else. */
+function framed(title, page) {
+  const frame = element('iframe', '', {title});
+  frame.setAttribute('sandbox', 'allow-scripts');
+  frame.srcdoc = page;
+  return frame;
 }
 
 async function view() {
@@ -209,8 +227,7 @@ async function view() {
     const answer = await command('view', robot(), '-o', '/home/made/robot.html');
     const page = JSON.parse(await python.ask('made'))['robot.html'];
     if (!page) return panel.replaceChildren(problem(answer.errors || 'nothing to show'));
-    panel.replaceChildren(element('iframe', '', {title: 'the robot in 3-D', srcdoc: page}));
-    panel.firstChild.setAttribute('sandbox', 'allow-scripts');
+    panel.replaceChildren(framed('the robot in 3-D', page));
   });
 }
 
@@ -223,6 +240,11 @@ function select(name) {
     tab.tabIndex = chosen ? 0 : -1;
     byId(tab.getAttribute('aria-controls')).hidden = !chosen;
   }
+}
+
+function widen(wide) {
+  document.querySelector('main').classList.toggle('wide', wide);
+  byId('wide').setAttribute('aria-pressed', wide);
 }
 
 // -- files in, and an address that has them -------------------------------------------------------------------------
@@ -298,6 +320,7 @@ async function start() {
   byId('explain').onclick = explain;
   byId('generate').onclick = generate;
   byId('share').onclick = share;
+  byId('wide').onclick = () => widen(!document.querySelector('main').classList.contains('wide'));
   byId('example').onclick = async () => { replace(await (await fetch(EXAMPLE)).json()); await lint(); };
   byId('file').onchange = event => show(event.target.value);
   byId('text').oninput = number;
