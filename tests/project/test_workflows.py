@@ -30,10 +30,12 @@ def jobs(name: str) -> dict[str, Any]:
     return read
 
 
-def test_the_oldest_versions_are_those_that_the_package_allows() -> None:
+def test_the_oldest_versions_are_those_that_the_package_and_its_extras_allow() -> None:
     lines = (CHECKOUT / ".github/oldest.txt").read_text(encoding="utf-8").splitlines()
     oldest = dict(line.split("==") for line in lines if not line.startswith("#"))
-    allowed = dict(re.findall(r"^([\w-]+)>=([\d.]+)", "\n".join(PROJECT["dependencies"]), re.MULTILINE))
+    extras = [line for name, wanted in PROJECT["optional-dependencies"].items() if name != "dev" for line in wanted]
+    wanted = [line for line in (*PROJECT["dependencies"], *extras) if "python_version >=" not in line]
+    allowed = dict(re.findall(r"^([\w-]+)>=([\d.]+)", "\n".join(wanted), re.MULTILINE))
     assert {name: version for name, version in oldest.items() if name != "click"} == allowed
 
 

@@ -44,7 +44,7 @@ def terminal_width() -> int:
     """Return the width of the terminal in columns: between 60 and 120."""
     from shutil import get_terminal_size
 
-    return min(max(get_terminal_size((WIDTH, 24)).columns, _NARROWEST), WIDTH)
+    return min(max(get_terminal_size((WIDTH, 24)).columns or WIDTH, _NARROWEST), WIDTH)
 
 
 def print_pieces(parts: Iterable[Piece]) -> None:
