@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.model.launch.launch import Launch
-from urdfctl.model.launch.package import Package
+from urdfctl.model.launch.package import LeftOut, Package
 from urdfctl.model.launch.parts import (
     UNCHANGED,
     Description,
@@ -29,6 +29,7 @@ __all__ = [
     "InlineParameters",
     "Launch",
     "LaunchedFile",
+    "LeftOut",
     "Node",
     "Package",
     "ParameterLoad",

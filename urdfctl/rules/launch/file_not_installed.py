@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.model.launch import LeftOut, Package
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2
 from urdfctl.rules.launch_samples import MANIFEST, SOUND
 
+_FIND = "$(find "
 _MANIFEST = MANIFEST.replace("</package>", "<export><build_type>ament_cmake</build_type></export></package>")
 
 
@@ -46,6 +48,29 @@ def _of_other_package(folders: str) -> dict[str, str]:
     }
 
 
+def _of_plugin(folders: str, mark: tuple[str, str] = ("", "")) -> dict[str, str]:
+    """A description whose simulator plugin finds its controllers in the package."""
+    files = _files(folders)
+    plugin = f"""<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+          <parameters>{mark[0]}$(find arm)/config/controllers.yaml{mark[1]}</parameters></plugin></gazebo>"""
+    launch = """<launch>
+          <node pkg="robot_state_publisher" exec="robot_state_publisher">
+            <param name="robot_description" value="$(command 'xacro $(find-pkg-share arm)/urdf/arm.xacro')" type="str"/>
+          </node>
+          <node pkg="controller_manager" exec="spawner" args="joint_state_broadcaster arm_controller"/>
+        </launch>"""
+    robot = files["urdf/arm.urdf"].replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem")
+    files = {name: text for name, text in files.items() if name != "urdf/arm.urdf"}
+    manifest = _MANIFEST.replace("<export>", "<exec_depend>gz_ros2_control</exec_depend><export>")
+    return {
+        **files,
+        "options": "--distro=jazzy --simulator=gz",
+        "launch/arm.launch.xml": launch,
+        "urdf/arm.xacro": robot + plugin,
+        "package.xml": manifest,
+    }
+
+
 @rule(
     "UC615",
     severity=Severity.ERROR,
@@ -55,10 +80,12 @@ def _of_other_package(folders: str) -> dict[str, str]:
     bad=[
         _files("launch urdf", "$(find-pkg-share arm)/config/controllers.yaml"),
         {**_files("launch urdf config"), **_of_other_package("launch")},
+        _of_plugin("launch urdf", ("«", "»")),
     ],
     good=[
         _files("launch urdf config"),
         {**_files("launch urdf config"), **_of_other_package("launch config")},
+        _of_plugin("launch urdf config"),
     ],
 )
 def file_not_installed(project: Project) -> Iterator[Finding]:
@@ -85,8 +112,22 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
         is_own = left_out.folder == package.folder
         if not is_own and (launch.ros != ROS_2 or file.text != file.path):
             continue
-        what = f"folder '{left_out.above}'" if left_out.above else "it"
-        of = "" if is_own else f" of package '{left_out.package}'"
-        message = f"'{left_out.inner}'{of} is not installed: {left_out.build} does not list {what}"
         notes = (Note("the package's manifest is here", package.at),) if is_own else ()
-        yield Finding(file.at, message, notes, severity=Severity.WARNING if reference.use == "argument" else severity)
+        worst = Severity.WARNING if reference.use == "argument" else severity
+        yield Finding(file.at, _message(left_out, package), notes, severity=worst)
+    if launch.ros == ROS_2:
+        yield from _of_description(project, package)
+
+
+def _of_description(project: Project, package: Package) -> Iterator[Finding]:
+    """Yield the controller files that a simulator's plugin looks for in a package that does not install them."""
+    for file in project.controllers.references if project.controllers else ():
+        left_out = package.left_out(file.path) if file.path and file.exists else None
+        if left_out and file.at.source.is_xacro and _FIND in file.at.span.text:
+            yield Finding(file.at, _message(left_out, package))
+
+
+def _message(left_out: LeftOut, package: Package) -> str:
+    what = f"folder '{left_out.above}'" if left_out.above else "it"
+    of = "" if left_out.folder == package.folder else f" of package '{left_out.package}'"
+    return f"'{left_out.inner}'{of} is not installed: {left_out.build} does not list {what}"
