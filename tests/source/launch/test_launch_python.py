@@ -503,6 +503,56 @@ def test_a_window_of_gz_alone_is_no_simulation(action: str) -> None:
     assert not launch(action).simulations
 
 
+COUNTED = {
+    "for i in range(2)": ["arm1", "arm2"],
+    "for i in range(1, int('4'), 2)": ["arm2", "arm4"],
+    "for i, _ in enumerate(['x', 'y'])": ["arm1", "arm2"],
+    "for i, _ in enumerate(['x'], start=4)": ["arm5"],
+    "for i, _ in zip([7, 8], ['x', 'y', 'z'])": ["arm8", "arm9"],
+    "for i in reversed([0, 1])": ["arm2", "arm1"],
+    "for i in range(len(['x', 'y']) - 1)": ["arm1"],
+    "for i in [7 // 2 * 3, 7 % 4]": ["arm10", "arm4"],
+}
+
+
+@pytest.mark.parametrize(("loop", "expected"), COUNTED.items())
+def test_loops_that_count_are_followed(loop: str, expected: list[str]) -> None:
+    made = launch(f"""
+        ld = LaunchDescription()
+        {loop}:
+            ld.add_action(Node(package='controller_manager', executable='spawner', arguments=[f'arm{{i + 1}}']))
+        return ld
+    """)
+    assert names(made) == expected
+    assert made.complete
+
+
+@pytest.mark.parametrize(
+    "loop", ["for i in range(int(os.environ['N']))", "for i in range(10 ** 12)", "for i in [1 / 0]"]
+)
+def test_a_loop_that_counts_to_what_is_not_known_spawns_what_is_not_known(loop: str) -> None:
+    made = launch(f"""
+        ld = LaunchDescription()
+        {loop}:
+            ld.add_action(Node(package='controller_manager', executable='spawner', arguments=[f'arm{{i}}']))
+        return ld
+    """)
+    assert [name for name in names(made) if UNKNOWN not in name] == []
+
+
+def test_the_folder_of_a_package_that_is_not_here_stays_the_same_after_a_condition() -> None:
+    made = launch("""
+        share = get_package_share_directory('ros_gz_sim')
+        paths = [share]
+        if os.path.exists('/models'):
+            paths.append('/models')
+        gz = PythonLaunchDescriptionSource(os.path.join(share, 'launch', 'gz_sim.launch.py'))
+        return LaunchDescription([IncludeLaunchDescription(gz, launch_arguments={'gz_args': '-r'}.items())])
+    """)
+    assert [one.simulator for one in made.simulations] == ["gz"]
+    assert made.complete
+
+
 @pytest.mark.parametrize("text", ENDLESS.values(), ids=ENDLESS)
 def test_hostile_files_come_to_an_end(text: str) -> None:
     indented = "".join(f"    {line}\n" for line in text.splitlines())

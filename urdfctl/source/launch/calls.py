@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
+from urdfctl.source.launch.counting import counted
 from urdfctl.source.launch.frames import Frame, add, append, extend
 from urdfctl.source.launch.operations import listed, method, shown, text_at
 from urdfctl.source.launch.terms import (
@@ -115,7 +116,8 @@ class Calls:
             for key, value in keywords.items():
                 table.put(Constant(key, value.at), value)
             return table
-        return Called(name, at, arguments, keywords)
+        number = counted(name, [*arguments, *keywords.values()], at)
+        return Called(name, at, arguments, keywords) if number is None else number
 
     def _yaml(self, file: Called, at: Place) -> Term:
         """The content of a YAML file that is opened, or whose text is read."""

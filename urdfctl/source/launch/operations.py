@@ -6,6 +6,7 @@ import ast
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from operator import floordiv, mod, mul, sub, truediv
 
 from urdfctl.source.launch.terms import (
     MOST_ITEMS,
@@ -28,6 +29,14 @@ from urdfctl.source.span import Place
 _WITHOUT_ARGUMENTS = frozenset("lower upper strip lstrip rstrip title capitalize as_posix absolute resolve".split())
 _TESTS = frozenset("startswith endswith".split())
 _DEEPEST = 4
+_LARGEST = 1e9
+_ARITHMETIC: dict[type[ast.operator], Callable[[float, float], float]] = {
+    ast.Sub: sub,
+    ast.Mult: mul,
+    ast.Div: truediv,
+    ast.FloorDiv: floordiv,
+    ast.Mod: mod,
+}
 _PATTERN = r"%[sd]|%%"
 _FIELD = r"\{\{|\}\}|\{([^{}]*)\}"
 
@@ -129,12 +138,25 @@ def binary(operator: ast.operator, left: Term, right: Term, at: Place) -> Term:
         both.take(left)
         both.take(right)
         return both
+    if type(operator) in _ARITHMETIC and isinstance(left, Constant) and isinstance(left.value, (int, float)):
+        return _reckoned(_ARITHMETIC[type(operator)], left.value, right, at)
     if isinstance(operator, ast.Div):
         return _below(left, right, at)
     if isinstance(operator, ast.Mod) and isinstance(left, Constant) and isinstance(left.value, str):
         values = right.values if isinstance(right, Items) else [right]
         return _filled(left.value, values, at)
     return UnknownTerm(at)
+
+
+def _reckoned(function: Callable[[float, float], float], left: float, right: Term, at: Place) -> Term:
+    """The result of an operator on two numbers, as far as it is not too large."""
+    other = right.value if isinstance(right, Constant) else None
+    if not isinstance(other, (int, float)) or max(abs(left), abs(other)) > _LARGEST:
+        return UnknownTerm(at)
+    try:
+        return Constant(function(left, other), at)
+    except ZeroDivisionError:
+        return UnknownTerm(at)
 
 
 def _below(left: Term, right: Term, at: Place) -> Term:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.source.opaque import UNKNOWN
@@ -12,6 +13,8 @@ Plain = str | int | float | bool | None
 
 MOST_ITEMS = 2000
 _MOST_OPTIONS = 8
+_OUTSIDE = rf"{UNKNOWN}\([\w-]+\)"
+"""What `outside` returns."""
 
 
 class Constant(NamedTuple):
@@ -168,10 +171,16 @@ def one_of(options: Sequence[Term], at: Place) -> Term:
 
 
 def is_same(left: Term, right: Term) -> bool:
-    """Return whether two terms are known to have the same value; two unknown terms count as the same."""
+    """Return whether two terms are known to have the same value; two unknown terms count as the same.
+
+    The folder of a package is the same everywhere, though it is not known.
+    """
+    if left is right:
+        return True
     if isinstance(left, Constant) and isinstance(right, Constant):
-        return type(left.value) is type(right.value) and left.value == right.value and UNKNOWN not in str(left.value)
-    return left is right or (isinstance(left, UnknownTerm) and isinstance(right, UnknownTerm))
+        is_equal = type(left.value) is type(right.value) and left.value == right.value
+        return is_equal and UNKNOWN not in re.sub(_OUTSIDE, "", str(left.value))
+    return isinstance(left, UnknownTerm) and isinstance(right, UnknownTerm)
 
 
 def perhaps(term: Term) -> Term:
