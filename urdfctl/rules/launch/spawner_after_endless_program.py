@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.model.launch import Started
+from urdfctl.names import enumerated
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.launch_samples import CONTROLLERS, MANIFEST, ROBOT
@@ -65,13 +66,14 @@ def spawner_after_endless_program(project: Project) -> Iterator[Finding]:
     """
     for waiting in project.launch.waiting if project.launch else ():
         spawners = [each for each in waiting.what if each.program == "spawner"]
-        what = " and ".join(dict.fromkeys(map(_titled, spawners or waiting.what)))
+        names = list(dict.fromkeys(map(_titled, spawners or waiting.what)))
+        what = f"{enumerated(names)} {'wait' if len(names) > 1 else 'waits'}"
         severity = None if spawners else Severity.WARNING
         target = _titled(waiting.target)
         if waiting.is_started:
-            message = f"{what} waits for the exit of {target}, which runs until the launch ends; use OnProcessStart"
+            message = f"{what} for the exit of {target}, which runs until the launch ends; use OnProcessStart"
         else:
-            message = f"{what} waits for {target}, which nothing starts; add it to the LaunchDescription"
+            message = f"{what} for {target}, which nothing starts; add it to the LaunchDescription"
         yield Finding(waiting.at, message, severity=severity)
 
 
