@@ -60,6 +60,7 @@ class Problem(NamedTuple):
     subject: the name that it is about, if any.
     hint: how to solve it, if known.
     guessed: True if it depends on a guess, so that it is no error for sure.
+    built: True if the build of a package probably makes the file that is missing.
     follows: how many more problems it caused, which are not told.
     also: other places in the same file with the same problem.
     used: where the text at `at` is used, if elsewhere.
@@ -78,6 +79,7 @@ class Problem(NamedTuple):
     used: Place | None = None
     meant: str = ""
     correct: str = ""
+    built: bool = False
 
 
 class ReadError(Exception):

@@ -15,11 +15,11 @@ _ATTRIBUTE_NAME = re.compile(rb"([\w:.-]+)\s*=\s*[\"']\Z")
 def findings_of(project: Project, kind: ProblemKind) -> Iterator[Finding]:
     """Yield a finding for each problem of a kind that occurred while the files were read.
 
-    A problem that depends on a guess is a warning.
+    A problem that depends on a guess is a warning; a file that the build makes is only worth knowing.
     """
     for problem in project.of_kind(kind):
         fix = _written_right(problem) if problem.meant else Fix(problem.hint) if problem.hint else None
-        severity = Severity.WARNING if problem.guessed else None
+        severity = Severity.INFO if problem.built else Severity.WARNING if problem.guessed else None
         used = (Note("used here", problem.used),) if problem.used else ()
         yield Finding(problem.at, problem.message, (*used, *consequences_of(problem)), fix, severity)
 

@@ -16,6 +16,7 @@ from urdfctl.source.xacro.expressions.guards import ForbiddenExpression, Missing
 
 _EVALUATING = r"(?s)\s*when evaluating expression '(.*)'"
 _QUOTED = r"'([^']*)'"
+_BUILT = "CMakeLists.txt names it, so the build may create it"
 
 
 class AbsentFile(FileProblem, OSError):
@@ -52,7 +53,7 @@ def judged(problem: Problem, packages: Packages) -> Problem:
     """
     if problem.kind is ProblemKind.FILE_NOT_FOUND:
         made = _made_by(problem.subject, packages)
-        problem = problem._replace(message=f"{problem.message}; {made}") if made else problem
+        problem = problem._replace(message=f"{problem.message}; {made}", built=made == _BUILT) if made else problem
         return problem._replace(guessed=bool(made) or packages.is_guessed(problem.subject))
     if problem.kind is not ProblemKind.PACKAGE_NOT_FOUND:
         return problem
@@ -69,7 +70,7 @@ def _made_by(path: str, packages: Packages) -> str:
     """What says that a missing file is made later; empty if nothing does."""
     if packages.is_ignored_by_git(path):
         return ".gitignore lists it: create it before the robot starts"
-    return "CMakeLists.txt names it, so the build may create it" if packages.is_made_by_build(path) else ""
+    return _BUILT if packages.is_made_by_build(path) else ""
 
 
 def failed_expression(error: BaseException) -> str:
