@@ -48,6 +48,7 @@ class ProblemKind(Enum):
     YAML_TAB = auto()
     PYTHON_TAG = auto()
     PYTHON_SYNTAX = auto()
+    PYTHON_NAME = auto()
     MERGE_CONFLICT = auto()
 
 

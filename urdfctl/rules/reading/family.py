@@ -16,6 +16,7 @@ from urdfctl.rules.reading.file_unreadable import file_unreadable
 from urdfctl.rules.reading.forbidden_expression import forbidden_expression
 from urdfctl.rules.reading.indentation_lost import indentation_lost
 from urdfctl.rules.reading.launch_file_not_python import launch_file_not_python
+from urdfctl.rules.reading.launch_name_undefined import launch_name_undefined
 from urdfctl.rules.reading.macro_call_mismatch import macro_call_mismatch
 from urdfctl.rules.reading.macro_defined_twice import macro_defined_twice
 from urdfctl.rules.reading.macro_named_after_other_file import macro_named_after_other_file
@@ -76,5 +77,6 @@ FAULTS: tuple[Fault, ...] = (
     python_tag,
     text_not_expanded,
     merge_conflict_left,
+    launch_name_undefined,
     suppression_unused,
 )

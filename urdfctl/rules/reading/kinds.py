@@ -41,6 +41,7 @@ _OF_PROBLEMS = {
     ProblemKind.YAML_DUPLICATE_MAP: "yaml_key_twice",
     ProblemKind.YAML_TAB: "yaml_tab",
     ProblemKind.PYTHON_SYNTAX: "launch_file_not_python",
+    ProblemKind.PYTHON_NAME: "launch_name_undefined",
     ProblemKind.PYTHON_TAG: "python_tag",
     ProblemKind.MERGE_CONFLICT: "merge_conflict_left",
 }

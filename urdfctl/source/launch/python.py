@@ -16,6 +16,7 @@ from urdfctl.source.launch.frames import Frame, extend, merged
 from urdfctl.source.launch.modules import Modules
 from urdfctl.source.launch.operations import added, listed, shown, truth
 from urdfctl.source.launch.terms import Constant, Function, ImportedName, Items, Perhaps, Term, UnknownTerm, one_of
+from urdfctl.source.launch.unbound import unbound_name
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceSpan, SourceText
@@ -83,7 +84,15 @@ def read_python(source: SourceText, surroundings: Surroundings) -> Script:
     run = Run(source, surroundings)
     run.block(tree.body, module)
     entry = module.names.get(_ENTRY)
-    return Script(entry.call((), {}, None) if isinstance(entry, Function) else None)
+    if not isinstance(entry, Function):
+        return Script(None)
+    name = unbound_name(tree, _ENTRY)
+    return Script(entry.call((), {}, None), _unbound(name, run.at(name)) if name is not None else None)
+
+
+def _unbound(name: ast.Name, at: Place) -> Problem:
+    message = f"name '{name.id}' is not defined; launch stops with a NameError"
+    return Problem(ProblemKind.PYTHON_NAME, at, message, name.id)
 
 
 def _told(source: SourceText, error: SyntaxError) -> str:

@@ -1,0 +1,96 @@
+"""Names in a launch file in Python that nothing in the file defines, where they are certainly evaluated."""
+
+from __future__ import annotations
+
+import ast
+import builtins
+from collections.abc import Iterable, Iterator
+from itertools import chain
+
+_GIVEN = frozenset({*dir(builtins), "__file__", "__path__", "__builtins__", "__annotations__"})
+_HIDING = frozenset({"exec", "eval", "globals", "locals", "vars", "setattr"})
+"""Functions that may define names in ways that the text does not show."""
+_LATER = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.NamedExpr)
+"""Expressions of which not all is evaluated, or which define names."""
+
+
+def unbound_name(tree: ast.Module, entry: str) -> ast.Name | None:
+    """Return the first name that Python does not find when a launch file is started; None if it finds all that it
+    certainly looks up.
+
+    A name that the file defines anywhere counts as defined.
+
+    entry: the name of the function that is called.
+    """
+    known = set(_GIVEN)
+    for node in ast.walk(tree):
+        names = _defined(node)
+        if names is None:
+            return None
+        known.update(names)
+    function = next((one for one in tree.body if isinstance(one, ast.FunctionDef) and one.name == entry), None)
+    body = function.body if function and not function.decorator_list else ()
+    looked_up = chain(_evaluated(tree.body), _evaluated(body))
+    return next((name for name in looked_up if name.id not in known), None)
+
+
+def _defined(node: ast.AST) -> Iterable[str] | None:
+    """The names that a node defines; None if it may define any."""
+    if isinstance(node, ast.Name):
+        return None if node.id in _HIDING else () if isinstance(node.ctx, ast.Load) else (node.id,)
+    if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+        return (node.name,)
+    if isinstance(node, ast.arg):
+        return (node.arg,)
+    if isinstance(node, ast.alias):
+        return None if node.name == "*" else (node.asname or node.name.partition(".")[0],)
+    if isinstance(node, (ast.Global, ast.Nonlocal)):
+        return node.names
+    name = getattr(node, "name", None) or getattr(node, "rest", None)  # of handlers and of patterns
+    return (name,) if isinstance(name, str) else ()
+
+
+def _evaluated(statements: Iterable[ast.stmt]) -> Iterator[ast.Name]:
+    """Yield the names that are looked up if statements run one after the other, as far as that is certain."""
+    for statement in statements:
+        if isinstance(statement, (ast.Assign, ast.AnnAssign, ast.AugAssign, ast.Expr, ast.Return)):
+            yield from _looked_up(statement.value)
+        elif isinstance(statement, ast.If):
+            yield from _looked_up(statement.test)
+        elif isinstance(statement, ast.For):
+            yield from _looked_up(statement.iter)
+        elif isinstance(statement, ast.With):
+            yield from (name for item in statement.items for name in _looked_up(item.context_expr))
+        if not isinstance(statement, (*_SIMPLE, *_COMPOUND)) or _may_leave(statement):
+            return
+
+
+_SIMPLE = (
+    *(ast.Assign, ast.AnnAssign, ast.AugAssign, ast.Expr, ast.Import, ast.ImportFrom, ast.FunctionDef, ast.ClassDef),
+    *(ast.Pass, ast.Assert, ast.Delete),
+)
+_COMPOUND = (ast.If, ast.For, ast.With)
+
+
+def _may_leave(statement: ast.stmt) -> bool:
+    """Whether the statements after another one may not run."""
+    if not isinstance(statement, _COMPOUND):
+        return False
+    return any(isinstance(node, (ast.Return, ast.Raise)) for node in ast.walk(statement))
+
+
+def _looked_up(expression: ast.expr | None) -> Iterator[ast.Name]:
+    """Yield the names in an expression that are looked up whatever they are."""
+    if expression is None or isinstance(expression, _LATER):
+        return
+    if isinstance(expression, ast.Name):
+        yield expression
+    elif isinstance(expression, ast.IfExp):
+        yield from _looked_up(expression.test)
+    elif isinstance(expression, ast.BoolOp):
+        yield from _looked_up(expression.values[0])
+    else:
+        for child in ast.iter_child_nodes(expression):
+            inner = child.value if isinstance(child, ast.keyword) else child
+            if isinstance(inner, ast.expr):
+                yield from _looked_up(inner)
