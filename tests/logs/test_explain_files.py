@@ -142,6 +142,14 @@ def test_a_cause_names_the_other_places_that_belong_to_it_and_the_repair(folder:
     }
 
 
+def test_a_repair_that_is_likely_only_is_offered_as_a_diff(robot: Folder) -> None:
+    drive = "elbow_controller:\n  type: diff_drive_controller/DiffDriveController\n  wheel_seperation: 0.4\n"
+    robot.write({"arm/controllers.yaml": f"{drive}  left_wheel: elbow\n  right_wheel: elbow\n"})
+    text = command("Could not load controller 'elbow_controller' because controller type", "--in", "arm").stdout
+    assert "  urdfctl lint arm --unsafe-fixes --diff --select UC461,UC430  shows what most likely" in text
+    assert " --fix " not in text
+
+
 def test_a_cause_says_how_its_rule_repairs_it(robot: Folder) -> None:
     without = ROBOT.replace("<hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>", "")
     robot.write({"arm/robot.urdf": without})

@@ -39,7 +39,8 @@ class RelatedPlace(NamedTuple):
 class FoundCause(NamedTuple):
     """A line of a file in which a rule found a cause.
 
-    message: what is wrong there. fixable: by a safe fix. fix: what to do there; empty if the rule does not say.
+    message: what is wrong there. fixable: by a safe fix. likely: by a fix that may not be
+    what is meant. fix: what to do there; empty if the rule does not say.
     related: other lines that belong to it.
     """
 
@@ -49,6 +50,7 @@ class FoundCause(NamedTuple):
     code: str
     message: str
     fixable: bool = False
+    likely: bool = False
     fix: str = ""
     related: tuple[RelatedPlace, ...] = ()
 

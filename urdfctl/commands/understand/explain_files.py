@@ -45,6 +45,7 @@ def _cause(finding: Diagnostic) -> FoundCause:
         code=finding.code,
         message=finding.message,
         fixable=bool(fix and fix.safe),
+        likely=bool(fix and fix.edits and not fix.safe),
         fix=fix.title if fix else "",
         related=related[:_MOST_RELATED],
     )

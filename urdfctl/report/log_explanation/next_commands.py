@@ -59,12 +59,17 @@ def _in_files(known: tuple[KnownMessage, ...], files: CheckedFolder | None) -> t
 
 def _after_checking(known: Iterable[KnownMessage], files: CheckedFolder) -> tuple[NextCommand, ...]:
     """The commands to run after the causes were searched in a folder."""
-    found = [found.code for entry in known for cause in entry.reading.causes for found in cause.found]
-    offered = [NextCommand(f"urdfctl explain {found[0]}", "explains the rule, with an example")] if found else []
-    sure = [found.code for entry in known for cause in entry.reading.causes for found in cause.found if found.fixable]
-    select = ",".join(dict.fromkeys(sure))
-    repair = f"urdfctl lint {files.folder} --fix --select {select}"
-    offered += [NextCommand(repair, "repairs what caused it, tested on all robots")] if sure else []
+    found = [found for entry in known for cause in entry.reading.causes for found in cause.found]
+    offered = [NextCommand(f"urdfctl explain {found[0].code}", "explains the rule, with an example")] if found else []
+    lint = f"urdfctl lint {files.folder}"
+    sure = list(dict.fromkeys(one.code for one in found if one.fixable))
+    if sure:
+        repair = f"{lint} --fix --select {','.join(sure)}"
+        offered.append(NextCommand(repair, "repairs what caused it, tested on all robots"))
+    likely = list(dict.fromkeys(one.code for one in found if one.likely and one.code not in sure))
+    if likely:
+        repair = f"{lint} --unsafe-fixes --diff --select {','.join(likely)}"
+        offered.append(NextCommand(repair, "shows what most likely repairs it; without --diff it is written"))
     errors = f"{files.others} {'other ' if found else ''}error{'' if files.others == 1 else 's'}"
     purpose = f"shows {errors} in these files" if files.others else "shows all findings in these files"
-    return (*offered, NextCommand(f"urdfctl lint {files.folder}", purpose))
+    return (*offered, NextCommand(lint, purpose))
