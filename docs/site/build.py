@@ -16,7 +16,7 @@ from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[2]), str(Path(__file__).resolve().parent)]
 
-from checking import problems_of  # noqa: E402
+from checking import ask_nobody, problems_of  # noqa: E402
 from documents import ROOT, document_pages  # noqa: E402
 from faults import fault_pages  # noqa: E402
 from messages import message_pages  # noqa: E402
@@ -43,6 +43,7 @@ def main() -> int:
     write_sources(folder)
     subprocess.run([sys.executable, "-m", "zensical", "build", "--clean"], cwd=folder, check=True)
     site = folder / "site"
+    ask_nobody(site)
     if options.pyodide:
         write_playground(site / "playground", options.pyodide)
     problems = [*problems_of(site)]

@@ -11,6 +11,7 @@ from urllib.parse import unquote, urlsplit
 
 from urdfctl import SITE
 
+_ASKING = ' data-md-component="source"'
 _LOADED = {"script": "src", "img": "src", "iframe": "src"}
 
 
@@ -60,6 +61,14 @@ def _facts(page: Path) -> _Facts:
     facts = _Facts()
     facts.feed(page.read_text("utf-8"))
     return facts
+
+
+def ask_nobody(site: Path) -> None:
+    """Take the mark from the link to the repository by which the theme asks GitHub for its number of stars."""
+    for path in site.rglob("*.html"):
+        text = path.read_text("utf-8")
+        if _ASKING in text:
+            path.write_text(text.replace(_ASKING, ""), "utf-8")
 
 
 def problems_of(site: Path) -> Iterator[str]:

@@ -16,7 +16,7 @@ from urdfctl.rules import all_faults
 sys.path.append(str(CHECKOUT / "docs" / "site"))
 
 import faults
-from checking import problems_of
+from checking import ask_nobody, problems_of
 from documents import document_pages, linked
 from faults import fault_pages, page_of
 from messages import message_pages
@@ -98,6 +98,16 @@ def test_every_page_that_the_menu_names_is_made() -> None:
 )
 def test_what_is_wrong_with_a_page_is_told(tmp_path: Path, body: str, told: str) -> None:
     assert built(tmp_path, page=body) == [f"page.html: {told}"]
+
+
+def test_a_page_asks_no_other_host_for_the_stars_of_the_repository(tmp_path: Path) -> None:
+    page = '<a href="https://github.com/x/y" class="md-source" data-md-component="source">y</a>'
+    (tmp_path / "a").mkdir()
+    (tmp_path / "a" / "index.html").write_text(page, "utf-8")
+    ask_nobody(tmp_path)
+    assert (tmp_path / "a" / "index.html").read_text(
+        "utf-8"
+    ) == '<a href="https://github.com/x/y" class="md-source">y</a>'
 
 
 def test_a_sound_site_has_no_problems(tmp_path: Path) -> None:
