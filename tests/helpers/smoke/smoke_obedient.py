@@ -30,6 +30,9 @@ class Obedient:
     def effort(self, joint: str) -> float:
         return 0.0
 
+    def place(self, joint: str, position: float) -> None:
+        self.places[joint], self.speeds[joint] = position, 0.0
+
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
         assert effort >= 0 <= velocity
         self.places[joint] = position

@@ -110,6 +110,12 @@ def test_an_effort_carries_the_weight_and_pushes_a_little(limit: float | None, w
     assert abs(engine.efforts["j"]) <= effort_of(hinge)
 
 
+def test_a_light_joint_is_pushed_gently() -> None:
+    engine, goal = Recorder(), goal_of(JOINT, 0.0, 5.0, 2.0)._replace(push=0.01)
+    ForwardMotion(engine, [goal], "effort", 2.0).update(0.0, 0.01)  # type: ignore[arg-type]
+    assert engine.efforts["j"] == pytest.approx(5.01)
+
+
 def test_an_effort_is_at_most_the_limit() -> None:
     engine = Recorder()
     ForwardMotion(engine, [goal_of(JOINT, 0.0, 49.9, 2.0)], "effort", 2.0).update(0.0, 0.01)  # type: ignore[arg-type]

@@ -10,13 +10,11 @@ from smoke_obedient import Obedient, hinge, trial
 
 from urdfctl.smoke.engines.engine import STEP, BasePose
 from urdfctl.smoke.motion.plan import MotionPlan
+from urdfctl.smoke.motion.setup import skidding_joints, stiff_joints, wheel_joints
 from urdfctl.smoke.motion.trial import (
     MotionTrial,
     seen_quantities,
-    skidding_joints,
-    stiff_joints,
     untested_joints,
-    wheel_joints,
 )
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
 from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily

@@ -152,6 +152,39 @@ def test_there_is_nothing_to_run_together_with_one_loop_of_positions(tasks: tupl
     assert "UC934" not in codes(trial(Disturbed(), (LEADER, OTHER), tasks))
 
 
+class Thrown(Obedient):
+    """An engine in which a joint swings, and that notes which joints are put back."""
+
+    def __init__(self, swinging: float) -> None:
+        super().__init__()
+        self.swinging, self.tick = swinging, 0
+        self.put: dict[str, float] = {}
+
+    def step(self) -> None:
+        super().step()
+        self.tick += 1
+
+    def position(self, joint: str) -> float:
+        return super().position(joint) + (self.swinging if joint == "leader" and self.tick % 20 < 10 else 0.0)
+
+    def place(self, joint: str, position: float) -> None:
+        super().place(joint, position)
+        self.put[joint] = position
+
+
+@pytest.mark.parametrize(
+    ("swinging", "fixed", "put"),
+    [(0.3, True, {"leader": 0.0, "other": 0.5}), (0.0, True, {}), (0.3, False, {})],
+    ids=["a joint swings", "nothing fails", "on the ground"],
+)
+def test_after_a_failure_the_joints_of_a_fixed_robot_are_put_back(
+    swinging: float, fixed: bool, put: dict[str, float]
+) -> None:
+    engine = Thrown(swinging)
+    made = trial(engine, (LEADER, OTHER._replace(initial=0.5)), (MOVER,), fixed=fixed)
+    assert (bool(made.troubles), engine.put) == (swinging > 0, put)
+
+
 # -- the end -----------------------------------------------------------------------------------------------------------
 
 

@@ -110,6 +110,10 @@ class Engine(Protocol):
         """Return the effort with which its motor drove a joint in the last step, in N m or N."""
         raise NotImplementedError
 
+    def place(self, joint: str, position: float) -> None:
+        """Put a joint at a position, at rest."""
+        raise NotImplementedError
+
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
         """Drive a joint to a position, with a maximum effort and velocity."""
         raise NotImplementedError

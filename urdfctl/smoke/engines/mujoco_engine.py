@@ -92,6 +92,13 @@ class MujocoEngine:
         """Return the effort with which its motor drove a joint in the last step, in N m or N."""
         return self._efforts.get(joint, 0.0)
 
+    def place(self, joint: str, position: float) -> None:
+        """Put a joint at a position, at rest."""
+        way = self._ways[joint]
+        self._data.qpos[self._places[joint]] = position
+        for changing in (self._data.qvel, self._data.qacc_warmstart, self._data.qfrc_applied):
+            changing[way] = 0.0
+
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
         """Drive a joint to a position, with a maximum effort and velocity."""
         self._commands[joint] = "position", position, effort, velocity

@@ -109,6 +109,10 @@ class PybulletEngine:
             return self._pushed[index]
         return float(self._physics.getJointState(self._robot, index, physicsClientId=self._client)[3])
 
+    def place(self, joint: str, position: float) -> None:
+        """Put a joint at a position, at rest."""
+        self._physics.resetJointState(self._robot, self._joints[joint], position, physicsClientId=self._client)
+
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
         """Drive a joint to a position, with a maximum effort and velocity."""
         index = self._joints[joint]

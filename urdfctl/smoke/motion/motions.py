@@ -53,7 +53,7 @@ class ForwardMotion:
                 self._targets[index] = goal.by / self._duration
                 self._engine.at_velocity(name, self._targets[index], effort)
             else:
-                extra = min(effort * PART_OF_EFFORT, PUSH)
+                extra = min(effort * PART_OF_EFFORT, PUSH, goal.push)
                 self._targets[index] = max(-effort, min(effort, goal.weight + math.copysign(extra, goal.by)))
                 self._engine.with_effort(name, self._targets[index])
 

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
 from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
-from urdfctl.smoke.engines import STEP, Engine, EngineSetup, RobotRejected, open_engine
+from urdfctl.smoke.engines import Engine, RobotRejected, open_engine
 from urdfctl.smoke.motion.checks import MIMIC, joint_troubles, together_troubles, within_span
 from urdfctl.smoke.motion.mobile_base import drive_base, turn_rollers, wheels_of_drives
 from urdfctl.smoke.motion.motions import PidLoop, hold, motion_of
 from urdfctl.smoke.motion.parallel_groups import groups_of, is_motor
 from urdfctl.smoke.motion.plan import MotionPlan, SimulationResult
+from urdfctl.smoke.motion.setup import engine_setup
 from urdfctl.smoke.motion.simulation import Exploded, OutOfTime, RobotSimulation, Tipped
 from urdfctl.smoke.motion.standing import why_not_standing
 from urdfctl.smoke.motion.user_tasks import perform_task
@@ -27,14 +28,17 @@ SETTLING = 0.5
 """The time in which a robot comes to rest, in s."""
 PUSHING = 0.2
 """The time for which an effort pushes a joint, in s."""
+RESTING = 0.1
+"""The time in which joints that are held come to rest, in s."""
+QUICKLY = 100.0
+"""The acceleration with which an effort pushes a joint at most, in rad/s² or m/s²: light links would explode."""
+PART_OF_WEIGHT = 0.1
+"""A push is at least this fraction of the joint's weight, which is not known exactly."""
 MOST_STEPS = 10
 """The maximum number of simulation steps between two position commands."""
 TOGETHER = 0.05
 """The step that all loops are commanded together, in rad or m."""
 HELD = "its base was held in the air"
-MOST_DAMPED = 0.5
-"""An explicit damping force may change a joint's velocity by this fraction in a step; from twice the velocity on the
-simulation would explode."""
 ACTS = {
     "reads": ("started", "read"),
     "moves": ("started", "moved"),
@@ -49,22 +53,7 @@ ACTS = {
 def run_trial(plan: MotionPlan, seen: Callable[[SimulationResult], None] = lambda _: None) -> SimulationResult:
     """Return the result of simulating a plan. `seen` gets what is known after each group of controllers."""
     began = time.process_time()
-    mechanism = plan.mechanism
-    weightless = [body.name for body in mechanism.bodies.values() if not body.falls]
-    wheels = list(wheel_joints(plan))
-    setup = EngineSetup(
-        urdf=plan.urdf,
-        root=mechanism.root,
-        fixed=plan.fixed,
-        start=mechanism.start(),
-        weightless=weightless,
-        wheels=wheels,
-        gui=plan.gui,
-        resist={h.name: (h.friction, h.damping) for h in mechanism.hinges if h.moves and (h.friction or h.damping)},
-        stiff=stiff_joints(plan),
-        skidding={hinge.child: hinge.axis for hinge in mechanism.hinges if hinge.name in skidding_joints(plan)},
-        grips={body.name: body.grip for body in mechanism.bodies.values() if body.grip is not None},
-    )
+    setup = engine_setup(plan)
     try:
         engine = open_engine(plan.engine, setup)
     except RobotRejected as refusal:
@@ -108,36 +97,6 @@ def _not_modelled(plan: MotionPlan, task: ControllerTask, lying: str) -> dict[st
     return {**slipping, "friction": f"{GRIPS:g} for wheels and {SLIDES:g} for other parts, if <gazebo> gives none"}
 
 
-def wheel_joints(plan: MotionPlan) -> Iterator[str]:
-    """Yield the links that grip the ground: driven wheels, and whatever a steering joint turns."""
-    mechanism = plan.mechanism
-    for drive in (task.drive for task in plan.tasks if task.drive):
-        for hinge in mechanism.hinges:
-            if hinge.name in drive.wheels:
-                yield hinge.child
-            elif hinge.name in drive.steered:
-                yield from mechanism.below(hinge.child)
-
-
-def skidding_joints(plan: MotionPlan) -> set[str]:
-    """Return the joints of the wheels of bases that turn by letting more than two wheels slip."""
-    drives = [task.drive for task in plan.tasks if task.drive and task.drive.is_skidding]
-    return {name for drive in drives for name in drive.wheels}
-
-
-def stiff_joints(plan: MotionPlan) -> tuple[str, ...]:
-    """Return the joints that are pushed by efforts, and whose damping an engine cannot compute explicitly."""
-    if plan.engine != "pybullet":
-        return ()
-    inertias = moved_inertias(plan.mechanism)
-    pushed = {joint for task in plan.tasks if task.interface == "effort" for joint in task.joints}
-    return tuple(
-        hinge.name
-        for hinge in plan.mechanism.hinges
-        if hinge.name in pushed and hinge.damping * STEP > MOST_DAMPED * inertias.get(hinge.name, 0.0)
-    )
-
-
 class MotionTrial:
     """The test of a robot's controllers in an engine, one after the other, with what is found on the way."""
 
@@ -152,6 +111,7 @@ class MotionTrial:
         self.times: dict[str, float] = {}
         self.curves: list[Curve] = []
         self.lying = plan.why_held or HELD
+        self._inertias = moved_inertias(plan.mechanism)
         self._bases: dict[Drive, tuple[str, bool]] = {}
 
     def result(self) -> SimulationResult:
@@ -184,8 +144,10 @@ class MotionTrial:
             usual = [task for task in self._plan.tasks if task.controller not in given]
             own = [[task] for task in self._plan.tasks if task.controller in given]
             for group in (*groups_of(usual, self._plan.mechanism, fixed=self._plan.fixed), *own):
-                began = time.process_time()
+                began, known = time.process_time(), len(self.troubles)
                 self._run([task for task in group if self._can_run(task)], given.get(group[0].controller))
+                if len(self.troubles) > known:
+                    self._restore()
                 took = (time.process_time() - began) / len(group)
                 self.times |= {task.controller: took for task in group}
                 seen(self.result())
@@ -195,6 +157,7 @@ class MotionTrial:
             done, everyone = sum(task.controller in self.acts for task in self._plan.tasks), len(self._plan.tasks)
             self._leave(f"not tested: too slow: {done} of {everyone} controllers tested in {self._plan.budget:g} s")
         except Exploded:
+            self._leave("not simulated: the simulation exploded")
             if not any(trouble.code == simulation_explodes.code for trouble in self.troubles):
                 self.troubles.append(trouble_of(simulation_explodes, ROBOT, when=""))
         except Tipped:
@@ -315,16 +278,33 @@ class MotionTrial:
                 return f"{self._plan.engine} cannot simulate the damping of joint '{name}'"
         return ""
 
+    def _restore(self) -> None:
+        """Put the joints of a robot that stands firmly back to where they began, at rest: what failed may have thrown
+        them, and says nothing about the next controllers."""
+        if not self._plan.fixed:
+            return
+        for hinge in self._hinges.values():
+            self._engine.place(hinge.name, hinge.start)
+            hold(self._engine, hinge, hinge.start)
+        self._simulation.run_for(RESTING)
+
     def _push_each(self, task: ControllerTask, goals: Sequence[Goal]) -> None:
         """Push one joint after the other while the others are held: a push would go through the whole arm."""
         for name in [goal.hinge.name for goal in goals]:
             goal = self._goals([name], self._plan.duration)[0]
+            goal = goal._replace(push=self._gentle(goal))
             motion = motion_of(self._engine, task, [goal], PUSHING)
             tracks = self._simulation.tracked([(motion, [goal])], PUSHING)[0]
             self.troubles += joint_troubles(task, [goal], tracks, PUSHING)
             self.curves += self._simulation.curves(task, [goal], tracks)
             hold(self._engine, goal.hinge, self._engine.position(name))
-        self._simulation.run_for(0.1)
+            self._simulation.run_for(RESTING)  # stopping it shakes the others
+
+    def _gentle(self, goal: Goal) -> float:
+        """The effort that gives a joint some acceleration against its friction, in N m or N."""
+        hinge = goal.hinge
+        resisting = hinge.friction + hinge.damping * QUICKLY * PUSHING
+        return self._inertias[hinge.name] * QUICKLY + resisting + PART_OF_WEIGHT * abs(goal.weight)
 
     def _goals(self, names: Sequence[str], duration: float) -> list[Goal]:
         positions = {name: self._engine.position(name) for name in self._simulation.hinges}
@@ -356,7 +336,7 @@ class MotionTrial:
             else:
                 self.troubles += troubles
                 self.curves += self._simulation.curves(task, own, tracked)
-        self._simulation.run_for(0.1)
+        self._simulation.run_for(RESTING)
         for task in again:  # it moves alone: another one of the group may have disturbed it
             self._move([task])
         return True

@@ -30,12 +30,16 @@ PART_OF_SPEED = 0.9
 
 
 class Goal(NamedTuple):
-    """The motion of one joint: its start, its step, and the effort that holds its weight, in N m or N."""
+    """The motion of one joint: its start, its step, and the effort that holds its weight, in N m or N.
+
+    push: the greatest effort beside that with which it is pushed.
+    """
 
     hinge: Hinge
     start: float
     by: float
     weight: float = 0.0
+    push: float = math.inf
 
     @property
     def end(self) -> float:
