@@ -180,11 +180,31 @@ def test_lint_finds_what_waits_to_be_set(folder: Folder) -> None:
 
 def test_a_drive_whose_wheels_nobody_knows_is_told() -> None:
     with pytest.raises(
-        UserError, match="'diff_drive' requires --left with joints; cannot be determined from the robot"
+        UserError, match=r"requires --left with joints; cannot be determined from the robot; choose from: a$"
     ):
         made("gen-controllers", GeneratorOptions("jazzy", types=("diff_drive",)), (JointFacts("a"),), RobotFacts())
     with pytest.raises(UserError, match="'bicycle' requires --traction with 1 joint; 4 given"):
         made("gen-controllers", GeneratorOptions("jazzy", types=("bicycle",)))
+
+
+@pytest.mark.parametrize(
+    ("names", "left"),
+    [
+        (("left_wheel", "right_wheel"), ["left_wheel"]),
+        (("wheelFL", "wheelFR", "wheelRL", "wheelRR"), ["wheelFL", "wheelRL"]),
+        (("left_right_wheel", "right_wheel"), None),
+        (("left_wheel", "left_arm", "right_wheel"), None),
+    ],
+)
+def test_without_positions_the_names_of_wheels_say_their_sides(names: tuple[str, ...], left: list[str] | None) -> None:
+    listed = tuple(JointFacts(name) for name in names)
+    options = GeneratorOptions("jazzy", types=("diff_drive",))
+    if left is None:
+        with pytest.raises(UserError, match="requires --left"):
+            made("gen-controllers", options, listed, RobotFacts())
+        return
+    [file] = made("gen-controllers", options, listed, RobotFacts())
+    assert read(file.text)["diff_drive_controller"]["ros__parameters"]["left_wheel_names"] == left
 
 
 def test_drives_leave_their_joints_to_no_other_controller() -> None:

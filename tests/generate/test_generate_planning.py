@@ -178,3 +178,18 @@ def test_a_robot_whose_plugin_loads_controllers_of_its_own_is_refused(
     ran = command("gen-moveit", "six.urdf", *JAZZY, "--simulator", "gz")
     assert ("plugin in the robot loads the controllers of 'own/controllers.yaml', and not these" in ran.stderr) is told
     assert Path(folder.path, "out").exists() is not told, ran.stderr
+
+
+@pytest.mark.parametrize("component", [True, False])
+def test_without_a_simulator_asked_for_a_robot_without_hardware_is_planned_for_with_mock_hardware(
+    component: bool, folder: Folder
+) -> None:
+    hosted = arm().replace("</robot>", HOST.format(OWN))
+    driver = """<ros2_control name="own" type="system"><hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin>
+      </hardware></ros2_control></robot>"""
+    folder.write({"six.urdf": hosted.replace("</robot>", driver) if component else hosted})
+    ran = command("gen-moveit", "six.urdf", *JAZZY)
+    assert ("written for mock hardware, without a simulator" in ran.stderr) is not component, ran.stderr
+    assert Path(folder.path, "out").exists() is not component
+    if not component:
+        assert not command("lint", "out", "--format", "concise", "--select", "UC6").stdout

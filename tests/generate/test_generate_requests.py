@@ -304,6 +304,19 @@ def test_what_is_proposed_fits_the_interfaces_that_the_robot_has(folder: Folder)
     assert written(folder, robot(*WHEELS, component))["wheel_controller"]["interface_name"] == "effort"
 
 
+@pytest.mark.parametrize(
+    ("velocity", "expected"), [('<state_interface name="velocity"/>', "parallel_gripper"), ("", "joint_trajectory")]
+)
+def test_a_finger_that_offers_no_velocity_gets_a_controller_that_reads_none(
+    velocity: str, expected: str, folder: Folder
+) -> None:
+    states = f'<command_interface name="position"/><state_interface name="position"/>{velocity}'
+    component = f"""<ros2_control name="hw" type="system"><hardware><plugin>mock_components/GenericSystem</plugin>
+        </hardware><joint name="finger">{states}</joint></ros2_control>"""
+    found = written(folder, robot(*ARM, HAND[0], component))
+    assert found["gripper_controller"]["type"].startswith(expected)
+
+
 def test_casters_alone_get_no_controller(folder: Folder) -> None:
     casters = [part.replace("caster", "front_caster").replace("swivel", "front_swivel") for part in CASTER]
     folder.write({"r.urdf": robot(*ARM, *CASTER, *casters)})

@@ -27,6 +27,7 @@ from urdfctl.generate.controllers.wanted import needs_joints, way_out, with_requ
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.files.again import words_of_generated_file
 from urdfctl.generate.files.bringup import plain_name
+from urdfctl.generate.files.hardware import loads_others
 from urdfctl.generate.files.package import check_other_package
 from urdfctl.generate.options import GeneratorOptions, Roles
 from urdfctl.generate.request.choice import chosen, stuck
@@ -132,10 +133,14 @@ def generated(options: GenerateOptions) -> Made:
     def make(distro: str, options: GenerateOptions = options) -> Made:
         simulator = settings.simulator or (robot.simulator if robot else None) or simulator_of(distro, command, catalog)
         requested = _requested(options, words, robot, distro, simulator)
+        is_free = robot is not None and _plans(options) and not (settings.simulator or robot.components)
+        others = loads_others(robot, requested, catalog) if robot and is_free else ""
+        if others:  # the demo of MoveIt needs no simulator, and a robot without hardware gets mock hardware
+            requested = _requested(options, words, robot, distro, "none")
         requested, proposal = with_requests(requested, command, options.controller, joints, robot)
         if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
             raise UserError(_no_joints(robot))
-        told: list[str] = []
+        told = [f"written for mock hardware, without a simulator: {others}"] if others else []
         order = Order(
             joints=joints,
             options=requested,

@@ -11,6 +11,7 @@ from urdfctl.generate.controllers.fit import offered_by
 from urdfctl.generate.options import GeneratorOptions, Request
 from urdfctl.generate.robot.anatomy import Base, Tool, anatomy_of
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
+from urdfctl.generate.robot.name_words import SIDES, words_of
 
 _SENSORS = {
     "force.x": "force_torque_broadcaster",
@@ -25,16 +26,6 @@ _SENSORS = {
 }
 _PARTS = ("arm", "leg", "head", "neck", "torso", "waist", "lift", "hand", "pan", "tail", "wing", "mast")
 _FINGERS = frozenset(("finger", "fingers", "thumb", "index", "middle", "ring", "pinky", "little", "knuckle"))
-_SIDES = {
-    **dict.fromkeys(("l", "left"), "left_"),
-    **dict.fromkeys(("r", "right"), "right_"),
-    **dict.fromkeys(("fl", "lf"), "front_left_"),
-    **dict.fromkeys(("fr", "rf"), "front_right_"),
-    **dict.fromkeys(("rl", "hl", "lh", "bl", "lb"), "rear_left_"),
-    **dict.fromkeys(("rr", "hr", "rh", "br", "rb"), "rear_right_"),
-}
-"""The words in names that say on which side a part is."""
-_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
 _FEET = 4
 """A robot with at least this many equal chains, of which nothing else is known, walks on them."""
 _ARM = 3
@@ -48,7 +39,7 @@ def proposed(robot: RobotFacts, joints: Sequence[JointFacts], options: Generator
     found = [
         *(_of_base(parts.base, options, offered) if parts.base else ()),
         *_of_chains(parts.chains),
-        *_of_tools(parts.tools, offered),
+        *_of_tools(parts.tools, robot, offered),
         *(_of_sensors(robot) if options.ros == 2 else ()),  # noqa: PLR2004
     ]
     return tuple(_numbered(_unlike(found, {joint.name for joint in robot.joints})))
@@ -116,11 +107,14 @@ def _other_than(wanted: str, joints: Sequence[JointFacts], offered: Mapping[str,
     return next((names[0] for names in known if wanted not in names), None)
 
 
-def _of_tools(tools: Sequence[Tool], offered: Mapping[str, tuple[str, ...]]) -> Iterator[Request]:
+def _of_tools(tools: Sequence[Tool], robot: RobotFacts, offered: Mapping[str, tuple[str, ...]]) -> Iterator[Request]:
+    """Gripper controllers, or trajectory controllers where a joint does not offer the velocity that those read."""
+    states = {part.name: part.states for part in robot.of_kind("joint")}
     for tool in tools:
+        measured = all("velocity" in states.get(joint.name, ("velocity",)) for joint in tool.joints)
         prefix = _prefix(tool.joints, "gripper") if len(tools) > 1 else ""
         fits = _other_than("position", tool.joints, offered) in (None, "effort")
-        kind = "gripper" if tool.single and fits else "trajectory"
+        kind = "gripper" if tool.single and fits and measured else "trajectory"
         yield Request(f"{prefix}gripper_controller", kind, tuple(joint.name for joint in tool.joints))
 
 
@@ -138,7 +132,7 @@ def _of_sensors(robot: RobotFacts) -> Iterator[Request]:
 
 def _label(chain: Sequence[JointFacts]) -> str:
     """What a chain is, from the words in the names of its joints and links."""
-    words = [_words(f"{joint.name} {joint.link or ''}") for joint in chain]
+    words = [words_of(f"{joint.name} {joint.link or ''}") for joint in chain]
     if sum(not _FINGERS.isdisjoint(of_joint) for of_joint in words) > len(words) / 2:
         return "hand"
     bent = len(chain) >= _ARM and any(part in of_joint for of_joint in words for part in ("shoulder", "elbow", "wrist"))
@@ -150,19 +144,14 @@ def _label(chain: Sequence[JointFacts]) -> str:
     return "arm" if len(chain) >= _ARM else "joint"
 
 
-def _words(name: str) -> list[str]:
-    """The words of a name in lower case, also of one in camelCase."""
-    return [word.lower() for word in _WORD.findall(name)]
-
-
 def _names(chain: Sequence[JointFacts], part: str) -> bool:
     """Whether a joint of a chain is named after a part."""
-    return any(part in word for joint in chain for word in _words(f"{joint.name} {joint.link or ''}"))
+    return any(part in word for joint in chain for word in words_of(f"{joint.name} {joint.link or ''}"))
 
 
 def _side(chain: Sequence[JointFacts]) -> str:
     """The side that the names of all joints of a chain say, such as `left_`; empty if they do not agree."""
-    of_joints = [{_SIDES[word] for word in _words(joint.name) if word in _SIDES} for joint in chain]
+    of_joints = [{SIDES[word] for word in words_of(joint.name) if word in SIDES} for joint in chain]
     common = set.intersection(*of_joints) if of_joints else set()
     return common.pop() if len(common) == 1 else ""
 

@@ -13,6 +13,7 @@ from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.generate.robot.wheels import driven_and_steered, sides
 
 _READ = ("position", "velocity")
+_LISTED = 6
 
 
 def tasks_of(
@@ -102,7 +103,7 @@ def _drive(kind: NamedType, joints: Sequence[JointFacts], options: GeneratorOpti
     guessed = sides(joints) if "left" in roles else driven_and_steered(joints)
     for (role, count), guess in zip(kind.roles, guessed, strict=True):
         by_role[role] = by_role[role] or tuple(guess)
-        _count(kind, role, count, by_role[role])
+        _count(kind, role, count, by_role[role], joints)
     if "left" in by_role and len(by_role["left"]) != len(by_role["right"]):
         left, right = len(by_role["left"]), len(by_role["right"])
         raise UserError(f"{left} wheels on the left and {right} on the right: name them with --left and --right")
@@ -126,11 +127,14 @@ def _drive(kind: NamedType, joints: Sequence[JointFacts], options: GeneratorOpti
     )
 
 
-def _count(kind: NamedType, role: str, count: int, members: Sequence[JointFacts]) -> None:
-    """UserError if a role does not have the required number of joints."""
+def _count(kind: NamedType, role: str, count: int, members: Sequence[JointFacts], joints: Sequence[JointFacts]) -> None:
+    """UserError if a role does not have the required number of joints, of which it names those that may have it."""
     if members and count in (0, len(members)):
         return
     wanted = f"{count} joint{'s' if count != 1 else ''}" if count else "joints"
     names = ", ".join(joint.name for joint in members)
-    why = f"{len(members)} given: {names}" if members else "cannot be determined from the robot"
+    turning = [joint.name for joint in joints if joint.type == "continuous"] or [joint.name for joint in joints]
+    choices = f"; choose from: {', '.join(turning[:_LISTED])}" if turning else ""
+    more = f" and {len(turning) - _LISTED} more" if len(turning) > _LISTED else ""
+    why = f"{len(members)} given: {names}" if members else f"cannot be determined from the robot{choices}{more}"
     raise UserError(f"'{kind.name}' requires --{role} with {wanted}; {why}")

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from urdfctl.generate.robot.facts import JointFacts
+from urdfctl.generate.robot.name_words import SIDES, words_of
 from urdfctl.model.geometry import Vector
 from urdfctl.startup.records import NamedTuple
 
@@ -69,12 +70,25 @@ def from_centre(wheels: Sequence[JointFacts]) -> tuple[Measure, Measure]:
 
 
 def sides(joints: Sequence[JointFacts]) -> tuple[list[JointFacts], list[JointFacts]]:
-    """Return the left and the right wheels of a robot that faces along x, each from front to rear."""
+    """Return the left and the right wheels of a robot that faces along x, each from front to rear.
+
+    If no wheel is known to be on a side, the names of the joints say which ones are.
+    """
     rolling = [joint for joint in joints if _rolls(joint)]
     ordered = sorted(rolling, key=lambda joint: -(joint.at or _O)[0])
     left = [joint for joint in ordered if (joint.at or _O)[1] > 0]
     right = [joint for joint in ordered if (joint.at or _O)[1] < 0]
-    return left, right
+    if left or right:
+        return left, right
+    turning = [joint for joint in joints if joint.type == "continuous" or joint.at is None]
+    left, right = ([joint for joint in turning if _is_named(joint, side)] for side in ("left_", "right_"))
+    return (left, right) if len(left) == len(right) else ([], [])
+
+
+def _is_named(joint: JointFacts, side: str) -> bool:
+    """Whether the name of a joint says that it is on a side, and not on the other one."""
+    said = {SIDES[word] for word in words_of(joint.name) if word in SIDES}
+    return bool(said) and all(one.endswith(side) for one in said)
 
 
 def driven_and_steered(joints: Sequence[JointFacts]) -> tuple[list[JointFacts], list[JointFacts]]:
