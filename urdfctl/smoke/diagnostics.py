@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from urdfctl.diagnostic import Diagnostic, Finding, Remark, Severity, diagnosed
@@ -103,11 +103,21 @@ def diagnostics_of(
         )
 
 
-def unexplained(troubles: Iterable[Trouble], known: Sequence[Trouble]) -> list[Trouble]:
+def unexplained(
+    troubles: Iterable[Trouble], known: Sequence[Trouble], carried: Mapping[str, Collection[str]] = MappingProxyType({})
+) -> list[Trouble]:
     """Return the troubles that no known one about the same controller explains.
 
     What explains the trouble of a joint is about this joint, or about the whole controller.
+
+    carried: for the joints that fall, the joints that fall with them, whoever moves them; all as subjects.
     """
+    falling = {
+        (fault.code, subject)
+        for trouble in known
+        for subject in carried.get(trouble.subject, ())
+        for fault in fault_of(trouble.code).explains
+    }
     explaining = {
         (trouble.controller, fault.code, subject)
         for trouble in known
@@ -120,6 +130,8 @@ def unexplained(troubles: Iterable[Trouble], known: Sequence[Trouble]) -> list[T
         code = trouble.seen or trouble.code
         if not trouble.subject.startswith("joint:"):
             return (trouble.controller, code) in by_fault
+        if (code, trouble.subject) in falling:
+            return True
         return any((trouble.controller, code, subject) in explaining for subject in ("", trouble.subject))
 
     return [trouble for trouble in troubles if not is_explained(trouble)]

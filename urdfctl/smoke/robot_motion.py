@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 
 from urdfctl.load.meshes import mesh_path
 from urdfctl.model.stage import Stage
 from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
+from urdfctl.rules.smoke.effort_too_weak_for_gravity import effort_too_weak_for_gravity
 from urdfctl.rules.smoke.engine_died import engine_died
 from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
@@ -99,7 +100,7 @@ def with_engine_result(
         troubles = [trouble_of(engine_refuses_robot, ROBOT, engine=engine, why=trial.refused)]
         trial = _not_simulated(result, f"{engine} rejects the robot")
     else:
-        troubles = list(with_doubts(_new(trial.troubles, robot.troubles), robot.doubts))
+        troubles = list(with_doubts(_new(trial.troubles, robot), robot.doubts))
     diagnostics = result.linted.outcome.diagnostics
     messages = {diagnostic.message for diagnostic in diagnostics}
     found = diagnostics_of(troubles, robot.placed, robot.suppressed, robot.not_started)
@@ -119,10 +120,21 @@ def _not_simulated(result: RobotResult, why: str) -> SimulationResult:
     return SimulationResult(unjudged={controller.name: f"not simulated: {why}" for controller in result.controllers})
 
 
-def _new(troubles: Sequence[Trouble], known: Sequence[Trouble]) -> list[Trouble]:
+def _new(troubles: Sequence[Trouble], robot: CheckedRobot) -> list[Trouble]:
     """The findings of an engine without those that known findings explain, or are."""
+    known = robot.troubles
     same = {(trouble.subject, trouble.code) for trouble in known}
-    return [trouble for trouble in unexplained(troubles, known) if (trouble.subject, trouble.code) not in same]
+    carried = dict(_falling(robot.plan.mechanism, known)) if robot.plan else {}
+    return [trouble for trouble in unexplained(troubles, known, carried) if (trouble.subject, trouble.code) not in same]
+
+
+def _falling(mechanism: Mechanism, known: Sequence[Trouble]) -> Iterator[tuple[str, set[str]]]:
+    """Yield each joint that cannot hold its load, with the joints on it, as subjects of findings."""
+    weak = {trouble.subject for trouble in known if trouble.code == effort_too_weak_for_gravity.code}
+    for hinge in mechanism.hinges:
+        if f"joint:{hinge.name}" in weak:
+            links = mechanism.below(hinge.child)
+            yield f"joint:{hinge.name}", {f"joint:{other.name}" for other in mechanism.hinges if other.parent in links}
 
 
 def _with_trial(controller: ControllerResult, trial: SimulationResult, troubles: Sequence[Trouble]) -> ControllerResult:

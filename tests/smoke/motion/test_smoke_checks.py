@@ -49,6 +49,25 @@ EFFORT = ControllerTask("arm", MotionFamily.FORWARD, ("j",), "effort")
 LOOP = ControllerTask("arm", MotionFamily.VELOCITY_PID, ("j",), "effort", (PidGains(p=1.0),))
 
 
+@pytest.mark.parametrize(
+    ("task", "weight", "efforts", "expected"),
+    [
+        (PUSHED_BY, 9.0, [0.0] * STILL, "its load of 9 N m is more than its effort limit of 5 N m"),
+        (PUSHED_BY, 4.0, [5.0] * STILL, "its motor is at its effort limit of 5 N m: raise the limit, or lower"),
+        (PUSHED_BY, 4.0, [4.9] * STILL, "raise the d gain"),
+        (TRAJECTORY, 4.0, [-5.0] * STILL, "its motor is at its effort limit"),
+        (TRAJECTORY, 4.0, [], "the hardware holds the position"),
+    ],
+)
+def test_a_joint_that_falls_is_not_told_to_change_its_gains(
+    task: ControllerTask, weight: float, efforts: list[float], expected: str
+) -> None:
+    goal = Goal(HINGE._replace(effort=5.0), 0.0, 0.2, weight)
+    track = moved_to(0.2, swing=0.05, speed=0.2)._replace(efforts=efforts)
+    [trouble] = joint_troubles(task, [goal], [track], 2.0)
+    assert trouble.notes[0].startswith(expected)
+
+
 @pytest.mark.parametrize(("task", "has_gains"), [(TRAJECTORY, False), (PUSHED_BY, True)])
 def test_advice_on_gains_is_for_controllers_that_have_gains(task: ControllerTask, has_gains: bool) -> None:
     goal = Goal(HINGE, 0.0, 0.2, 0.0)

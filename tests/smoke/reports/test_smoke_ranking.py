@@ -37,3 +37,13 @@ def test_a_joint_explains_its_own_motion_and_that_of_its_base_but_not_another_jo
     base = Trouble("UC941", "controller:arm", "does not drive", "arm")
     elsewhere = base._replace(controller="other")
     assert unexplained([own, other, base, elsewhere], [cause]) == [other, elsewhere]
+
+
+def test_a_joint_that_falls_explains_the_motion_of_those_that_it_carries() -> None:
+    lift = Trouble("UC915", "joint:lift", "too weak", "torso")
+    carried = Trouble("UC933", "joint:elbow", "swings", "arm")
+    beside = Trouble("UC933", "joint:head", "swings", "head")
+    other = Trouble("UC935", "joint:elbow", "moves the wrong way", "arm")
+    found = unexplained([carried, beside, other], [lift], {"joint:lift": {"joint:elbow"}})
+    assert found == [beside, other]
+    assert unexplained([carried], [lift]) == [carried]

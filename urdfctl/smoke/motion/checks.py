@@ -24,6 +24,8 @@ ERROR_OF_STEP, LEAST_ERROR, DROOP = 0.25, 0.01, 1.5
 """A joint reaches its target if its error is at most the largest of three limits: a quarter of its step; 0.01 rad or m,
 but at most half of its step; 1.5 times the weight on it divided by the p gain."""
 HALF = 0.5
+FULL = 0.99
+"""From this fraction of its limit on, a motor gives all the effort that it has."""
 SWING_OF_STEP, SPEED_OF_STEP = 0.2, 0.5
 """A joint oscillates if both hold in the last quarter of the motion: it swings by more than 0.2 of its step, and its
 root mean square speed is more than 0.5 of its step per second."""
@@ -127,10 +129,7 @@ def _arrived(task: ControllerTask, goal: Goal, track: Track, p: float) -> Iterat
     swing, speed = max(last) - min(last), _root_mean_square(track.velocities[-len(last) :])
     step = abs(goal.by)
     if swing > SWING_OF_STEP * step and speed > SPEED_OF_STEP * step:
-        advice = "raise the d gain, or lower the p gain"
-        if task.interface == "position":
-            advice = "the hardware holds the position: check the masses and inertias that the joint moves"
-        yield _trouble(joint_oscillates, task, goal, advice, swing=swing)
+        yield _trouble(joint_oscillates, task, goal, _advice(task, goal, track.efforts[-len(last) :]), swing=swing)
         return
     error = abs(track.positions[-1] - goal.end)
     if error > tolerance_of(task, goal, p):
@@ -138,6 +137,20 @@ def _arrived(task: ControllerTask, goal: Goal, track: Track, p: float) -> Iterat
         gain = "" if task.interface == "position" else " and its p gain"
         notes = [f"it hardly moves: check its effort limit{gain}"] if abs(moved) < ERROR_OF_STEP * step else []
         yield _trouble(joint_does_not_follow, task, goal, *notes, expected=goal.by, actual=moved)
+
+
+def _advice(task: ControllerTask, goal: Goal, efforts: Sequence[float]) -> str:
+    """What makes a joint stand still whose motor gave these efforts while it swung."""
+    hinge = goal.hinge
+    unit = "N" if hinge.type == "prismatic" else "N m"
+    if hinge.effort and abs(goal.weight) > hinge.effort:
+        return f"its load of {abs(goal.weight):.3g} {unit} is more than its effort limit of {hinge.effort:g} {unit}"
+    full = sum(abs(effort) >= FULL * hinge.effort for effort in efforts) if hinge.effort else 0
+    if full > HALF * len(efforts):
+        return f"its motor is at its effort limit of {hinge.effort:g} {unit}: raise the limit, or lower the gains"
+    if task.interface == "position":
+        return "the hardware holds the position: check the masses and inertias that the joint moves"
+    return "raise the d gain, or lower the p gain"
 
 
 def _turned(task: ControllerTask, goal: Goal, track: Track, seconds: float) -> Iterator[Trouble]:
