@@ -8,6 +8,7 @@ generated twice, with other seeds, in the folder `moveit_of_urdfctl` of its tree
 
 - which groups, end effectors and controllers of theirs are found: those that move the same joints;
 - on how many pairs of links, of those on which both runs agree, theirs agrees, and each pair on which it does not;
+  known pairs are of links that theirs disables any pair of: it was made before the robot got the others;
 - the processor time of one run;
 - whether lint has no error in the package, gen-check is quiet, smoke passes, and a second run changes nothing.
 """
@@ -232,11 +233,16 @@ def pairs_compared(tree: Tree, theirs: Semantic, ours: Sequence[Semantic]) -> di
     ]
     agreed = len(sure) - len(differ)
     share = round(100 * agreed / len(sure), 1) if sure else 100.0
+    listed = frozenset().union(*theirs.pairs)
+    known = [pair for pair in sure if pair <= listed]
+    of_known = sum(pair not in differ for pair in known)
     return {
         "all": len(every),
         "sure": len(sure),
         "agree": agreed,
         "percent": share,
+        "known": len(known),
+        "agree on known": of_known,
         "kinds": dict(kinds),
         "differ": shown[:_LISTED],
     }
@@ -286,11 +292,12 @@ def totals(results: Mapping[str, Mapping[str, Any]]) -> str:
     """Return the lines below all robots."""
     whole = [one for one in results.values() if "refused" not in one]
     found = [one for one in whole if not any("MISSING" in said for kind in _FOUND for said in one[kind].values())]
-    sure, agree = (sum(one["pairs"][kind] for one in whole) for kind in ("sure", "agree"))
+    kinds = ("sure", "agree", "known", "agree on known")
+    sure, agree, known, of_known = (sum(one["pairs"][kind] for one in whole) for kind in kinds)
     clean = [one for one in whole if {*one["checks"].values()} <= {"quiet", "passes", "changes nothing"}]
     return (
         f"{len(results)} robots, {len(whole)} written; groups, end effectors and controllers found in {len(found)}; "
-        f"pairs: {agree} of {sure} agree; {len(clean)} pass all checks\n"
+        f"pairs: {agree} of {sure} agree, {of_known} of {known} known ones; {len(clean)} pass all checks\n"
     )
 
 

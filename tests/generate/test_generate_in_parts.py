@@ -41,3 +41,27 @@ def test_wheels_are_commanded_as_their_controller_does_unless_the_user_says_how(
     folder.write({"urdf/tern.urdf.xacro": ROBOT, "package.xml": MANIFEST})
     made = command("gen-ros2-control", *JAZZY, *words)
     assert set(re.findall(r'<command_interface name="(\w+)"', made.stdout)) == {interface}
+
+
+@pytest.mark.parametrize(
+    ("words", "interface"),
+    [((), "Velocity"), (("--interface", "effort"), "Effort"), (("--type", "effort"), "Effort")],
+)
+def test_transmissions_of_wheels_are_those_that_their_controller_needs(
+    folder: Folder, words: tuple[str, ...], interface: str
+) -> None:
+    folder.write({"urdf/tern.urdf.xacro": ROBOT, "package.xml": MANIFEST})
+    made = command("gen-transmissions", "urdf/tern.urdf.xacro", "--distro", "noetic", *words)
+    assert set(re.findall(r"hardware_interface/(\w+)JointInterface", made.stdout)) == {interface}
+
+
+def test_interfaces_are_written_although_no_controller_can_be_proposed(folder: Folder) -> None:
+    three = "".join(
+        f"""<link name="w{n}"><collision><geometry><sphere radius="0.1"/></geometry></collision></link>
+        <joint name="wheel{n}" type="continuous"><parent link="base"/><child link="w{n}"/>
+        <origin xyz="{x} {y} 0"/><axis xyz="0 1 0"/></joint>"""
+        for n, x, y in ((1, 0.3, 0.2), (2, 0.3, -0.2), (3, -0.3, 0.2))
+    )
+    folder.write({"odd.urdf": f'<robot name="odd"><link name="base"/>{three}</robot>'})
+    assert command("gen-controllers", "odd.urdf", "--distro", "noetic").returncode != 0
+    assert command("gen-transmissions", "odd.urdf", "--distro", "noetic").stdout.count("EffortJointInterface") == 3

@@ -186,6 +186,30 @@ PROPOSALS = {
         (joint("shoulder_pan", "base"), joint("lift", "shoulder_pan_link"), joint("elbow", "lift_link")),
         "arm_controller=trajectory:shoulder_pan,lift,elbow",
     ),
+    "an arm whose first joint is a torso": (
+        (
+            joint("torso", "base", kind="prismatic"),
+            joint("m1", "torso_link"),
+            joint("m2", "m1_link"),
+            joint("m3", "m2_link"),
+            joint("m4", "m3_link"),
+        ),
+        "arm_controller=trajectory:torso,m1,m2,m3,m4",
+    ),
+    "a torso with a pan": (
+        (joint("torso", "base", kind="prismatic"), joint("m1", "torso_link")),
+        "torso_controller=trajectory:torso,m1",
+    ),
+    "a long neck": (
+        (
+            joint("neck1", "base"),
+            joint("neck2", "neck1_link"),
+            joint("neck3", "neck2_link"),
+            joint("yaw", "neck3_link"),
+            joint("nod", "yaw_link"),
+        ),
+        "head_controller=trajectory:neck1,neck2,neck3,yaw,nod",
+    ),
     "a leg with a shoulder": (
         (joint("haa", "base"), joint("hfe", "haa_link"), joint("shoulder_leg", "hfe_link")),
         "leg_controller=trajectory:haa,hfe,shoulder_leg",

@@ -201,7 +201,7 @@ def test_the_folder_of_a_file_is_made(folder: Folder) -> None:
 
 def test_what_would_be_inserted_is_shown_and_checked_and_inserted_once(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT, "x.xacro": "<robot><link name='a'/></robot>"})
-    words = ("gen-transmissions", "r.urdf", "--distro", "noetic", "--into", "x.xacro")
+    words = ("gen-transmissions", "r.urdf", "--distro", "noetic", "--interface", "effort", "--into", "x.xacro")
     assert command(*words, "--check") == (1, "x.xacro is out of date\n", "")
     shown = command(*words, "--diff")
     assert shown.returncode == 0

@@ -30,6 +30,8 @@ _FEET = 4
 """A robot with at least this many equal chains, of which nothing else is known, walks on them."""
 _ARM = 3
 """A chain of at least this many joints is called an arm if nothing else is known of it."""
+_LONG = 5
+"""A chain of at least this many joints is no torso, lift or head because of one of them."""
 _ONLY_ROS2 = ("mecanum", "omni", "bicycle", "tricycle", "tricycle_steering")
 
 
@@ -137,7 +139,8 @@ def _label(chain: Sequence[JointFacts]) -> str:
         return "hand"
     bent = len(chain) >= _ARM and any(part in of_joint for of_joint in words for part in ("shoulder", "elbow", "wrist"))
     for part in ("leg", "arm") if bent else _PARTS:
-        if any(part in of_joint for of_joint in words):
+        said = sum(part in of_joint for of_joint in words)
+        if said and (part in ("leg", "arm") or len(chain) < _LONG or said > len(chain) / 2):
             return {"neck": "head", "pan": "head", "waist": "torso"}.get(part, part)
     if any(part in word for of_joint in words for word in of_joint for part in ("hip", "thigh", "calf", "knee")):
         return "leg"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfctl.catalog.catalog import Catalog
+from urdfctl.errors import UserError
 from urdfctl.generate.controllers.proposals import proposed, shown, with_interfaces
 from urdfctl.generate.controllers.recipes import kind_of
 from urdfctl.generate.options import GeneratorOptions
@@ -12,8 +13,8 @@ from urdfctl.generate.request.requests import of_list, requested
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 
 _OF_CONTROLLERS = ("gen-controllers", "gen-launch", "gen-all", "gen-moveit")
-_OF_INTERFACES = "gen-ros2-control"
-"""The command that writes the interfaces which the controllers need, unless the user names interfaces."""
+_OF_INTERFACES = ("gen-ros2-control", "gen-transmissions")
+"""The commands that write the interfaces which the controllers need, unless the user names interfaces."""
 
 
 def with_requests(
@@ -31,10 +32,15 @@ def with_requests(
     if not asked and any(joint.controller or joint.controller_type for joint in joints):
         default = options.types[0] if len(options.types) == 1 else None
         return options._replace(requests=of_list(joints, default), types=()), ""
-    is_open = command == _OF_INTERFACES and not (options.interface or any(joint.interface for joint in joints))
+    is_open = command in _OF_INTERFACES and not (options.interface or any(joint.interface for joint in joints))
     if asked or options.types or robot is None or not (is_open or command in _OF_CONTROLLERS):
         return options._replace(requests=asked), ""
-    found = proposed(robot, joints, options)
+    try:
+        found = proposed(robot, joints, options)
+    except UserError:
+        if not is_open:
+            raise
+        found = ()  # the interfaces of the joints can be written without their controllers
     line = f"controllers proposed from the robot: {shown(found)}" if found else ""
     line = f"interfaces for the {line}" if line and is_open else line
     return options._replace(requests=found), line
