@@ -97,7 +97,7 @@ def _why_nothing(robot: RobotResult) -> str:
     several = len(robot.lacking) > 1
     names = enumerated([f"'{name}'" for name in robot.lacking], "and")
     what = f"package{'s' if several else ''} {names}, not here"
-    return f"it includes files of {what}: clone {'them' if several else 'it'} beside it, or --package-path FOLDER"
+    return f"it needs files of {what}: clone {'them' if several else 'it'} beside it, or --package-path FOLDER"
 
 
 def explanation(result: ControllerResult) -> str:

@@ -131,7 +131,7 @@ class RobotResult(NamedTuple):
     part_of: the link of another file on which a description hangs that is not a robot.
     interrupted: whether Ctrl-C ended the run before all was tested.
     paired: whether the launch file loads no robot, and this is the only one with the joints of its controllers.
-    lacking: the packages of the files that the launch file includes, if these are not here.
+    lacking: the packages of the files that the launch file includes, and of its description, if these are not here.
     """
 
     linted: TargetResult

@@ -103,12 +103,32 @@ def test_where_nothing_has_controllers_the_packages_of_included_launch_files_are
     )
     words = ("smoke", "a", "--engine", "none", "--distro", "noetic")
     shown = command(*words).stdout
-    both = "it includes files of packages 'arm_bringup' and 'arm_control', not here: clone them beside it"
+    both = "it needs files of packages 'arm_bringup' and 'arm_control', not here: clone them beside it"
     assert shown.count(both) == 1
     assert "nothing was tested" in shown
     states = "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n"
     folder.write({"a/config/arm.yaml": states})
     assert "not here" not in command(*words, "--controllers", "a/config/arm.yaml").stdout
+
+
+DESCRIBED = """<launch>
+  <param name="robot_description" command="$(find xacro)/xacro '$(find {})/urdf/arm.urdf'"/>
+  <node name="spawner" pkg="controller_manager" type="spawner" args="mover"/>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(("package", "named"), [("arm_model", True), ("a", False)])
+def test_the_package_of_a_description_that_is_not_here_is_named(package: str, named: bool, folder: Folder) -> None:
+    folder.write(
+        {
+            "a/package.xml": PACKAGE.format("a"),
+            "a/urdf/arm.urdf": ARM.format(FIXED),
+            "a/launch/one.launch": DESCRIBED.format(package),
+        }
+    )
+    shown = command("smoke", "a/launch/one.launch", "--engine", "none", "--distro", "noetic").stdout
+    assert ("it needs files of package 'arm_model', not here: clone it beside it" in shown) is named
 
 
 COMPUTED = """

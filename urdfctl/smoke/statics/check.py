@@ -146,7 +146,7 @@ class StaticCheck(NamedTuple):
             self.results,
             self.lifecycle.distro,
             part_of=self.part_of,
-            lacking=packages_lacking(self.seen.project),
+            lacking=tuple(sorted({*packages_lacking(self.seen.project), *linted.joining.described_in})),
         )
 
 
