@@ -79,6 +79,7 @@ EXCEPTIONS = {
     "urdfctl/doctor/collecting.py _run subprocess.run": "our own script, with the Python in which ROS is sourced",
     "urdfctl/doctor/collector.py versions open": INSTALLED,
     "urdfctl/doctor/collector_ros1.py main socket.setdefaulttimeout": "a deadline for what rospy asks",
+    "urdfctl/doctor/mock_manager.py MockManager.__init__ subprocess.Popen": "the type of what `started` returns",
     "urdfctl/doctor/mock_manager.py main open": SCRATCH,
     "urdfctl/doctor/mock_manager.py main tempfile.TemporaryDirectory": SCRATCH,
     "urdfctl/doctor/mock_manager.py started open": SCRATCH,
