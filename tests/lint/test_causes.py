@@ -49,6 +49,15 @@ CASES: dict[tuple[str, str], dict[str, str]] = {
         "r.xacro": f'<robot name="r" {XACRO}><xacro:arg name="tool" default=""/>\n'
         '<xacro:include filename="$(arg tool)"/>\n<link name="$(arg side)_a"/></robot>'
     },
+    ("UC117", "UC315"): {
+        "r.urdf": arm(
+            '<link name="tip"/><joint name="finger" type="revolute"><parent link="fore"/><child link="tip"/>'
+            '<limit lower="0" upper="1" effort="1" velocity="1"/><mimic joint="elbw"/></joint>'
+            + control(
+                '<state_interface name="position"/></joint><joint name="finger"><state_interface name="position"/>'
+            )
+        )
+    },
     ("UC136", "UC137"): {"r.urdf": arm(body=BODY.format(9).replace('izz="9"', 'izz="90"'))},
     ("UC151", "UC149"): {
         "r.urdf": '<robot name="r"><link name="a"><visual><geometry><mesh filename="FOLDER/a.stl"/></geometry>'

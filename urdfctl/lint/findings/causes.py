@@ -59,6 +59,7 @@ LINKS = (
     _UNDEFINED,
     CausalLink("UC023", ("UC002",), below_its_path),
     CausalLink("UC028", ("UC004", "UC007"), in_its_line),
+    CausalLink("UC117", ("UC315",), of_its_name),
     CausalLink("UC136", ("UC137",), at_its_place),
     CausalLink("UC151", ("UC149",), at_its_place),
     CausalLink("UC303", ("UC305",), at_its_place),
