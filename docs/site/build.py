@@ -28,6 +28,7 @@ from urdfctl import REPOSITORY, SITE  # noqa: E402 (the folder of the source com
 
 _HERE = Path(__file__).resolve().parent
 _COMMANDS = "    # a page for each command\n"
+_STYLE = "site.css"
 _PICTURES = {".png", ".svg", ".gif", ".webp"}
 
 
@@ -71,6 +72,7 @@ def write_sources(folder: Path) -> None:
             there.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(picture, there)
     write_search(pages)
+    shutil.copyfile(_HERE / _STYLE, pages / _STYLE)
     (pages / "robots.txt").write_text(f"User-agent: *\nAllow: /\nSitemap: {SITE}sitemap.xml\n")
     settings = (_HERE / "zensical.toml").read_text("utf-8").replace(_COMMANDS, _menu_of_commands())
     address = f'[project]\nsite_url = "{SITE}"\nrepo_url = "{REPOSITORY}"\n'
