@@ -188,3 +188,19 @@ def test_gains_of_a_joint_that_needs_none_or_that_nobody_drives_are_told(bench: 
 
 def test_states_have_no_controller_to_command_them(bench: Bench) -> None:
     assert bench.says(component(joint("elbow", STATES)), controllers("states", kind=FORWARD)) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"), [("elbov", "elbow"), ("Elbow", "elbow"), ("grip", None), ("shoulder", None), ("elbow2", None)]
+)
+def test_a_joint_of_a_robot_that_is_only_partly_here_is_compared_with_the_known_ones(
+    name: str, meant: str | None, tmp_path: Path
+) -> None:
+    include = '<xacro:include filename="$(find other_arm)/hand.xacro"/>'
+    robot = f'<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">{include}<link name="base"/>{ARM}</robot>'
+    (tmp_path / "arm.xacro").write_text(robot)
+    (tmp_path / "c.yaml").write_text(controllers("arm") + forward("arm", f"shoulder, {name}"))
+    target = Target(str(tmp_path / "arm.xacro"), controllers=(str(tmp_path / "c.yaml"),))
+    told = [one.message for one in findings(target, ("UC440",), distro="jazzy")]
+    message = f"controller 'arm' names joint '{name}', but the part of the robot that is here has '{meant}'"
+    assert told == ([message] if meant else [])

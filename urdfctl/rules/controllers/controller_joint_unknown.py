@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.control.hardware.interfaces import OfferedHardware
 from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
 from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.robot import Robot
+from urdfctl.names import are_opposed, folded, is_slip
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.common import KnownNames, in_words
+from urdfctl.rules.common import KnownNames, in_words, is_known, replaced, robot_in
 from urdfctl.rules.controllers.joints import Named, hardware_in, links_called, meant_by, named, severity_of
 
 _ROBOT = """
@@ -40,7 +42,6 @@ _CONTROLLERS = """
     authority="ros_controllers: 'Could not find joint 'elbw' in URDF model.', 'Could not find resource 'elbw' in "
     "'hardware_interface::PositionJointInterface'.'; ros2_control: 'Unable to activate controller 'arm' since the command "
     "interface 'elbw/position' is not available.'",
-    whole_robot=True,
     in_library=False,
     options=["--distro=jazzy"],
     bad=[
@@ -92,13 +93,42 @@ def controller_joint_unknown(project: Project) -> Iterator[Finding]:
 
     The controller is not loaded (ROS 1), or is loaded but cannot be activated (ROS 2). If it is unknown which
     controllers are started, a controller that names none of the robot's joints may be for another robot: it is reported
-    as info.
+    as info. If a part of the robot is not here, only a name that is nearly one of the known joints is reported.
     """
     robot = robot_of(project)
     if robot is None:
+        if not project.complete:
+            yield from in_each_distro(project, lambda reader: _nearly(reader, _known_joints(project)))
         return
     hardware, names = hardware_in(project, robot), KnownNames(robot.joint_names)
     yield from in_each_distro(project, lambda reader: _unknown(reader, robot, hardware[reader.distro], names, project))
+
+
+def _known_joints(project: Project) -> set[str]:
+    """The joints of the part of a robot that is known, and of its components."""
+    robot = robot_in(project)
+    controls = robot.ros2_controls if robot else ()
+    parts = [part.name or "" for control in controls for part in control.parts if part.kind == "joint"]
+    return {name for name in (*(robot.joint_names if robot else ()), *parts) if name and is_known(name)}
+
+
+def _nearly(reader: Reader, known: set[str]) -> Iterator[Finding]:
+    """Yield the joints whose names are nearly those of known joints, which the controller does not name."""
+    joints = named(reader)
+    free = known - {joint.name for joint in joints}
+    for joint in joints:
+        near = [name for name in free if _is_near(joint.name, name)]
+        if joint.name in known or len(near) != 1:
+            continue
+        message = f"controller '{reader.name}' names joint '{joint.name}', but the part of the robot that is here has '{near[0]}'"
+        yield Finding(joint.at, message, fix=replaced(joint.at, joint.name, near[0]), severity=Severity.WARNING)
+
+
+def _is_near(name: str, known: str) -> bool:
+    """Whether a name is surely a slip for another one: another number or side may be a joint that is not here."""
+    if re.findall(r"\d", name) != re.findall(r"\d", known) or are_opposed(name, known):
+        return False
+    return is_slip(name, known) or folded(name) == folded(known)
 
 
 def _unknown(
