@@ -222,3 +222,15 @@ def test_a_shell_splits_the_words_that_another_launch_file_gives(folder: Folder,
         "launch/all.launch": f'<launch><arg name="both" default="ctl states"/>{include}</launch>',
     }
     assert ("shell=True" in migrated(folder, files)["launch/one.launch.py"]) is shell
+
+
+def test_two_launch_files_that_differ_in_their_ending_keep_two_names(folder: Folder) -> None:
+    include = '<include file="$(find arm)/launch/arm.launch.xml"><arg name="rate" value="5"/></include>'
+    node = '<node pkg="arm" type="mover" name="mover"><param name="rate" value="$(arg rate)"/></node>'
+    files = {
+        "launch/arm.launch": f"<launch>{include}</launch>",
+        "launch/arm.launch.xml": f'<launch><arg name="rate"/>{node}</launch>',
+    }
+    after = migrated(folder, files)
+    assert '"/launch/arm_include.launch.py"' in after["launch/arm.launch.py"]
+    assert 'executable="mover"' in after["launch/arm_include.launch.py"]

@@ -17,7 +17,7 @@ from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.described import description_names, idle_publishers, spaces_by_file
 from urdfctl.migrate.ros1.included import IncludedFile, descriptions_in, included_file, split_arguments
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
-from urdfctl.migrate.ros1.launches import launch_roots
+from urdfctl.migrate.ros1.launches import doubled_names, launch_roots, new_name
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
@@ -85,7 +85,7 @@ def _package(path: str) -> str:
 
 
 def _migrated(packages: MigratedPackages, path: str, root: Element, target: LaunchTarget) -> Iterator[Proposal]:
-    new = _new_path(path, packages.options.launch)
+    new = new_name(path, target.ending, target.doubled)
     if exists(new):
         return
     reading = LaunchReading(target)
@@ -108,13 +108,6 @@ def _migrated(packages: MigratedPackages, path: str, root: Element, target: Laun
     entries += [ReportEntry(EntryKind.DECIDED, what, file=new) for what in reading.decided]
     entries += [ReportEntry(EntryKind.FOR_YOU, what, file=new) for what in left]
     yield Proposal(created=((new, text),), deleted=(path,), entries=tuple(entries))
-
-
-def _new_path(path: str, form: str) -> str:
-    base = path
-    for ending in (".launch.xml", ".launch", ".xml"):
-        base = base.removesuffix(ending)
-    return f"{base}.launch.{form}"
 
 
 def _is_of_moveit(path: str, root: Element) -> bool:
@@ -143,6 +136,7 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         files_of=lambda node: _files_of(packages, node),
         descriptions=packages.found(description_names),
         elsewhere=packages.found(described_elsewhere),
+        doubled=packages.found(doubled_names),
     )
 
 

@@ -35,6 +35,7 @@ class LaunchTarget(NamedTuple):
     published: the descriptions that files publish which this one includes.
     included: returns what is known of an included launch file, by its written address.
     split: the arguments of the file to which other files give several words.
+    doubled: the names of the launch files that get another one, because a file beside them takes theirs.
     elsewhere: whether the description with the plugin of the simulator is in another package.
     """
 
@@ -61,6 +62,7 @@ class LaunchTarget(NamedTuple):
     included: Callable[[str], IncludedFile] = lambda _: IncludedFile({}, frozenset())
     split: frozenset[str] = frozenset()
     elsewhere: bool = False
+    doubled: frozenset[str] = frozenset()
 
     @property
     def apart(self) -> frozenset[str]:

@@ -21,6 +21,7 @@ from urdfctl.migrate.ros1.doubles import as_double
 from urdfctl.migrate.ros1.included import IncludedFile, kept_apart, passed_on, said_by
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
+from urdfctl.migrate.ros1.launches import new_name
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT
 from urdfctl.migrate.ros1.pausing import DECIDED, must_run, running
 from urdfctl.migrate.ros1.roslaunch_nodes import (
@@ -54,7 +55,6 @@ from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
 _TIMED = ("controller_manager", CLASSIC_PACKAGE)
 """Packages whose nodes have the simulation's time, or need none."""
-_LAUNCH_ENDINGS = (".launch.xml", ".launch", ".xml")
 _SURE_ENDINGS = (".launch.xml", ".launch")
 _MOST_CHOICES = 3
 """Conditions in one node or include; it is written once for each combination."""
@@ -287,9 +287,7 @@ class LaunchReading(Notes):
             self.left.append(f"check the name of the launch file of package '{packages[0]}' in ROS 2")
         if not file or file[-1].kind != "text":
             return file
-        last = file[-1].text
-        ending = next((each for each in _LAUNCH_ENDINGS if last.endswith(each)), "")
-        new = f"{last.removesuffix(ending)}{self.target.ending}" if ending else last
+        new = new_name(file[-1].text, self.target.ending, self.target.doubled)
         return (*file[:-1], PartOfText("text", new))
 
     # -- parameters ----------------------------------------------------------------------------------------------------
