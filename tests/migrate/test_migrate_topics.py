@@ -37,6 +37,8 @@ def test_who_names_a_topic_that_changes_is_listed(folder: Folder) -> None:
     assert "  - `src/move.cpp:1`" in report
     assert "  - `launch/arm.launch.py:" in report
     assert "`scripts/walk:2`: 'walk/command' is 'walk/joint_trajectory' of type trajectory_msgs/msg/Joint" in report
+    assert "not ~/command of type Float64: change who publishes it (knee_controller)." in report
+    assert "trajectories are read from ~/joint_trajectory now, not from ~/command (walk)." in report
     assert "scripts/own.py" not in report
     assert "other/command" not in report
 

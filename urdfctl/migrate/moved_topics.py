@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.catalog.distros import since
 from urdfctl.migrate.report import ReportLine
@@ -20,6 +20,7 @@ CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".hh")
 """The endings of files with code."""
 _OTHERS = ("", ".xml", ".launch", ".yaml", ".yml", ".rviz", ".perspective", ".sh", ".m")
 _MOST_BYTES = 1 << 20
+_MOST_NAMES = 4
 _PARTS = 64
 """So many names are looked for at once; a file of controllers mostly has fewer."""
 
@@ -124,11 +125,21 @@ def moved_topics(scratch: Scratch, target: str, changed: Iterable[Change], *, fr
             after = change.after.decode("utf-8", "replace")
             line = after.count("\n", 0, max(after.find(found[0]), 0)) + 1
             kind = EntryKind.DONE if each.is_done else EntryKind.FOR_YOU
-            yield ReportLine(kind, each.message, file=change.file, line=line, authority=each.authority)
+            message = f"{each.message}{_shown(names)}"
+            yield ReportLine(kind, message, file=change.file, line=line, authority=each.authority)
             if each is not _STAMPED_IN_HUMBLE:
                 named.update(dict.fromkeys(names, each))
     if named:
         yield from _users(scratch, named)
+
+
+def _shown(names: Sequence[str]) -> str:
+    """The names of controllers as the end of a message; empty without any."""
+    if not names:
+        return ""
+    shown = names if len(names) <= _MOST_NAMES + 1 else names[:_MOST_NAMES]
+    more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
+    return f" ({', '.join(shown)}{more})"
 
 
 def _moved(change: Change, target: str, *, from_ros1: bool) -> Iterator[tuple[bytes, MovedTopic]]:
