@@ -261,7 +261,7 @@ class Loader:
             *(controller_files.problems if controller_files else ()),
             *(moveit.problems if moveit else ()),
         )
-        absent, todos = absent_sources(packages, files), self._todos(sources, packages)
+        absent, todos = absent_sources(packages, files, sources), self._todos(sources, packages)
         project = Project(None, path, problems=problems, absent=absent, todos=todos, moveit=moveit)
         project = self._completed(project, evidence, controller_files, launch)
         texts = _sources(files, launch_file)
@@ -302,7 +302,7 @@ class Loader:
             *(moveit.problems if moveit else ()),
         )
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
-        listed, absent = _listed_joints(path, files), absent_sources(described.packages, files)
+        listed, absent = _listed_joints(path, files), absent_sources(described.packages, files, sources)
         todos = self._todos(sources, described.packages)
         project = project._replace(listed=listed, absent=absent, todos=todos)
         project = project._replace(influence=described.influence, origin=described.origin)

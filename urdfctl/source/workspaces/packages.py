@@ -206,6 +206,10 @@ class Packages:
         """Return the folder of the package that contains the file; None if the workspace has none."""
         return next((folder for folder in self._ancestors() if self._index.name_of(folder)), None)
 
+    def around(self, folder: str) -> str | None:
+        """Return the folder of the package that a folder is in; None if it is in none."""
+        return Packages(os.path.join(folder, "package.xml"), self._index).own()
+
     def _own_name(self) -> str:
         folder = self.own()
         return (folder and self._index.name_of(folder)) or ""
