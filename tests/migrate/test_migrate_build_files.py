@@ -133,3 +133,15 @@ def test_meshes_that_are_installed_among_the_headers_are_installed_for_robots_to
     files = {"meshes/arm.stl": "solid", "launch/arm.launch": "<launch/>", "urdf/arm.urdf": ROBOT}
     after = migrated(folder, {"CMakeLists.txt": build, **files})["CMakeLists.txt"]
     assert "install(DIRECTORY meshes urdf\n  DESTINATION share/${PROJECT_NAME}\n)" in after
+
+
+def test_a_package_that_only_a_broken_launch_file_names_is_not_needed(folder: Folder) -> None:
+    node = '<node pkg="{}" type="a" name="a"/>'
+    files = {
+        "launch/arm.launch": f"<launch>{node.format('camera_of_arm')}</launch>",
+        "launch/old.launch.xml": f"<launch><group>{node.format('lost_of_arm')}</launch>",
+        "launch/new.launch.py": 'Node(package="also_lost", executable="a"\n',
+    }
+    after = migrated(folder, {"urdf/arm.urdf": ROBOT, **files})["package.xml"]
+    assert "camera_of_arm" in after
+    assert "lost" not in after

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 from collections.abc import Iterator, Mapping
@@ -184,6 +185,18 @@ def _export(root: Element) -> Edit:
     return Edit(SourceSpan(source, tag.end, tag.end), f"\n{step * 2}{build}")
 
 
+def _can_be_read(packages: MigratedPackages, path: str) -> bool:
+    """Whether a launch file is valid: what a broken one names is not started."""
+    source = packages.read(path)
+    if path.endswith(".xml"):
+        return root_of(source) is not None
+    try:
+        ast.parse(source.data)
+    except (SyntaxError, ValueError, RecursionError):
+        return False
+    return True
+
+
 def _needed(packages: MigratedPackages, folder: str) -> Iterator[str]:
     """The packages that the launch files, controllers and plugins of a package need."""
     catalog = catalog_with(packages.settings.additions)
@@ -191,7 +204,7 @@ def _needed(packages: MigratedPackages, folder: str) -> Iterator[str]:
         if not path.startswith(folder + os.sep):
             continue
         text = packages.read(path).data.decode("utf-8", "replace")
-        if path.endswith(_LAUNCHES):
+        if path.endswith(_LAUNCHES) and _can_be_read(packages, path):
             text = re.sub(_COMMENT, "", text)
             yield from re.findall(_NAMED_IN_LAUNCH, text)
             yield from ["xacro"] if "xacro " in text else []
