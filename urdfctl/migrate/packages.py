@@ -61,6 +61,7 @@ class MigratedPackages:
         self._loaded: dict[str | None, list[LoadedTarget]] = {}
         self._loaders: dict[str | None, Loader] = {}
         self._files: list[str] = []
+        self._real: dict[str, str] = {}
         self._found: dict[object, object] = {}
 
     @property
@@ -106,7 +107,10 @@ class MigratedPackages:
 
     def read(self, path: str) -> SourceText:
         """Return the content of a file; empty if it cannot be read or is too large. Each state is read once."""
-        written = self.scratch.written.get(os.path.realpath(path))
+        real = self._real.get(path)
+        if real is None:
+            real = self._real[path] = os.path.realpath(path)
+        written = self.scratch.written.get(real)
         state, source = self._sources.get(path, (None, None))
         if source is None or state is not written:
             source = SourceText(path, _text(path))
@@ -157,6 +161,7 @@ class MigratedPackages:
     def forget(self) -> None:
         """Forget what was found, because files were changed."""
         self._loaded.clear()
+        self._real.clear()
         self._files = []
         self._found.clear()
 

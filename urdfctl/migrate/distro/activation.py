@@ -23,7 +23,7 @@ _UNKNOWN = f"all hardware components are activated now: name those that should n
 
 
 def _activation(packages: MigratedPackages) -> Iterator[Proposal]:
-    for section in sections(packages) if packages.reaches("jazzy") else ():
+    for section in packages.found(sections) if packages.reaches("jazzy") else ():
         if section.type == MANAGER and packages.may_change(section.path):
             given = dict(leaves(section.parameters))
             activated = texts_at(given, _ACTIVATED)

@@ -19,7 +19,7 @@ _AUTHORITY = (
 
 
 def _feedforward(packages: MigratedPackages) -> Iterator[Proposal]:
-    for section in sections(packages):
+    for section in packages.found(sections):
         is_due = section.type == _TYPE and packages.crosses("kilted", section.path)
         if is_due and packages.may_change(section.path):
             given = dict(leaves(section.parameters))

@@ -25,7 +25,7 @@ _OLD_TOPIC = "~/robot_description"
 
 
 def _launch_python(packages: MigratedPackages) -> Iterator[Proposal]:
-    known = [section for section in sections(packages) if section.type != MANAGER]
+    known = [section for section in packages.found(sections) if section.type != MANAGER]
     for path in packages.files(".py"):
         source = packages.read(path)
         if b"controller_manager" in source.data and packages.may_change(path):

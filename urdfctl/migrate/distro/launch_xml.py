@@ -27,7 +27,7 @@ _ENDINGS = (".launch.xml", "_launch.xml", ".launch")
 
 
 def _launch_xml(packages: MigratedPackages) -> Iterator[Proposal]:
-    known = [section for section in sections(packages) if section.type != MANAGER]
+    known = [section for section in packages.found(sections) if section.type != MANAGER]
     for path in packages.files(*_ENDINGS):
         source = packages.read(path)
         if b"controller_manager" not in source.data or not packages.may_change(path):

@@ -22,7 +22,7 @@ _UNKNOWN = "a PID commands the velocities now: set the gains of each joint to 0.
 
 
 def _open_loops(packages: MigratedPackages) -> Iterator[Proposal]:
-    for section in sections(packages) if packages.reaches("jazzy") else ():
+    for section in packages.found(sections) if packages.reaches("jazzy") else ():
         if section.type == _TYPE and packages.may_change(section.path):
             given = dict(leaves(section.parameters))
             if text_at(given, _OLD).lower() == "true" and texts_at(given, "command_interfaces") == ["velocity"]:

@@ -49,7 +49,7 @@ class _Parameter:
 
 
 def _parameters(packages: MigratedPackages) -> Iterator[Proposal]:
-    for section in sections(packages):
+    for section in packages.found(sections):
         known = _moves_for(section.type, packages.options.target)
         moves = [move for move in known if _is_due(packages, move, section.path)]
         if moves and section.parameters.entries and packages.may_change(section.path):

@@ -88,7 +88,7 @@ def _names(words: Sequence[str]) -> list[str]:
 
 def _moved(packages: MigratedPackages, at: Place, names: Sequence[str], kind: str, edits: tuple[Edit, ...]) -> Proposal:
     """The proposal to drop the option of a spawner, and to write the type that it named into a parameter file."""
-    known = {one.controller for one in type_names(packages)}
+    known = {one.controller for one in packages.found(type_names)}
     missing = [name for name in names if name not in known]
     manager = _manager(packages, at.source.path, missing)
     if "/" not in kind or "" in names or not names or (missing and manager is None):
@@ -119,7 +119,7 @@ def _block(manager: FileSection, name: str, kind: str) -> str:
 def _manager(packages: MigratedPackages, path: str, names: Sequence[str]) -> FileSection | None:
     """The section of the controller manager in the file that has the controllers' parameters, or the only one of the
     package, or of all."""
-    found = sections(packages)
+    found = packages.found(sections)
     own = {one.path for one in found if one.node in names}
     managers = [
         one for one in found if one.type == MANAGER and one.parameters.entries and packages.may_change(one.path)

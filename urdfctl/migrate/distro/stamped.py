@@ -44,12 +44,12 @@ _OLD_TOPIC = re.compile(r"(\w+)/(cmd_vel|reference)_unstamped\Z")
 
 def drives(packages: MigratedPackages) -> set[str]:
     """Return the controllers of the packages that read stamped velocities, if they did not before the migration."""
-    readers = (one for one in type_names(packages) if one.value.text.startswith(_READERS))
+    readers = (one for one in packages.found(type_names) if one.value.text.startswith(_READERS))
     return {one.controller for one in readers if packages.crosses(SINCE, one.path)}
 
 
 def _publishers(packages: MigratedPackages) -> Iterator[Proposal]:
-    for section in sections(packages) if drives(packages) else ():
+    for section in packages.found(sections) if drives(packages) else ():
         parameter = _parameter(section)
         known = {entry.key.text for entry in section.parameters.entries}
         if parameter is None or parameter[0] in known or not packages.may_change(section.path):

@@ -29,7 +29,7 @@ _XML = (".launch.xml", "_launch.xml", ".launch")
 def _nodes(packages: MigratedPackages) -> Iterator[Proposal]:
     if not drives(packages):
         return
-    set_in_files = {entry.key.text for section in sections(packages) for entry in section.parameters.entries}
+    set_in_files = {entry.key.text for section in packages.found(sections) for entry in section.parameters.entries}
     for path in packages.files(".py", *_XML):
         source = packages.read(path)
         if not any(package.encode() in source.data for package, _ in _PROGRAMS) or not packages.may_change(path):

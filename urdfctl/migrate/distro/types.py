@@ -23,8 +23,8 @@ _AUTHORITY = "ros2_controllers doc/migration.rst: removed types and their succes
 
 def _types(packages: MigratedPackages) -> Iterator[Proposal]:
     target = packages.options.target
-    known = sections(packages)
-    for declared in type_names(packages):
+    known = packages.found(sections)
+    for declared in packages.found(type_names):
         old = declared.value.text
         instead = CATALOG.replacement(old, target)
         is_ros2 = any(generation(distro) == 2 for distro in CATALOG.distros_of(old))  # noqa: PLR2004
@@ -83,7 +83,7 @@ def _yaml(value: object) -> str:
 def _dependencies(packages: MigratedPackages) -> Iterator[Proposal]:
     """Depend on the packages of the new types; no longer on those of the old ones if nothing uses them."""
     target = packages.options.target
-    used = {declared.value.text for declared in type_names(packages)}
+    used = {declared.value.text for declared in packages.found(type_names)}
     needed = {kind.package for name in used if (kind := CATALOG.controller(name, target))}
     successors = _successors(target)
     for path in packages.files("package.xml"):

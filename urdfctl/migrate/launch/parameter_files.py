@@ -21,7 +21,7 @@ def with_parameter_files(packages: MigratedPackages, source: SourceText, actions
 
     The files of a spawner are those that it may need: it passes them on if its controllers or their files are unknown.
     """
-    known = sections_near([one for one in sections(packages) if one.type != MANAGER], source, source.data)
+    known = sections_near([one for one in packages.found(sections) if one.type != MANAGER], source, source.data)
     arguments = (action for action in all_actions(tuple(actions)) if action.kind == "argument")
     defaults = {action.name: plain(action.value) for action in arguments if action.value and is_literal(action.value)}
     is_passed = takes_param_file(packages.options.target)

@@ -157,7 +157,7 @@ def _controller_files(packages: MigratedPackages) -> set[str]:
 def _controllers_in(packages: MigratedPackages, written: str) -> list[str]:
     """The controllers of a file of the packages, after its own migration."""
     paths = addressed_files(packages, written) if is_yaml(written) else set()
-    return [one.controller for one in type_names(packages) if one.path in paths] if paths else []
+    return [one.controller for one in packages.found(type_names) if one.path in paths] if paths else []
 
 
 def _files_of(packages: MigratedPackages, node: str) -> list[str]:

@@ -45,19 +45,24 @@ class TypeName(NamedTuple):
 def sections(packages: MigratedPackages) -> list[FileSection]:
     """Return the sections of all controller files. A type is known from the same file, or else from the package."""
     found = [(path, node, map_) for path in _files(packages) for node, map_ in _nodes(packages, path)]
+    around = {path: package_around(path) or path for path in {path for path, _, _ in found}}
     by_file: dict[str, dict[str, str]] = {}
     by_package: dict[str, dict[str, str]] = {}
-    for declared in type_names(packages):
+    for declared in packages.found(type_names):
         by_file.setdefault(declared.path, {})[declared.controller] = declared.value.text
-        by_package.setdefault(_package(declared.path), {})[declared.controller] = declared.value.text
+        by_package.setdefault(around[declared.path], {})[declared.controller] = declared.value.text
     return [
-        FileSection(path, node, _type(node, by_file.get(path, {}), by_package.get(_package(path), {})), map_)
+        FileSection(path, node, _type(node, by_file.get(path, {}), by_package.get(around[path], {})), map_)
         for path, node, map_ in found
     ]
 
 
-def type_names(packages: MigratedPackages) -> Iterator[TypeName]:
-    """Yield the types that controller managers give to controllers."""
+def type_names(packages: MigratedPackages) -> list[TypeName]:
+    """Return the types that controller managers give to controllers."""
+    return list(_type_names(packages))
+
+
+def _type_names(packages: MigratedPackages) -> Iterator[TypeName]:
     for path in _files(packages):
         for node, parameters in _nodes(packages, path):
             if not _is_manager(node):
@@ -77,11 +82,13 @@ def sections_near(known: Sequence[FileSection], source: SourceText, text: bytes)
     text: the part of the launch file that names files for all controllers.
     """
     package = package_around(os.path.dirname(source.path))
+    around = {path: package_around(os.path.dirname(path)) for path in {one.path for one in known}}
     typed = [one for one in known if one.type]
     named = [one for one in typed if os.path.basename(one.path).encode() in text]
-    beside = [one for one in known if package_around(os.path.dirname(one.path)) == package]
-    near = [one for one in typed if _is_mentioned(one.path, source, package)]
-    only = typed if len({package_around(os.path.dirname(one.path)) for one in typed}) == 1 else []
+    beside = [one for one in known if around[one.path] == package]
+    mentioned = {path for path in {one.path for one in typed} if _is_mentioned(around[path], source, package)}
+    near = [one for one in typed if one.path in mentioned]
+    only = typed if len({around[one.path] for one in typed}) == 1 else []
     chosen = [one for one in named if one in beside] or [one for one in named if one in near] or named
     chosen = chosen or beside or near or only
     files: dict[str, dict[bytes, str]] = {}
@@ -90,9 +97,8 @@ def sections_near(known: Sequence[FileSection], source: SourceText, text: bytes)
     return {node: {*by_text.values()} for node, by_text in files.items()}
 
 
-def _is_mentioned(path: str, launch: SourceText, package: str | None) -> bool:
-    """Whether a launch file or its package's manifest names the package of a file."""
-    folder = package_around(os.path.dirname(path))
+def _is_mentioned(folder: str | None, launch: SourceText, package: str | None) -> bool:
+    """Whether a launch file or its package's manifest names the package in a folder."""
     name = package_name(os.path.join(folder, "package.xml")) if folder else None
     manifest = SourceText(launch.path, bytes_of(os.path.join(package, "package.xml")) or b"") if package else launch
     word = re.compile(rb"(?<![\w-])%s(?![\w-])" % re.escape(name or "").encode())
@@ -130,10 +136,6 @@ def _type(node: str, in_file: Mapping[str, str], in_package: Mapping[str, str]) 
 
 def _is_manager(node: str) -> bool:
     return node.endswith(MANAGER)
-
-
-def _package(path: str) -> str:
-    return package_around(path) or path
 
 
 def _files(packages: MigratedPackages) -> Iterator[str]:
