@@ -87,3 +87,16 @@ def test_a_robot_that_is_simulated_in_gz_already_finds_its_meshes_and_sensors_as
     assert "gazebo_model_path" not in now["package.xml"]
     assert "gz-sim-imu-system" not in now["urdf/base.xacro"]
     assert "gz_ros2_control-system" in now["urdf/base.xacro"]
+
+
+IMU = '  <gazebo reference="body"><sensor name="imu" type="imu"><topic>imu</topic></sensor></gazebo>\n'
+INCLUDE = '  <xacro:include filename="$(find vendor_description)/urdf/arm.xacro"/>\n'
+
+
+@pytest.mark.parametrize("included", ["", INCLUDE])
+def test_the_systems_of_a_robot_that_is_in_another_package_too_are_left_to_a_person(
+    folder: Folder, included: str
+) -> None:
+    text = after(folder, {}, CONTROL + IMU + included)["urdf/base.xacro"]
+    assert ("TODO(urdfctl): gz-sim-imu-system: load it in the world" in text) is bool(included)
+    assert ('<plugin filename="gz-sim-imu-system"' in text) is not bool(included)

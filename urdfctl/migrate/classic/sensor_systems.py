@@ -15,6 +15,7 @@ from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
+from urdfctl.migrate.todo import for_you
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import SourceSpan
 
@@ -31,6 +32,9 @@ SYSTEMS: Mapping[str, tuple[str, str]] = {
     "navsat": ("gz-sim-navsat-system", "gz::sim::systems::NavSat"),
 }
 """By type of sensor: the library and the class of its system."""
+_UNKNOWN = (
+    "load it in the world for the sensors of this robot, unless a file of another package does, which is not here"
+)
 
 
 def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
@@ -40,7 +44,7 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
     done: set[str] = set()
     for loaded in packages.loaded():
         robot, path = loaded.project.robot, os.path.realpath(loaded.project.path)
-        if robot is None or not loaded.project.complete or path in done or not packages.may_change(path):
+        if robot is None or path in done or not packages.may_change(path):
             continue
         texts = b"".join([worlds, *(packages.read(each).data for each in loaded.sources if each.endswith(XML))])
         absent = (system for system in _needed(packages, loaded, robot) if system[0].encode() not in texts)
@@ -50,6 +54,10 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
         if not missing or root is None or not is_robot or root.close is None or CHOICE.encode() in root.source.data:
             continue
         done.add(path)
+        if not loaded.project.complete:
+            names = ", ".join(file for file, _ in missing)
+            yield for_you(root.at, f"{names}: {_UNKNOWN}", authority=_AUTHORITY)
+            continue
         step = step_of(root.source)
         lines = "".join(f'{step * 2}<plugin filename="{file}" name="{name}"/>\n' for file, name in missing)
         start = root.source.data.rfind(b"\n", 0, root.close) + 1
