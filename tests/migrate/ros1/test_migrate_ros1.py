@@ -676,3 +676,12 @@ def test_a_namespace_within_a_condition_stays_that_of_the_plugin(folder: Folder)
     assert chosen != PLUGIN
     after = migrated(folder, {"urdf/arm.xacro": arm(transmission("EffortJointInterface"), chosen)})["urdf/arm.xacro"]
     assert '<xacro:if value="true"><ros> <namespace>arm</namespace> </ros></xacro:if>' in " ".join(after.split())
+
+
+def test_a_controller_of_which_only_comments_are_left_has_no_section(folder: Folder) -> None:
+    states = "states:\n  type: joint_state_controller/JointStateController\n  # Hz\n  publish_rate: 50\n"
+    robot = arm(transmission("EffortJointInterface"), PLUGIN.replace("/arm", "/"))
+    after = migrated(folder, {"urdf/arm.xacro": robot, "config/c.yaml": states})["config/c.yaml"]
+    assert "type: joint_state_broadcaster/JointStateBroadcaster" in after
+    assert after.count("ros__parameters") == 1
+    assert after.endswith("# Hz\n")

@@ -149,7 +149,10 @@ class _ControllersFile:
             space, own = self._namespace(item), self._name(item)
             name = f"{space}/{own}" if space else own
             name = f'"{name}"' if "*" in name else name
-            return f"{above}{name}:\n  ros__parameters:\n{body}" if body.strip() else above * bool(section.todo)
+            lines = [line.strip() for line in body.splitlines() if line.strip()]
+            if all(line.startswith("#") for line in lines):  # rcl rejects a section without a value
+                return above * bool(section.todo or lines) + "".join(f"{line}\n" for line in lines)
+            return f"{above}{name}:\n  ros__parameters:\n{body}"
         return above + self._other(item, data[line : _end_of_lines(data, item)].decode("utf-8", "surrogateescape"))
 
     def _other(self, item: MapItem, text: str) -> str:
