@@ -55,9 +55,15 @@ drive:
 """
 
 
-@pytest.mark.parametrize(("target", "is_told"), [("jazzy", True), ("humble", False)])
-def test_code_that_publishes_velocities_is_listed_where_they_are_stamped(
-    folder: Folder, target: str, is_told: bool
+@pytest.mark.parametrize(
+    ("target", "now", "where"),
+    [
+        ("jazzy", "takes geometry_msgs/msg/TwistStamped now", ["src/move.py"]),
+        ("humble", "is '/drive/cmd_vel_unstamped' of type geometry_msgs/msg/Twist now", ["src/move.py", "launch/arm"]),
+    ],
+)
+def test_who_publishes_velocities_is_listed_where_their_type_or_topic_changes(
+    folder: Folder, target: str, now: str, where: list[str]
 ) -> None:
     files = {
         "config/c.yaml": DRIVE.partition("drive:\n  type")[1] + DRIVE.partition("drive:\n  type")[2],
@@ -65,10 +71,20 @@ def test_code_that_publishes_velocities_is_listed_where_they_are_stamped(
         "src/move.py": "pub('/drive/cmd_vel')\n",
         "launch/arm.launch": f"<launch>{REMAPPED}</launch>",
     }
-    report = migrated(folder, files, "--to", target)["MIGRATION.md"]
-    said = "`src/move.py:1`: '/drive/cmd_vel' takes geometry_msgs/msg/TwistStamped now: change it here"
-    assert (said in report) is is_told
-    assert "launch/arm.launch.py:" not in report
+    after = migrated(folder, files, "--to", target)
+    report = after["MIGRATION.md"]
+    assert f"'/drive/cmd_vel' {now}: change it here" in report
+    assert [name for name in ("src/move.py", "launch/arm") if f"`{name}" in report.partition("For you")[2]] == where
+    assert ("use_stamped_vel: false" in after["config/c.yaml"]) is (target == "humble")
+
+
+def test_a_drive_whose_velocities_are_stamped_already_reads_them_so(folder: Folder) -> None:
+    files = {
+        "config/c.yaml": DRIVE.partition("drive:\n  type")[1] + DRIVE.partition("drive:\n  type")[2],
+        "urdf/arm.xacro": arm(transmission("VelocityJointInterface")),
+        "src/move.py": "from geometry_msgs.msg import TwistStamped\n",
+    }
+    assert "use_stamped_vel" not in migrated(folder, files, "--to", "humble")["config/c.yaml"]
 
 
 @pytest.mark.parametrize(("target", "is_told"), [("lyrical", True), ("jazzy", False)])

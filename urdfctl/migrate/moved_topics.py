@@ -96,6 +96,13 @@ _STAMPED_IN_HUMBLE = _STAMPED._replace(
     message="it reads geometry_msgs/msg/TwistStamped unless use_stamped_vel is false, which keeps Twist",
     authority="ros2_controllers humble diff_drive_controller_parameter.yaml: use_stamped_vel",
 )
+_UNSTAMPED = _STAMPED._replace(
+    new="cmd_vel_unstamped",
+    kind="geometry_msgs/msg/Twist",
+    message="it reads Twist from ~/cmd_vel_unstamped, not from ~/cmd_vel: change who publishes its velocities",
+    authority="ros2_controllers humble diff_drive_controller.cpp: DEFAULT_COMMAND_UNSTAMPED_TOPIC",
+    in_code=False,
+)
 _GRIPPER = MovedTopic(
     pattern=r"\bparallel_gripper_action_controller/GripperActionController\b",
     old="gripper_cmd",
@@ -147,7 +154,10 @@ def _moved(change: Change, target: str, *, from_ros1: bool) -> Iterator[tuple[by
     before, after = change.before or b"", change.after or b""
     if from_ros1:
         yield from ((before, each) for each in _OF_ROS1)
-        yield after, _STAMPED if target in since("jazzy") else _STAMPED_IN_HUMBLE
+        if target in since("jazzy"):
+            yield after, _STAMPED
+        else:
+            yield after, _UNSTAMPED if re.search(rb"use_stamped_vel\s*:\s*false", after) else _STAMPED_IN_HUMBLE
     if not re.search(_GRIPPER.pattern.encode(), before):
         yield after, _GRIPPER
 

@@ -11,6 +11,7 @@ from urdfctl.catalog.entries import ControllerType, ParameterEntry
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.migrate.distro.names import OWN
 from urdfctl.migrate.edits.yaml_edits import MapEdits, Path, leaves
+from urdfctl.migrate.moved_topics import CODE
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import MapItem
 from urdfctl.migrate.ros1.parameters import MECANUM, ParameterChange, changed, changes_of, pid_settings
@@ -26,6 +27,7 @@ from urdfctl.source.yaml.types import typed_by_rcl
 from urdfctl.startup.records import NamedTuple
 
 _RENAMED = "ros2_controllers doc/migration.rst; the parameters that the distro's branch declares"
+_STAMPED = "ros2_controllers humble diff_drive_controller_parameter.yaml: use_stamped_vel"
 _TYPES = "control.ros.org, differences between ros_control and ros2_control"
 _FRACTION = re.compile(r"[-+]?\d*\.\d*")
 _STAND_INS = {"wheel_separation": 0.5, "wheel_radius": 0.1}
@@ -88,6 +90,10 @@ def _unported(item: MapItem, parameters: Map, source: SourceText, own: str) -> C
     return ControllerSection(own or item.type, "".join(f"{line}\n" for line in lines), None, (entry,), todo)
 
 
+def _publishes_stamps(packages: MigratedPackages) -> bool:
+    return any(b"TwistStamped" in packages.read(path).data for path in packages.files(*CODE))
+
+
 class _SectionWriter:
     def __init__(self, item: MapItem, kind: ControllerType, source: SourceText, catalog: Catalog) -> None:
         self.item, self.kind, self.source, self.catalog = item, kind, source, catalog
@@ -105,10 +111,22 @@ class _SectionWriter:
         names = dict(leaves(self.map))
         added = [f"{name}: {_yaml(value)}" for name, value in extra.items() if name not in names]
         added += self._loops(names)
+        added += self._unstamped(names, packages)
         added += self._wheels(names, packages) if self.kind.type != MECANUM else self._mecanum(names, packages)
         for name, path in names.items():
             self._change(edits, name, path, added, packages)
         return ControllerSection(self.kind.type, self._text(edits, added), self.rate, tuple(self.entries))
+
+    def _unstamped(self, names: Mapping[str, Path], packages: MigratedPackages) -> Iterator[str]:
+        """Yield the setting with which a drive reads velocities without a stamp, as ROS 1 publishes them."""
+        if "use_stamped_vel" not in self.kind.parameters or "use_stamped_vel" in names:
+            return
+        if not packages.found(_publishes_stamps):
+            what = f"nobody in these packages publishes velocities with a stamp: '{self.item.name}' reads them without"
+            at = self.item.entry.key.at
+            option = "remove use_stamped_vel"
+            self.entries.append(ReportEntry(EntryKind.DECIDED, what, at, authority=_STAMPED, option=option))
+            yield "use_stamped_vel: false"
 
     def _loops(self, names: Mapping[str, Path]) -> list[str]:
         """The settings of a pid_controller for a controller with a PID loop."""
