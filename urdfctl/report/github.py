@@ -9,7 +9,6 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.results import Report
 from urdfctl.output.printing import visible
 from urdfctl.report.common import as_text, rebased, relative
-from urdfctl.report.text import scope
 from urdfctl.report.words import paragraph
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
@@ -21,6 +20,8 @@ def render(report: Report) -> str:
     Without findings, a plain line for the log of the step says so.
     """
     if not report.findings:
+        from urdfctl.report.text import scope
+
         hidden = f"; {report.known} hidden by the baseline" if report.known else ""
         return as_text(f"no findings in {visible(scope(report))}{hidden}\n")
     return "".join(f"{_command(relative(diagnostic))}\n" for diagnostic in report.findings)
