@@ -138,7 +138,8 @@ def test_a_process_that_an_event_handler_waits_for_stays_a_process(folder: Folde
     handler = RegisterEventHandler(OnProcessStart(target_action=gazebo, on_start=[]))
     return LaunchDescription([gazebo, handler])
 """
-    text = after(folder, "sim.launch.py", PROCESS[: PROCESS.index("    command")] + waiting)
+    imports = "from launch.actions import RegisterEventHandler\nfrom launch.event_handlers import OnProcessStart\n"
+    text = after(folder, "sim.launch.py", imports + PROCESS[: PROCESS.index("    command")] + waiting)
     assert f'gazebo = ExecuteProcess(cmd=[{GZ}, ["gz_args:=-s -r ", world]])' in text
 
 

@@ -84,7 +84,7 @@ def _of_plugin(folders: str, mark: tuple[str, str] = ("", "")) -> dict[str, str]
     ],
     good=[
         _files("launch urdf config"),
-        {**_files("launch urdf config"), **_of_other_package("launch config")},
+        {**_files("launch urdf config"), **_of_other_package("config")},
         _of_plugin("launch urdf config"),
     ],
 )
@@ -104,6 +104,7 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
     severity = None if launch.ros == ROS_2 else Severity.WARNING
     if severity and not package.installs(launch.path):
         return
+    told = set()
     for reference in launch.references:
         file = reference.file
         left_out = package.left_out(file.path) if file.path and file.exists and reference.sure else None
@@ -113,18 +114,19 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
         if not is_own and (launch.ros != ROS_2 or file.text != file.path):
             continue
         notes = (Note("the package's manifest is here", package.at),) if is_own else ()
+        told.add(file.path)
         worst = Severity.WARNING if reference.use == "argument" else severity
         yield Finding(file.at, _message(left_out, package), notes, severity=worst)
     if launch.ros == ROS_2:
-        yield from _of_description(project, package)
+        yield from (finding for path, finding in _of_description(project, package) if path not in told)
 
 
-def _of_description(project: Project, package: Package) -> Iterator[Finding]:
+def _of_description(project: Project, package: Package) -> Iterator[tuple[str | None, Finding]]:
     """Yield the controller files that a simulator's plugin looks for in a package that does not install them."""
     for file in project.controllers.references if project.controllers else ():
         left_out = package.left_out(file.path) if file.path and file.exists else None
         if left_out and file.at.source.is_xacro and _FIND in file.at.span.text:
-            yield Finding(file.at, _message(left_out, package))
+            yield file.path, Finding(file.at, _message(left_out, package))
 
 
 def _message(left_out: LeftOut, package: Package) -> str:

@@ -40,9 +40,9 @@ _CONTROLLERS = ("ros_controllers", "ros2_controllers")
 
 def _using(packages: str, declared: str, root: str = '<package format="3">') -> dict[str, str]:
     """Return the files of a package that depends on one package, and starts a node of each of some others."""
-    nodes = (f'<node pkg="{package}" exec="any"/>' for package in packages.split())
+    nodes = (f'<node pkg="{package}" exec="$(var program)"/>' for package in packages.split())
     return {
-        "arm.launch.xml": f"<launch>{''.join(nodes)}</launch>",
+        "arm.launch.xml": f"<launch><arg name='program'/>{''.join(nodes)}</launch>",
         "package.xml": f"{root}<name>arm</name><exec_depend>{declared}</exec_depend></package>",
     }
 
