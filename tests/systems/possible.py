@@ -69,8 +69,9 @@ def shared(system: System, idioms: Idioms, _position: str) -> bool:
     if not (system.is_fleet and named and idioms["depth"] != "flat" and not system.moveit):
         return False
     first, second = system.robots
-    same = (first.model, first.joints, first.spawned, first.manager, first.asked, first.section)
-    return same == (second.model, second.joints, second.spawned, second.manager, second.asked, second.section)
+    same = (first.model, first.joints, first.spawned, first.manager, first.asked)
+    is_same = same == (second.model, second.joints, second.spawned, second.manager, second.asked)
+    return is_same and all(robot.section == robot.namespace for robot in system.robots)
 
 
 def argued(system: System, idioms: Idioms, position: str) -> bool:

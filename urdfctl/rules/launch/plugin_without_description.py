@@ -20,7 +20,8 @@ _GZ = """
       <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"><arg name="gz_args" value="-r empty.sdf"/></include>
       <node pkg="ros_gz_bridge" exec="parameter_bridge" args="/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"/>
       <node pkg="ros_gz_sim" exec="create" args="-file $(find-pkg-share arm)/arm.urdf -name arm"/>"""
-_DEPENDS = "".join(f"<exec_depend>{name}</exec_depend>" for name in ("ros_gz_sim", "ros_gz_bridge", "gz_ros2_control"))
+_DEPENDS = """<exec_depend>ros_gz_sim</exec_depend><exec_depend>ros_gz_bridge</exec_depend>
+    <exec_depend>gz_ros2_control</exec_depend>"""
 _PLUGIN = '<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
 
 

@@ -38,23 +38,34 @@ _SOME: Mapping[int, Mapping[str, tuple[str, ...]]] = {
 _OF_ROS_1 = """
             <launch>
               <rosparam command="load" file="$(find arm)/controllers.yaml"/>
-              <node name="spawner" pkg="controller_manager" type="{}" args="states"/>
+              {}
             </launch>
 """
 
 
-def _ros1(program: str) -> dict[str, str]:
+def _ros1(*nodes: str) -> dict[str, str]:
     states = "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n"
     manifest = "".join(
         f"<exec_depend>{name}</exec_depend>" for name in ("controller_manager", "joint_state_controller")
     )
     return {
         "robot.urdf": "",
-        "arm.launch": _OF_ROS_1.format(program),
+        "arm.launch": _OF_ROS_1.format("".join(nodes)),
         "controllers.yaml": states,
         "package.xml": f"<package><name>arm</name>{manifest}</package>",
         "options": "--distro=noetic",
     }
+
+
+def _spawner(program: str) -> str:
+    return f'<node name="spawner" pkg="controller_manager" type="{program}" args="states"/>'
+
+
+def _nodes(ros: int, text: str) -> list[str]:
+    """A node of each program, whose name stands in a text."""
+    owned = ((package, name) for package, names in (*_WHOLE[ros].items(), *_SOME[ros].items()) for name in names)
+    attribute = "name='a' type" if ros == 1 else "exec"
+    return [f'<node pkg="{package}" {attribute}="{text.format(name)}"/>' for package, name in owned]
 
 
 @rule(
@@ -69,9 +80,11 @@ def _ros1(program: str) -> dict[str, str]:
         launched(PUBLISHER, MANAGER, BROADCASTER, ARM, spawner("arm_controller", "«spawners»")),
         launched(PUBLISHER, MANAGER, BROADCASTER, ARM, spawner("arm_controller", "«load»")),
         launched(PUBLISHER, MANAGER, BROADCASTER, ARM, spawner("arm_controller", "«robot_state_publisher»")),
-        _ros1("«spawner.py»"),
+        _ros1(_spawner("«spawner.py»")),
+        *(_ros1(_spawner("spawner"), node) for node in _nodes(1, "«{}s»")),
+        *(launched(node) for node in _nodes(2, "«{}s»")),
     ],
-    good=[SOUND, _ros1("spawner")],
+    good=[SOUND, _ros1(_spawner("spawner"))],
 )
 def program_unknown(project: Project) -> Iterator[Finding]:
     """Package has no program of this name.
