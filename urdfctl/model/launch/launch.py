@@ -34,6 +34,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 """The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
+    "undeclared",
     *("inline", "given", "misspelt", "moveit", "named", "skipped", "waiting"),
 )
 """What launch files add to each other if they are started beside each other."""
@@ -49,6 +50,7 @@ class Launch(NamedTuple):
     packages: the packages that it names.
     package: the package that contains it; None if unknown.
     strays: ROS 1: arguments for included files that do not declare them.
+    undeclared: ROS 1: names of arguments whose value is used in a file that does not declare them.
     arguments: the launch arguments that the file itself declares, with their defaults; None for a required one.
     choices: ROS 2: the values that it allows for these arguments.
     inline: ROS 1: the parameters that it contains.
@@ -76,6 +78,7 @@ class Launch(NamedTuple):
     packages: tuple[Word, ...] = ()
     package: Package | None = None
     strays: tuple[Word, ...] = ()
+    undeclared: tuple[Word, ...] = ()
     arguments: tuple[tuple[str, str | None], ...] = ()
     choices: tuple[tuple[str, tuple[str, ...]], ...] = ()
     inline: tuple[InlineParameters, ...] = ()

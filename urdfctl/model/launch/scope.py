@@ -45,6 +45,7 @@ class Scope(NamedTuple):
     depth: depth of nested includes.
     in_node: whether they are in a node.
     held: False if they are used only with other launch arguments.
+    declared: the names of the arguments that the launch file declares or is given.
     """
 
     file: str
@@ -54,6 +55,7 @@ class Scope(NamedTuple):
     depth: int = 0
     in_node: bool = False
     held: bool = True
+    declared: frozenset[str] = frozenset()
 
     def joined(self, namespace: str) -> str:
         """Return a namespace that is written here, below the namespace of the elements."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.fault import Fault
+from urdfctl.rules.launch.argument_not_declared import argument_not_declared
 from urdfctl.rules.launch.clock_not_bridged import clock_not_bridged
 from urdfctl.rules.launch.clock_of_other_world import clock_of_other_world
 from urdfctl.rules.launch.control_plugin_not_loaded import control_plugin_not_loaded
@@ -83,6 +84,7 @@ FAULTS: tuple[Fault, ...] = (
     spawner_without_name,
     spawner_after_endless_program,
     publisher_without_description,
+    argument_not_declared,
     described_by_macros_only,
     description_read_as_yaml,
     node_name_twice,

@@ -22,7 +22,7 @@ from urdfctl.model.launch.parts import (
     Word,
     joined,
 )
-from urdfctl.model.launch.ros1.elements import all_elements, held_of, is_of_ros2, makes_urdf, world_of
+from urdfctl.model.launch.ros1.elements import declared_in, held_of, is_of_ros2, makes_urdf, undeclared_in, world_of
 from urdfctl.model.launch.ros1.nodes import model_in, node_of, spawn_of
 from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_environment
 from urdfctl.model.launch.xacro_command import of_command
@@ -38,6 +38,9 @@ _MOST_INCLUDES = 200
 _MOST_REPLACED = 200
 _SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
 """Packages whose launch files start a simulator, but no controllers."""
+_CONDITIONS = ("if", "unless")
+_RESOLVED = frozenset("arg env group include machine node param remap rosparam test".split())
+"""Elements whose attributes roslaunch resolves."""
 _SERVERS = ("gazebo", "gzserver", "debug", "gdbrun", "perf")
 """The programs of gazebo_ros that are a simulator."""
 
@@ -49,7 +52,8 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
     if root is None or root.tagName != "launch" or is_of_ros2(root):
         return None
     builder = _LaunchBuilder(sources)
-    builder.walk(root, Scope(path, "", ChainMap(dict(arguments)), sure=True))
+    declared = declared_in(root).union(arguments)
+    builder.walk(root, Scope(path, "", ChainMap(dict(arguments)), sure=True, declared=declared))
     return Launch(
         path,
         1,
@@ -63,6 +67,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         references=tuple(builder.references),
         packages=tuple(builder.packages),
         strays=tuple(builder.strays),
+        undeclared=tuple(dict.fromkeys(builder.undeclared)),
         arguments=tuple(builder.arguments.items()),
         inline=tuple(builder.inline),
         moveit=tuple(_with_loads(files, builder.loads) for files in builder.moveit),
@@ -97,6 +102,7 @@ class _LaunchBuilder:
         self.references: list[LaunchedFile] = []
         self.packages: list[Word] = []
         self.strays: list[Word] = []
+        self.undeclared: list[Word] = []
         self.moveit: list[MoveItFiles] = []
         self.arguments: dict[str, str | None] = {}
         self.inline: list[InlineParameters] = []
@@ -115,6 +121,7 @@ class _LaunchBuilder:
             inner = scope._replace(sure=scope.sure and held is True, held=scope.held and held is not False)
             if not inner.held:
                 self.skipped.append(element.at.span.text)
+            self._undeclared(element, scope, inner)
             self._packages(element)
             namespace = texts.resolve(element.attrs.get("ns", "")).strip()
             if element.tagName == "arg":
@@ -133,6 +140,17 @@ class _LaunchBuilder:
                 self._rosparam(element, inner, texts)
             elif element.tagName == "remap" and not inner.in_node:
                 self._remapped = True
+
+    def _undeclared(self, element: Element, scope: Scope, inner: Scope) -> None:
+        """Add the arguments that an element uses and that nothing declares; those of conditions are always used."""
+        if element.tagName not in _RESOLVED:
+            return
+        conditions = [name for name in element.attrs if name in _CONDITIONS]
+        others = [name for name in element.attrs if name not in (*_CONDITIONS, "doc")]
+        used = (conditions if scope.sure else []) + (others if inner.sure else [])
+        self.undeclared += undeclared_in(element, scope.declared, used)
+        for child in element.elements() if element.tagName == "include" and inner.sure else ():
+            self._undeclared(child, inner, inner)
 
     def _packages(self, element: Element) -> None:
         for name, value in element.attrs.items():
@@ -188,11 +206,19 @@ class _LaunchBuilder:
             if scope.held:
                 self.unread.append(Word(written, element.at["file"]))
             return
-        declared = {each.attrs.get("name") for each in all_elements(document.documentElement) if each.tagName == "arg"}
+        declared = declared_in(document.documentElement)
         for child in element.elements():
             if child.tagName == "arg" and child.attrs.get("name") not in declared and scope.held:
                 self.strays.append(Word(child.attrs.get("name", ""), child.at["name"]))
-        inner = Scope(path, scope.namespace, ChainMap(arguments), scope.sure, scope.depth + 1, held=scope.held)
+        inner = Scope(
+            path,
+            scope.namespace,
+            ChainMap(arguments),
+            scope.sure,
+            scope.depth + 1,
+            held=scope.held,
+            declared=declared.union(arguments),
+        )
         self.walk(document.documentElement, inner)
 
     def _param(self, element: Element, scope: Scope, texts: Substitutions) -> None:

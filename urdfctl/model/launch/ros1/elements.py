@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Collection, Iterator
 
 from urdfctl.model.launch.parts import Simulation, Word
 from urdfctl.model.launch.scope import Substitutions
@@ -10,6 +11,7 @@ from urdfctl.source.xml.dom import Element
 
 _ONLY_IN_ROS_2 = frozenset("let executable timer node_container load_composable_node push_ros_namespace".split())
 """Elements that roslaunch does not have."""
+_USED = r"\$\(arg\s+([\w-]+)\s*\)"
 
 
 def is_of_ros2(root: Element) -> bool:
@@ -39,6 +41,21 @@ def held_of(element: Element, texts: Substitutions) -> bool | None:
         truth = texts.truth(element.attrs["unless"])
         return None if truth is None else not truth
     return True
+
+
+def declared_in(root: Element) -> frozenset[str]:
+    """Return the names of all arguments that a launch file declares, wherever it does; not those that it passes on."""
+    every = list(all_elements(root))
+    passed = {id(child) for each in every if each.tagName == "include" for child in each.elements()}
+    return frozenset(each.attrs.get("name", "") for each in every if each.tagName == "arg" and id(each) not in passed)
+
+
+def undeclared_in(element: Element, declared: Collection[str], names: Collection[str]) -> Iterator[Word]:
+    """Yield the arguments whose values some attributes of an element use, but which are not declared."""
+    for name in names:
+        for used in re.finditer(_USED, element.attrs[name]):
+            if used[1] not in declared:
+                yield Word(used[1], next(iter(element.at[name].words([used[0]]))))
 
 
 def makes_urdf(element: Element) -> bool:
