@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from urdfctl.model.launch import UNCHANGED, Node, Rewriting, Spawn, Started, Word, joined
+from urdfctl.model.launch.ros2.actions import NODES
 from urdfctl.model.launch.ros2.descriptions import as_written
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import INCLUDED_BY_DEMO, builder_of
@@ -93,7 +94,7 @@ class Nodes:
 
     def spawner_arguments(self, term: Called) -> SpawnerArguments | None:
         """Return the spawner's arguments of an action; None if it is not a spawner."""
-        if term.short in {"Node", "LifecycleNode"}:
+        if term.short in NODES:
             if not self.is_spawner(self._word(term, "package"), self._word(term, "executable")):
                 return None
             words, complete = self._split(term, "arguments")
@@ -105,12 +106,12 @@ class Nodes:
         """Return what an action starts; nothing if it is no process."""
         arguments = self.spawner_arguments(term)
         names = tuple(word.text for word in arguments.names) if arguments else ()
-        is_node = term.short in {"Node", "LifecycleNode"}
+        is_node = term.short in NODES
         return Started(self._word(term, "executable").text if is_node else "", names)
 
     def lasts(self, term: Called) -> bool:
         """Return whether an action starts a program that runs until the launch ends."""
-        return term.short in {"Node", "LifecycleNode"} and self._word(term, "executable").text in _LASTING
+        return term.short in NODES and self._word(term, "executable").text in _LASTING
 
     def _spawn(self, term: Called, program: Word, run: _Run) -> Spawn:
         words, complete = self._split(term, "arguments")
