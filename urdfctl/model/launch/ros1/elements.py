@@ -45,9 +45,9 @@ def held_of(element: Element, texts: Substitutions) -> bool | None:
 
 def declared_in(root: Element) -> frozenset[str]:
     """Return the names of all arguments that a launch file declares, wherever it does; not those that it passes on."""
-    every = list(all_elements(root))
-    passed = {id(child) for each in every if each.tagName == "include" for child in each.elements()}
-    return frozenset(each.attrs.get("name", "") for each in every if each.tagName == "arg" and id(each) not in passed)
+    outer = (each for each in all_elements(root) if each.tagName != "include")
+    inner = (child for each in outer for child in each.elements())
+    return frozenset(child.attrs.get("name", "") for child in inner if child.tagName == "arg")
 
 
 def undeclared_in(element: Element, declared: Collection[str], names: Collection[str]) -> Iterator[Word]:
