@@ -6,14 +6,11 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from urdfctl.model.project import Project
-from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.opaque import OUTSIDE, UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
     from urdfctl.model.launch import Launch
-
-_OUTSIDE = rf"{UNKNOWN}\(([\w-]+)\)"
-"""A package whose folder is not known, in a command or a path."""
 
 _LISTS = ("joints", "declared", "described_in", "started_in")
 
@@ -92,7 +89,7 @@ def _described_in(launch: Launch) -> tuple[str, ...]:
     """The packages that are not here and that a launch file takes its descriptions from."""
     unknown = (each for each in launch.descriptions if each.file.path is None)
     commands = (f"{each.command or ''} {each.file.text}" for each in unknown)
-    return tuple(dict.fromkeys(name for command in commands for name in re.findall(_OUTSIDE, command)))
+    return tuple(dict.fromkeys(name for command in commands for name in re.findall(OUTSIDE, command)))
 
 
 def _started_in(launch: Launch) -> tuple[str, ...]:
@@ -101,7 +98,7 @@ def _started_in(launch: Launch) -> tuple[str, ...]:
         return ()
     from urdfctl.source.workspaces.robot_starts import may_start_robot, package_of
 
-    found = ((package_of(word.text, _OUTSIDE), word.text) for word in launch.unread)
+    found = ((package_of(word.text), word.text) for word in launch.unread)
     return tuple(dict.fromkeys(name for name, text in found if name and may_start_robot(name, text)))
 
 

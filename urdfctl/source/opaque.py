@@ -13,6 +13,8 @@ from typing import Any, NoReturn
 _NONE: Mapping[str, str] = MappingProxyType({})
 UNKNOWN = "\ue000"
 """The character in a text that represents an unknown value. No rule may report anything that depends on such a text."""
+OUTSIDE = rf"{UNKNOWN}\(([\w-]+)\)"
+"""A package whose folder is not known, in a command or a path."""
 
 
 def if_known(text: str) -> str | None:

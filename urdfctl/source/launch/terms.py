@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 
-from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.opaque import OUTSIDE, UNKNOWN
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
@@ -13,8 +13,6 @@ Plain = str | int | float | bool | None
 
 MOST_ITEMS = 2000
 _MOST_OPTIONS = 8
-_OUTSIDE = rf"{UNKNOWN}\([\w-]+\)"
-"""What `outside` returns."""
 
 
 class Constant(NamedTuple):
@@ -179,7 +177,7 @@ def is_same(left: Term, right: Term) -> bool:
         return True
     if isinstance(left, Constant) and isinstance(right, Constant):
         is_equal = type(left.value) is type(right.value) and left.value == right.value
-        return is_equal and UNKNOWN not in re.sub(_OUTSIDE, "", str(left.value))
+        return is_equal and UNKNOWN not in re.sub(OUTSIDE, "", str(left.value))
     return isinstance(left, UnknownTerm) and isinstance(right, UnknownTerm)
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from urdfctl.source.opaque import OUTSIDE
+
 _PACKAGE = (
     r"(?:bringup|moveit\d?|moveit\d?_config|gazebo|ignition|gz|sim|simulation|simulator|description|robot_driver|"
     r"(?:ros2?_)?control|controllers?|robot|arm)"
@@ -25,10 +27,7 @@ def may_start_robot(package: str, file: str) -> bool:
     return is_named or re.search(rf"(?:^|_){_PACKAGE}$", package) is not None
 
 
-def package_of(address: str, outside: str) -> str | None:
-    """Return the package that the address of an included file names; None if it names none.
-
-    outside: a regular expression for a package whose folder is not known, with the name in its first group.
-    """
-    found = re.search(rf"{outside}|{_FOUND}", address)
+def package_of(address: str) -> str | None:
+    """Return the package that the address of an included file names; None if it names none."""
+    found = re.search(rf"{OUTSIDE}|{_FOUND}", address)
     return (found[1] or found[2]) if found else None
