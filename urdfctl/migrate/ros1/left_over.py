@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.migrate.ros1.launches import ENDINGS, launch_roots
+from urdfctl.migrate.ros1.launches import ENDINGS, doubled_names, launch_roots, new_name
 from urdfctl.source.disk.gate import matching
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.workspaces.packages import package_name
@@ -42,8 +42,8 @@ def renamed_includes(packages: MigratedPackages, left: Collection[str], ending: 
             written = attribute(element, "file") if element.tagName == "include" else ""
             tag = element.source.start_tag(element.start)
             if addressed_files(packages, written) - {*left} and tag is not None and written.endswith(ENDINGS):
-                base = written.removesuffix(".xml").removesuffix(".launch")
-                yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{base}{ending}")
+                new = new_name(written, ending, packages.found(doubled_names))
+                yield Edit(SourceSpan(element.source, *tag.attributes["file"]), new)
 
 
 def addressed_files(packages: MigratedPackages, written: str) -> set[str]:
