@@ -12,6 +12,7 @@ from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz, host_plugin, leaves_classic, simulated_by, system
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
+from urdfctl.model.launch.package import run_dependency_tag
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 
@@ -36,7 +37,7 @@ def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
                 continue
             added = [name for name in new if name not in known]
             known.update(added)
-            indent, kind = indent_of(element), "depend" if element.tagName == "depend" else _needed_to_run(root)
+            indent, kind = indent_of(element), "depend" if element.tagName == "depend" else run_dependency_tag(root)
             edits.append(Edit(lines_of(element), "".join(f"{indent}<{kind}>{name}</{kind}>\n" for name in added)))
         edits += _missing(packages, root, known)
         if edits:
@@ -57,14 +58,9 @@ def _missing(packages: MigratedPackages, root: Element, known: set[str]) -> Iter
     last = [element for element in root.elements() if element.tagName.endswith("depend")][-1:]
     if needed and last:
         end = lines_of(last[0]).end
-        kind = _needed_to_run(root)
+        kind = run_dependency_tag(root)
         lines = "".join(f"{indent_of(last[0])}<{kind}>{name}</{kind}>\n" for name in needed)
         yield Edit(SourceSpan(root.source, end, end), lines)
-
-
-def _needed_to_run(root: Element) -> str:
-    """The element for a package that is needed to run: a manifest of format 1 with <exec_depend> is invalid."""
-    return "run_depend" if root.attrs.get("format", "1").strip() == "1" else "exec_depend"
 
 
 def _successors(packages: MigratedPackages, name: str) -> tuple[str, ...] | None:

@@ -98,8 +98,13 @@ def package_around(packages: Packages, tree: Callable[[str], Document | None]) -
         installs=partial(_installs, packages, folder, name),
         left_out=partial(_left_out, packages),
         shares_models=partial(_shares_models, packages),
-        tag="run_depend" if root.attrs.get("format", "1") == "1" else "exec_depend",
+        tag=run_dependency_tag(root),
     )
+
+
+def run_dependency_tag(root: Element) -> str:
+    """Return the element for a run dependency in a manifest: format 1 has no <exec_depend> (catkin_pkg, REP 127)."""
+    return "run_depend" if root.attrs.get("format", "1").strip() == "1" else "exec_depend"
 
 
 def _texts(root: Element, tag: str) -> Iterator[str]:
