@@ -211,6 +211,13 @@ def folded(name: str) -> str:
     return name.lower().replace("_", "").replace("-", "")
 
 
+def shortened(names: Sequence[str], most: int) -> str:
+    """Return names as `a, b and 4 more`: the first `most`, or all of them if there is only one more."""
+    shown = names if len(names) <= most + 1 else names[:most]
+    more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
+    return f"{', '.join(shown)}{more}"
+
+
 def enumerated(parts: Iterable[str], conjunction: str = "and") -> str:
     """Return `a, b and c`, or an empty string if there are no parts."""
     *most, last = [*parts] or [""]

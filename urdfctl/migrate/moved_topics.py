@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.step import EntryKind
 from urdfctl.migrate.trial.scratch import Scratch
+from urdfctl.names import shortened
 from urdfctl.output.change import Change
 from urdfctl.source.disk.files import first_bytes
 from urdfctl.source.span import SourceText
@@ -132,21 +133,12 @@ def moved_topics(scratch: Scratch, target: str, changed: Iterable[Change], *, fr
             after = change.after.decode("utf-8", "replace")
             line = after.count("\n", 0, max(after.find(found[0]), 0)) + 1
             kind = EntryKind.DONE if each.is_done else EntryKind.FOR_YOU
-            message = f"{each.message}{_shown(names)}"
+            message = f"{each.message} ({shortened(names, _MOST_NAMES)})" if names else each.message
             yield ReportLine(kind, message, file=change.file, line=line, authority=each.authority)
             if each is not _STAMPED_IN_HUMBLE:
                 named.update(dict.fromkeys(names, each))
     if named:
         yield from _users(scratch, named)
-
-
-def _shown(names: Sequence[str]) -> str:
-    """The names of controllers as the end of a message; empty without any."""
-    if not names:
-        return ""
-    shown = names if len(names) <= _MOST_NAMES + 1 else names[:_MOST_NAMES]
-    more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
-    return f" ({', '.join(shown)}{more})"
 
 
 def _moved(change: Change, target: str, *, from_ros1: bool) -> Iterator[tuple[bytes, MovedTopic]]:

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.migrate.step import EntryKind
+from urdfctl.names import shortened
 from urdfctl.startup.records import NamedTuple
 
 _TITLES = {
@@ -118,13 +119,11 @@ def _shapes(line: ReportLine) -> list[tuple[object, ...]]:
 def _joined(lines: Sequence[ReportLine], at: int) -> str:
     """The message of lines that differ in the name at a place."""
     names = list(dict.fromkeys(_QUOTED.split(line.message)[at] for line in lines))
-    shown = names[:_MOST_NAMES] if len(names) > _MOST_NAMES + 1 else names
-    more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
     parts = [f"'{part}'" if index % 2 else part for index, part in enumerate(_QUOTED.split(lines[0].message))]
     before = parts[at - 1].rstrip()
     if before.rpartition(" ")[2] in _NOUNS:
         parts[at - 1] = f"{before}s "
-    parts[at] = ", ".join(f"'{name}'" for name in shown) + more
+    parts[at] = shortened([f"'{name}'" for name in names], _MOST_NAMES)
     if at + 1 < len(parts):
         parts[at + 1] = _SINGULAR.sub(lambda verb: _PLURAL[verb[0]], parts[at + 1], count=1)
     return "".join(parts)
