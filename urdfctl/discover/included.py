@@ -36,10 +36,9 @@ _ROS2 = (".py", ".yaml", ".yml")
 class Included(NamedTuple):
     """The launch files that one includes.
 
-    elsewhere: whether it seems to include one of another package that is not here and starts a robot.
-
     sure: those that it certainly includes.
     every: also those that only have the name of one that it includes.
+    elsewhere: whether it seems to include one of another package that is not here and starts a robot.
     """
 
     sure: tuple[str, ...]

@@ -34,8 +34,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 """The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
-    "undeclared",
-    *("inline", "given", "misspelt", "moveit", "named", "skipped", "waiting"),
+    *("undeclared", "inline", "given", "misspelt", "moveit", "named", "skipped", "waiting"),
 )
 """What launch files add to each other if they are started beside each other."""
 

@@ -62,7 +62,7 @@ def _spawner(program: str) -> str:
 
 
 def _nodes(ros: int, text: str) -> list[str]:
-    """A node of each program, whose name stands in a text."""
+    """Return a node for each program. text: the value of its attribute, with {} for the program's name."""
     owned = ((package, name) for package, names in (*_WHOLE[ros].items(), *_SOME[ros].items()) for name in names)
     attribute = "name='a' type" if ros == 1 else "exec"
     return [f'<node pkg="{package}" {attribute}="{text.format(name)}"/>' for package, name in owned]

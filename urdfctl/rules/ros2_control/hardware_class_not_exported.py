@@ -77,7 +77,8 @@ def hardware_class_not_exported(project: Project) -> Iterator[Finding]:
     """Own hardware class is described, but pluginlib does not find or cannot create it.
 
     The plugin description, its export in CMakeLists.txt, PLUGINLIB_EXPORT_CLASS in the sources and the type of the
-    component must agree. Hardware of a simulator is exported for the package of the simulator's base class. If one differs, the controller manager rejects the description, and nothing is controlled.
+    component must agree. Hardware of a simulator is exported for the package of the simulator's base class. If one
+    differs, the controller manager rejects the description, and nothing is controlled.
     """
     for control in components(project):
         for hardware in control.hardware[-1:]:

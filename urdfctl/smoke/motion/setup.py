@@ -1,4 +1,4 @@
-"""What an engine is told of a robot before anything moves."""
+"""The robot as an engine loads it, before anything moves."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ simulation would explode."""
 
 
 def engine_setup(plan: MotionPlan) -> EngineSetup:
-    """Return the robot of a plan as an engine is told of it."""
+    """Return the setup with which an engine loads the robot of a plan."""
     mechanism = plan.mechanism
     weightless = [body.name for body in mechanism.bodies.values() if not body.falls]
     wheels = list(wheel_joints(plan))
