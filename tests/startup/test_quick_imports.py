@@ -7,6 +7,7 @@ import os
 import py_compile
 import sys
 from collections.abc import Iterator
+from importlib import resources
 from pathlib import Path
 from types import ModuleType
 
@@ -50,6 +51,21 @@ def test_a_compiled_module_is_imported_quickly_and_looks_like_any_other(package:
     assert (module.VALUE, module.__name__, module.__package__) == (1, "quick.a", "quick")
     assert (module.__file__, module.__cached__) == (str(package / "a.py"), compiled)
     assert module.__loader__.get_source("quick.a") == SOURCE  # type: ignore[union-attr]
+
+
+def test_a_package_is_imported_quickly_with_its_modules_and_its_data(package: Path) -> None:
+    inner = package / "inner"
+    inner.mkdir()
+    for name, text in (("__init__", "FACE = 2\n"), ("b", SOURCE)):
+        (inner / f"{name}.py").write_text(text)
+        py_compile.compile(str(inner / f"{name}.py"), doraise=True)
+    (inner / "table.txt").write_text("kept")
+    importlib.invalidate_caches()
+    face, module = importlib.import_module("quick.inner"), importlib.import_module("quick.inner.b")
+    assert is_quick(face)
+    assert is_quick(module)
+    assert (face.FACE, face.__package__, face.__path__, module.VALUE) == (2, "quick.inner", [str(inner)], 1)
+    assert resources.files("quick.inner").joinpath("table.txt").read_text() == "kept"
 
 
 def test_a_module_that_is_not_compiled_is_imported_as_usual(package: Path) -> None:

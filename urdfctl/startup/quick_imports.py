@@ -46,11 +46,14 @@ class _Finder:
     def find_spec(self, name: str, path: Sequence[str] | None, _target: object = None) -> ModuleSpec | None:
         if not (path and name.startswith(self._packages)):
             return None
-        folder, module = path[0], name.rpartition(".")[2]
-        source, compiled = (
-            f"{folder}{os.sep}{module}.py",
-            f"{folder}{os.sep}__pycache__{os.sep}{module}{self._compiled}",
-        )
+        last = name.rpartition(".")[2]
+        package = f"{path[0]}{os.sep}{last}"
+        return self._spec(name, path[0], last) or self._spec(name, package, "__init__")
+
+    def _spec(self, name: str, folder: str, module: str) -> ModuleSpec | None:
+        """Where a module or the `__init__` of a package is; None if it is not there, or not compiled as it is."""
+        source = f"{folder}{os.sep}{module}.py"
+        compiled = f"{folder}{os.sep}__pycache__{os.sep}{module}{self._compiled}"
         try:
             info = os.stat(source)
             data = _content(compiled)
@@ -61,8 +64,10 @@ class _Finder:
             return None
         loader = _Loader(name, source)
         loader.code = marshal.loads(memoryview(data)[_HEADER:])  # noqa: S302 (Python's own compiled file)
-        spec = ModuleSpec(name, loader, origin=source)
+        spec = ModuleSpec(name, loader, origin=source, is_package=module == "__init__")
         spec.has_location, spec.cached = True, compiled
+        if spec.submodule_search_locations is not None:
+            spec.submodule_search_locations.append(folder)
         return spec
 
 
