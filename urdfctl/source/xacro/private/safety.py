@@ -68,9 +68,13 @@ def _evaluator(meter: Meter) -> Callable[..., Any]:
     def safe_eval(expression: str, symbols: Any, _local: object = None) -> Any:
         expression = expression.strip()
         path = plain_path(expression)
-        if path is not None and path[0] in symbols:
-            value = symbols[path[0]]
-            return meter.looked_up(value) if len(path) == 1 else meter.checked(reduce(getitem, path[1:], value))
+        if path is not None:
+            try:
+                value = symbols[path[0]]
+            except KeyError:  # the expression below says that the name is not defined
+                pass
+            else:
+                return meter.looked_up(value) if len(path) == 1 else meter.checked(reduce(getitem, path[1:], value))
         symbols.update(__builtins__={})
         function = FunctionType(compile_checked(expression, function=True), symbols)
         meter.begin()
