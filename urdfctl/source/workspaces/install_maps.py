@@ -20,12 +20,16 @@ from urdfctl.source.workspaces.installed import Installed, below_share, installe
 _INSTALL = r"(?si)\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)"
 _PROJECT = r"(?i)\bproject\s*\(\s*([\w.-]+)"
 _ANY_INSTALL = r"(?si)\binstall\s*(\()([^)]*)\)"
-_NOT_PLAIN = (
-    r"(?i)\b(?:foreach|add_subdirectory|include|function|macro|execute_process|ament_auto_package|catkin_install_python"
-    r"|xacro_add_\w+|add_custom_command|add_custom_target|configure_file|install_\w+|\w+_install\w*|FetchContent_\w+"
-    r"|ExternalProject_\w+)\s*\(|\bfile\s*\(\s*(?:DOWNLOAD|GENERATE|CONFIGURE|WRITE|APPEND|RENAME|COPY|ARCHIVE_EXTRACT)\b"
-    r"|INSTALL_TO_SHARE|\bGLOB"
+_CALL = r"\b(\w+)\s*\(\s*(\w*)"
+_INSTALLS_MORE = frozenset(
+    "foreach add_subdirectory include function macro execute_process ament_auto_package catkin_install_python "
+    "add_custom_command add_custom_target configure_file".split()
 )
+"""Commands of CMake that can make or install files without a literal `install()`; so can macros named as below."""
+_MACROS_OF_OTHERS = ("xacro_add_", "install_", "fetchcontent_", "externalproject_")
+_WRITES = frozenset("download generate configure write append rename copy archive_extract".split())
+"""What `file()` does that makes files."""
+_GIVEN_BY_PATTERN = r"(?i)INSTALL_TO_SHARE|\bGLOB"
 _COMMENT = r"#[^\n]*"
 _LOOP = r"(?si)\bforeach\s*\(\s*(\w+)\s+([^()]*)\)((?:(?!\bforeach\s*\().)*?)\bendforeach\s*\([^()]*\)"
 _BLOCK = r"(?i)\b(end)?(?:if|function|macro|while)\s*\("
@@ -106,7 +110,7 @@ def missing_sources(text: str, folder: str, package: str) -> Iterator[tuple[str,
     Only literal names outside conditions and functions count. Nothing is yielded if the build may make files.
     """
     plain = re.sub(_COMMENT, lambda comment: " " * len(comment.group()), text)
-    if re.search(_NOT_PLAIN, plain):
+    if _installs_more(plain):
         return
     project = re.search(_PROJECT, plain)
     name = project.group(1) if project else package
@@ -188,10 +192,20 @@ def _auto_installed(call: re.Match[str]) -> str:
     return f"{rule}\nament_package()"
 
 
+def _installs_more(text: str) -> bool:
+    """Whether a CMakeLists.txt may make or install files that its literal install() rules do not name."""
+    for command, first in re.findall(_CALL, text.lower()):
+        if command in _INSTALLS_MORE or command.startswith(_MACROS_OF_OTHERS) or "_install" in command:
+            return True
+        if command == "file" and first in _WRITES:
+            return True
+    return re.search(_GIVEN_BY_PATTERN, text) is not None
+
+
 def _is_plain_cmake(text: str, package: str) -> bool:
     """Whether all install rules of a CMakeLists.txt are literal: without loops, macros and unknown variables."""
     text = re.sub(_COMMENT, "", text)
-    if re.search(_NOT_PLAIN, text):
+    if _installs_more(text):
         return False
     return not any("${" in _substituted(body, package) for _, body in re.findall(_ANY_INSTALL, text))
 
