@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from enum import Enum, auto
+from enum import Enum
 
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
@@ -12,44 +12,44 @@ class ProblemKind(Enum):
     """The kinds of problems in reading files. Each kind is reported by one rule of the UC0 family, but for
     PACKAGE_ABSENT: a package that package.xml declares, and that is just not in the workspace, is no fault."""
 
-    FILE_UNREADABLE = auto()
-    FILE_NOT_FOUND = auto()
-    PACKAGE_NOT_FOUND = auto()
-    PACKAGE_ABSENT = auto()
-    XML_SYNTAX = auto()
-    LATE_DECLARATION = auto()
-    DOCTYPE = auto()
-    ENCODING = auto()
-    UNDEFINED_NAME = auto()
-    UNDEFINED_ARGUMENT = auto()
-    UNDEFINED_VARIABLE = auto()
-    ARGUMENTS_NEEDED = auto()
-    UNKNOWN_MACRO = auto()
-    MACRO_CALL = auto()
-    EXPRESSION = auto()
-    CONDITION = auto()
-    XACRO = auto()
-    XACRO_WARNING = auto()
-    BUDGET = auto()
-    FORBIDDEN_EXPRESSION = auto()
-    OUTSIDE_WORKSPACE = auto()
-    DUPLICATE_MACRO = auto()
-    MACRO_OF_OTHER_FILE = auto()
-    ARGUMENT_UNUSABLE = auto()
-    UNUSED_ARGUMENT = auto()
-    UNKNOWN_ARGUMENT = auto()
-    MANIFEST_MISSING = auto()
-    CONDITION_REPEATED = auto()
-    PREFIX_MISSING = auto()
-    BRACES = auto()
-    YAML_SYNTAX = auto()
-    YAML_DUPLICATE_KEY = auto()
-    YAML_DUPLICATE_MAP = auto()
-    YAML_TAB = auto()
-    PYTHON_TAG = auto()
-    PYTHON_SYNTAX = auto()
-    PYTHON_NAME = auto()
-    MERGE_CONFLICT = auto()
+    FILE_UNREADABLE = "file unreadable"
+    FILE_NOT_FOUND = "file not found"
+    PACKAGE_NOT_FOUND = "package not found"
+    PACKAGE_ABSENT = "package absent"
+    XML_SYNTAX = "xml syntax"
+    LATE_DECLARATION = "late declaration"
+    DOCTYPE = "doctype"
+    ENCODING = "encoding"
+    UNDEFINED_NAME = "undefined name"
+    UNDEFINED_ARGUMENT = "undefined argument"
+    UNDEFINED_VARIABLE = "undefined variable"
+    ARGUMENTS_NEEDED = "arguments needed"
+    UNKNOWN_MACRO = "unknown macro"
+    MACRO_CALL = "macro call"
+    EXPRESSION = "expression"
+    CONDITION = "condition"
+    XACRO = "xacro"
+    XACRO_WARNING = "xacro warning"
+    BUDGET = "budget"
+    FORBIDDEN_EXPRESSION = "forbidden expression"
+    OUTSIDE_WORKSPACE = "outside workspace"
+    DUPLICATE_MACRO = "duplicate macro"
+    MACRO_OF_OTHER_FILE = "macro of other file"
+    ARGUMENT_UNUSABLE = "argument unusable"
+    UNUSED_ARGUMENT = "unused argument"
+    UNKNOWN_ARGUMENT = "unknown argument"
+    MANIFEST_MISSING = "manifest missing"
+    CONDITION_REPEATED = "condition repeated"
+    PREFIX_MISSING = "prefix missing"
+    BRACES = "braces"
+    YAML_SYNTAX = "yaml syntax"
+    YAML_DUPLICATE_KEY = "yaml duplicate key"
+    YAML_DUPLICATE_MAP = "yaml duplicate map"
+    YAML_TAB = "yaml tab"
+    PYTHON_TAG = "python tag"
+    PYTHON_SYNTAX = "python syntax"
+    PYTHON_NAME = "python name"
+    MERGE_CONFLICT = "merge conflict"
 
 
 class Problem(NamedTuple):
