@@ -269,6 +269,10 @@ def test_what_is_asked_wrongly_is_one_line_and_writes_nothing(
     assert not Path(folder.path, "out").exists()
 
 
+NO_TREE = "the links of the robot form no tree with one root"
+NOT_WHOLE = "MoveIt needs a whole robot, and this one cannot be expanded"
+
+
 @pytest.mark.parametrize(
     ("robot", "said"),
     [
@@ -279,7 +283,17 @@ def test_what_is_asked_wrongly_is_one_line_and_writes_nothing(
         ),
         (
             arm().replace('<link name="tool0"/>', '<link name="tool0"/><link name="lost"/>'),
-            "the links of the robot form no tree with one root",
+            f"{NO_TREE}: no joint carries 'base_link' or 'lost'",
+        ),
+        (
+            arm().replace('<parent link="hand"/>', '<parent link="palm"/>'),
+            f"{NO_TREE}: joint 'left_finger_joint' connects link 'palm', which is not defined",
+        ),
+        (
+            arm().replace(
+                '<robot name="six">', '<robot name="six" xmlns:xacro="http://ros.org/wiki/xacro"><xacro:hand/>'
+            ),
+            f"{NOT_WHOLE}: six.urdf:1: macro 'hand' is called before it is defined",
         ),
         ("<sdf version='1.9'/>", "the description has no links: it is no robot"),
     ],
@@ -289,5 +303,23 @@ def test_a_robot_that_cannot_be_planned_for_is_one_line_and_writes_nothing(
 ) -> None:
     folder.write({"six.urdf": robot})
     ran = command("gen-moveit", "six.urdf", *JAZZY)
+    assert (ran.returncode, ran.stderr.splitlines()[-1]) == (2, f"urdfctl: {said}")
+    assert not Path(folder.path, "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--form", "toml"), "--form must be one of python, xml, yaml, not 'toml'"),
+        (("--group", "arm=base_link:hnd"), "--group arm: the robot has no link 'hnd'; did you mean 'hand'?"),
+        ((), "MuJoCo is not installed, which tests the links for collisions: pip install 'urdfctl[smoke]'"),
+    ],
+)
+def test_what_is_asked_wrongly_is_said_before_mujoco_is_asked_for(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...], said: str
+) -> None:
+    folder.write({"six.urdf": arm()})
+    monkeypatch.setattr("urdfctl.smoke.engines.contacts.installed", lambda: ())
+    ran = command("gen-moveit", "six.urdf", *JAZZY, *words)
     assert (ran.returncode, ran.stderr.splitlines()[-1]) == (2, f"urdfctl: {said}")
     assert not Path(folder.path, "out").exists()

@@ -10,6 +10,8 @@ from urdfctl.generate.robot.job import measured_facts
 from urdfctl.generate.robot.mjcf_bodies import Surface
 from urdfctl.lint.job import Work
 from urdfctl.model.robot import Robot
+from urdfctl.smoke.engines import TouchingLinks, testable, touching_links
+from urdfctl.smoke.robot import Mechanism, corners_of, triangles_of_collada
 from urdfctl.source.disk.files import first_bytes
 
 _MOST_BYTES = 20 << 20
@@ -17,13 +19,10 @@ _MOST_BYTES = 20 << 20
 
 def measure_work(work: Work) -> dict[str, Any]:
     """Measure a robot in a worker."""
-    from urdfctl.smoke.robot import corners_of
-
     return measured_facts(work, corners_of, surface_of=_surface_of)
 
 
 def _surface_of(path: str) -> Surface:
-    from urdfctl.smoke.robot import triangles_of_collada
 
     try:
         return triangles_of_collada(first_bytes(path, _MOST_BYTES))
@@ -31,18 +30,27 @@ def _surface_of(path: str) -> Surface:
         return (), ()
 
 
+def measure_tree(work: Work) -> dict[str, Any]:
+    """Measure a robot in a worker, with its links as a tree; none is tested for collisions yet."""
+
+    def linked(robot: Robot, find_mesh: Callable[[str], str | None]) -> Linkage:
+        return _linkage(testable(robot, find_mesh).mechanism, TouchingLinks((), ()))
+
+    return measured_facts(work, corners_of, linked, _surface_of)
+
+
 def measure_links(work: Work) -> dict[str, Any]:
     """Measure a robot in a worker, with the links that can touch. Details: the number of `samples`, and the `seed`."""
-    from urdfctl.smoke.engines import touching_links
-    from urdfctl.smoke.robot import corners_of
-
     samples, seed = int(work.details["samples"]), int(work.details["seed"])
 
     def linked(robot: Robot, find_mesh: Callable[[str], str | None]) -> Linkage:
-        mechanism, touching = touching_links(robot, find_mesh, samples, seed)
-        links = [LinkFacts(mechanism.root)]
-        links += [LinkFacts(hinge.child, hinge.parent, hinge.name, hinge.type) for hinge in mechanism.hinges]
-        rest = tuple(mechanism.start().items())
-        return Linkage(tuple(links), touching.pairs, touching.hulls, rest, touching.starting)
+        return _linkage(*touching_links(robot, find_mesh, samples, seed))
 
     return measured_facts(work, corners_of, linked, _surface_of)
+
+
+def _linkage(mechanism: Mechanism, touching: TouchingLinks) -> Linkage:
+    links = [LinkFacts(mechanism.root)]
+    links += [LinkFacts(hinge.child, hinge.parent, hinge.name, hinge.type) for hinge in mechanism.hinges]
+    rest = tuple(mechanism.start().items())
+    return Linkage(tuple(links), touching.pairs, touching.hulls, rest, touching.starting)

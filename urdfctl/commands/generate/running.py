@@ -14,7 +14,7 @@ from urdfctl.commands.answering import answered
 from urdfctl.commands.declaring import Option
 from urdfctl.commands.generate.delivering import Made, delivered
 from urdfctl.commands.generate.judging import RATES, judged, with_motion
-from urdfctl.commands.generate.measuring import measure_links, measure_work
+from urdfctl.commands.generate.measuring import measure_links, measure_tree, measure_work
 from urdfctl.commands.generate.model_check import loaded_model
 from urdfctl.commands.generate.options import PACKAGES, GenerateOptions
 from urdfctl.commands.robot_targets import best_of, robots_of
@@ -162,12 +162,15 @@ def generated(options: GenerateOptions) -> Made:
             notices=(*notices, *dict.fromkeys(told)),
         )
 
-    distro = _ANY_DISTRO if command == "convert" else known_distro(settings, robot)
+    distro, chosen_distro = _ANY_DISTRO if command == "convert" else known_distro(settings, robot), ""
     if distro:
         made = make(distro)
     else:
         made, chosen_distro = made_for_newest(robot, make)
-        made = made._replace(notices=(*made.notices, chosen_distro))
+    if robot and _plans(options):  # only now: what is asked wrongly is told without MuJoCo, and at once
+        robot = _tested(robot, options, settings)
+        made = make(made.options.distro)
+    made = made._replace(notices=(*made.notices, *filter(None, [chosen_distro])))
     if command == "convert" and not options.check:
         return _loaded(made, options, settings)
     if command not in PACKAGES or options.check or robot is None or listed:
@@ -233,12 +236,8 @@ def _sources(
             f"several robots found: {shown}" if descriptions else "no robot found; name one, or a list of joints"
         )
     path = robots[0] if robots and not os.path.isdir(robots[0]) else os.path.relpath(descriptions[0])
-    if _plans(options):
-        poses = {"samples": options.samples, "seed": options.seed}
-        measured = measure_robot(path, arguments, settings, measure_links, poses)
-    else:
-        details = {"sdf": 1} if options.command == "convert" and options.to == "sdf" else None
-        measured = measure_robot(path, arguments, settings, measure_work, details)
+    details = {"sdf": 1} if options.command == "convert" and options.to == "sdf" else None
+    measured = measure_robot(path, arguments, settings, measure_tree if _plans(options) else measure_work, details)
     if measured.facts is None:
         text = "\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n"
         raise UnreadableRobot(text, [finding(relative(problem)) for problem in measured.problems])
@@ -246,6 +245,14 @@ def _sources(
     if known_distro(settings, facts) is None:
         facts = facts._replace(distro=_started_for(path, arguments, settings, config))
     return facts, listed
+
+
+def _tested(robot: RobotFacts, options: GenerateOptions, settings: Settings) -> RobotFacts:
+    """The robot with the pairs of its links that need no test for collisions."""
+    poses = {"samples": options.samples, "seed": options.seed}
+    _, arguments = split_arguments(options.words)
+    measured = measure_robot(robot.file or "", arguments, settings, measure_links, poses)
+    return robot._replace(linkage=measured.facts.linkage) if measured.facts else robot
 
 
 def _started_for(path: str, arguments: Mapping[str, str], settings: Settings, config: Config) -> str | None:

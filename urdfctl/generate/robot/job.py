@@ -27,6 +27,7 @@ from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.source.workspaces.packages import package_name
+from urdfctl.source.xacro.expanded import HARMLESS, Expansion
 from urdfctl.startup.records import NamedTuple
 
 
@@ -103,9 +104,21 @@ def measured_facts(
         facts = facts._replace(skeleton=skeleton_of(robot, facts.joints, find, surface_of))
     if work.details.get("sdf"):
         facts = facts._replace(skeleton=sdf_of(robot, facts.joints))
-    if linked is not None and expansion.complete:
+    if linked is not None:
         try:
-            facts = facts._replace(linkage=linked(robot, find))
+            facts = facts._replace(linkage=linked(_whole(robot, expansion), find))
         except UserError as error:
             return {"facts": None, "refused": str(error), "outcome": outcome_to_json(outcome)}
     return {"facts": facts.to_json(), "outcome": outcome_to_json(outcome)}
+
+
+def _whole(robot: Robot, expansion: Expansion) -> Robot:
+    """A robot that is expanded completely. UserError that says why if it is not."""
+    if expansion.complete:
+        return robot
+    why = next((problem for problem in expansion.problems if problem.kind not in HARMLESS), None)
+    told = "a part of it is unknown"
+    if why:
+        at = why.at.span
+        told = f"{os.path.relpath(at.file)}:{at.source.position(at.start).line}: {why.message}"
+    raise UserError(f"MoveIt needs a whole robot, and this one cannot be expanded: {told}")

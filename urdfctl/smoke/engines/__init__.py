@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.smoke.engines.contacts import touching_links
+from urdfctl.smoke.engines.contacts import TouchingLinks, testable, touching_links
 from urdfctl.smoke.engines.engine import (
     CHOICES,
     STEP,
@@ -25,12 +25,14 @@ __all__ = [
     "EngineSetup",
     "EngineUrdf",
     "RobotRejected",
+    "TouchingLinks",
     "engine_urdf",
     "engines_named",
     "installed",
     "is_checkable",
     "mjcf_fault",
     "open_engine",
+    "testable",
     "touching_links",
     "wheel_links",
 ]

@@ -21,6 +21,7 @@ from urdfctl.smoke.robot import Hinge, Mechanism, mechanism_of
 from urdfctl.startup.records import NamedTuple
 
 ADJACENT, DEFAULT, ALWAYS, NEVER = "Adjacent", "Default", "Always", "Never"
+_LISTED = 3
 _ALWAYS = 0.95
 """A pair that touches in this part of the poses always touches, as for MoveIt's setup assistant."""
 _AT_LIMITS = 20
@@ -46,15 +47,21 @@ class TouchingLinks(NamedTuple):
     starting: tuple[LinkPair, ...] = ()
 
 
-def touching_links(
-    robot: Robot, find_mesh: Callable[[str], str | None], samples: int, seed: int
-) -> tuple[Mechanism, TouchingLinks]:
-    """Return the mechanism of a robot and its pairs of links. Raise Untestable if they cannot be tested."""
+class Testable(NamedTuple):
+    """A robot whose links can be tested: its mechanism, its URDF for an engine, and its links that have geometry."""
+
+    mechanism: Mechanism
+    urdf: str
+    solid: tuple[str, ...]
+
+
+def testable(robot: Robot, find_mesh: Callable[[str], str | None]) -> Testable:
+    """Return what is tested of a robot, for which no engine is needed. Raise Untestable if planning needs more."""
     if not robot.links:
         raise Untestable("the description has no links: it is no robot")
     mechanism = mechanism_of(robot)
     if mechanism is None:
-        raise Untestable("the links of the robot form no tree with one root")
+        raise Untestable(f"the links of the robot form no tree with one root{_loose(robot)}")
     for joint in robot.joints:
         given = [limit for limit in joint.tag.named("limit") if {"lower", "upper"} & {*limit.attributes}]
         if joint.type in ("revolute", "prismatic") and not given:
@@ -62,11 +69,31 @@ def touching_links(
     made = engine_urdf(robot, mechanism, find_mesh, {}, standing=True)
     for link, why in made.left_out.items():
         raise Untestable(f"the collision geometry of link '{link}' cannot be tested: {why}")
-    solid = [link.name for link in robot.links if link.name and any(link.tag.named("collision"))]
+    solid = tuple(link.name for link in robot.links if link.name and any(link.tag.named("collision")))
+    return Testable(mechanism, made.urdf, solid)
+
+
+def _loose(robot: Robot) -> str:
+    """Why the links of a robot form no tree, as the end of a message; empty if that is not simple."""
+    names = {link.name for link in robot.links}
+    ends = [(joint, end) for joint in robot.joints for end in (joint.parent, joint.child) if end and end.name]
+    lost = next(((joint.name, end.name) for joint, end in ends if end.name not in names), None)
+    if lost:
+        return f": joint '{lost[0]}' connects link '{lost[1]}', which is not defined"
+    carried = {joint.child.name for joint in robot.joints if joint.child}
+    roots = [f"'{link.name}'" for link in robot.links if link.name and link.name not in carried]
+    return f": no joint carries {' or '.join(roots[:_LISTED])}" if len(roots) > 1 else ""
+
+
+def touching_links(
+    robot: Robot, find_mesh: Callable[[str], str | None], samples: int, seed: int
+) -> tuple[Mechanism, TouchingLinks]:
+    """Return the mechanism of a robot and its pairs of links. Raise Untestable if they cannot be tested."""
+    mechanism, urdf, solid = testable(robot, find_mesh)
     if "mujoco" not in installed():
         raise Untestable("MuJoCo is not installed, which tests the links for collisions: pip install 'urdfctl[smoke]'")
     adjacent = adjacent_pairs(mechanism, solid)
-    meeting = _Meeting(made.urdf, mechanism, solid)
+    meeting = _Meeting(urdf, mechanism, solid)
     reasons = dict.fromkeys(adjacent, ADJACENT)
     meeting.build(reasons)
     reasons.update(dict.fromkeys(meeting.at_rest(), DEFAULT))
