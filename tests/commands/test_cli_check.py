@@ -43,6 +43,12 @@ def test_what_lint_and_smoke_both_find_is_reported_once(picker: Path) -> None:
     assert [one["verdict"] for one in report["controllers"]].count("failed") == 1
 
 
+def test_a_controller_that_fails_by_a_consequence_of_what_lint_reports_is_no_finding_of_its_own(picker: Path) -> None:
+    replace(picker / "urdf/ros2_control.xacro", '<joint name="elbow">', '<joint name="elbwo">')
+    found = json.loads(command("check", *NO_ENGINE, "--format", "json").stdout)["findings"]
+    assert [one["code"] for one in found if one["severity"] == "error"] == ["UC312"]
+
+
 def test_what_only_smoke_finds_fails_the_run(picker: Path) -> None:
     replace(picker / "config/joint_limits.yaml", "max_effort: 40.0", "max_effort: 0.4")
     replace(picker / "config/joint_limits.yaml", "max_effort: 40.0", "max_effort: 0.4")

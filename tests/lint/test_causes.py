@@ -123,6 +123,47 @@ def test_a_finding_that_has_another_cause_stays() -> None:
     assert without_consequences(packages) == packages
 
 
+@pytest.mark.parametrize(
+    ("cause", "wrong", "consequence", "missing", "other"),
+    [
+        (
+            "UC345",
+            "command interface 'postion' of joint 'elbow' is unknown in ROS 2; did you mean 'position'?",
+            "UC450",
+            "'elbow' has no 'position' command interface, which controller 'arm' claims",
+            "'wrist' has no 'position' command interface, which controller 'arm' claims",
+        ),
+        (
+            "UC312",
+            "component 'arm' names joint 'elbw', which the robot does not have; did you mean 'elbow'?",
+            "UC450",
+            "joint 'elbow' is in the robot, but not in <ros2_control>",
+            "joint 'wrist' is in the robot, but not in <ros2_control>",
+        ),
+        (
+            "UC206",
+            "transmission 't' names joint 'elbw', which the robot does not have; did you mean 'elbow'?",
+            "UC462",
+            "joint 'elbow' has no <transmission>",
+            "joint 'wrist' has no <transmission>",
+        ),
+        (
+            "UC440",
+            "controller 'arm' names joint 'elbw', which the robot does not have; did you mean 'elbow'?",
+            "UC467",
+            "joint 'elbow' is not commanded by any controller in these files",
+            "joint 'wrist' is not commanded by any controller in these files",
+        ),
+    ],
+)
+def test_a_misspelt_name_explains_that_the_right_one_is_missing(
+    cause: str, wrong: str, consequence: str, missing: str, other: str
+) -> None:
+    misspelt, unrelated = found(cause, wrong, 1, Severity.ERROR), found(consequence, other, 7)
+    left = without_consequences([misspelt, found(consequence, missing, 5), unrelated])
+    assert [(one.code, one.message) for one in left] == [(cause, wrong), (consequence, other)]
+
+
 def test_interfaces_are_missing_because_a_transmission_stands_for_the_joint() -> None:
     cause = found("UC324", "transmission 't' in component 'c' uses the ROS 1 format", 1, Severity.ERROR)
     cause = cause._replace(notes=(Remark('write <joint name="elbow"><command_interface name="position"/></joint>'),))

@@ -19,6 +19,7 @@ from urdfctl.output.links import check_output
 from urdfctl.output.printing import print_messages
 from urdfctl.output.writing import write_file
 from urdfctl.smoke.curves import curves_as_csv
+from urdfctl.smoke.lifecycle import LINT_REPORTS_IT
 from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, report_of
 
 
@@ -71,11 +72,17 @@ def run_check(options: LintAndSmokeOptions) -> int:
 
 def _new(findings: Sequence[Diagnostic], run: LintRun) -> list[Diagnostic]:
     """What the smoke test found and lint did not: a controller also fails by what lint reports at the same place."""
-    told = defaultdict[tuple[str, int], list[str]](list)
+    told = defaultdict[tuple[str, int], list[Diagnostic]](list)
     for result in run.results:
         for one in result.outcome.diagnostics:
-            told[one.at.file, one.at.line].append(one.message)
-    return [one for one in findings if not any(message in one.message for message in told[one.at.file, one.at.line])]
+            told[one.at.file, one.at.line].append(one)
+    return [one for one in findings if not any(_is_told(one, other) for other in told[one.at.file, one.at.line])]
+
+
+def _is_told(smoked: Diagnostic, linted: Diagnostic) -> bool:
+    return linted.message in smoked.message or any(
+        note.message == f"{LINT_REPORTS_IT}{linted.code}" for note in smoked.notes
+    )
 
 
 command = Command(LintAndSmokeOptions, run_check)

@@ -33,6 +33,17 @@ def of_its_name(cause: Diagnostic, finding: Diagnostic) -> bool:
     return name != "" and any(f"'{name}'" in text or f'"{name}"' in text for text in told)
 
 
+def by_the_name_meant(cause: Diagnostic, finding: Diagnostic) -> bool:
+    """Return whether the finding misses the name that the cause misspells: it is first in the finding, or the finding
+    names it together with the part of the robot that has it in the cause."""
+    meant = re.search(_MEANT, cause.message)
+    if meant is None:
+        return False
+    return meant[1] == _first_name(finding.message) or (
+        f"'{meant[1]}'" in finding.message and of_its_name(cause, finding)
+    )
+
+
 def in_its_line(cause: Diagnostic, finding: Diagnostic) -> bool:
     """Return whether the source line of the finding uses the first name of the cause."""
     name = _first_name(cause.message)
@@ -62,12 +73,16 @@ LINKS = (
     CausalLink("UC117", ("UC315",), of_its_name),
     CausalLink("UC136", ("UC137",), at_its_place),
     CausalLink("UC151", ("UC149",), at_its_place),
+    CausalLink("UC206", ("UC462",), by_the_name_meant),
     CausalLink("UC303", ("UC305",), at_its_place),
+    CausalLink("UC312", ("UC450", "UC451"), by_the_name_meant),
     CausalLink("UC324", ("UC450", "UC451"), of_its_name),
     CausalLink("UC324", ("UC472",), of_its_robot),
     CausalLink("UC345", ("UC355",), at_its_place),
+    CausalLink("UC345", ("UC450", "UC451"), by_the_name_meant),
     CausalLink("UC361", ("UC471", "UC513"), of_its_robot),
     CausalLink("UC436", ("UC435",), at_its_place),
+    CausalLink("UC440", ("UC467",), by_the_name_meant),
     CausalLink("UC450", ("UC464",), of_its_name),
     CausalLink("UC471", ("UC021", "UC330"), of_its_robot),
     CausalLink("UC524", ("UC525",), of_its_robot),
@@ -77,6 +92,7 @@ LINKS_OF_RUN = (_UNDEFINED, *(link for link in LINKS if link.explains is at_its_
 """Those that also hold between the findings of several projects."""
 _CONSEQUENCES = {code for link in LINKS for code in link.consequences}
 _NAME = r"'([^']+)'"
+_MEANT = r"did you mean '([^']+)'"
 
 
 def without_consequences(findings: Sequence[Diagnostic], links: Sequence[CausalLink] = LINKS) -> Sequence[Diagnostic]:

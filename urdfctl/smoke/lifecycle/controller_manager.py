@@ -33,6 +33,7 @@ from urdfctl.rules.smoke.controller_not_loaded import controller_not_loaded
 from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.smoke.lifecycle.lint_errors import (
+    LINT_REPORTS_IT,
     concerned_controllers,
     dropped_joints,
     found_by_manager,
@@ -358,7 +359,7 @@ def _trouble(controller: ControllerLifecycle, controllers: Sequence[ControllerLi
     assert refusal is not None  # noqa: S101 (only refused controllers have one)
     notes = [f"the controller manager says: {refusal.line}"] if refusal.line else []
     if refusal.cause:
-        notes.append(f"urdfctl lint reports it as {refusal.cause.code}")
+        notes.append(f"{LINT_REPORTS_IT}{refusal.cause.code}")
     others = [f"'{other.name}'" for other in controllers if other.refusal and other.refusal.blocked_by == name]
     if others:
         notes.append(f"it also stops controller{'s' if len(others) > 1 else ''} {enumerated(others, 'and')}")
@@ -368,7 +369,7 @@ def _trouble(controller: ControllerLifecycle, controllers: Sequence[ControllerLi
 
 def _trouble_of_errors(fault: FaultWithMessage, errors: Sequence[Diagnostic]) -> Trouble:
     first, others = errors[0], len(errors) - 1
-    notes = [f"urdfctl lint reports it as {first.code}"]
+    notes = [f"{LINT_REPORTS_IT}{first.code}"]
     if others:
         notes.append(f"lint reports {others} more error{'s' if others > 1 else ''} of this kind")
     return trouble_of(fault, subject_of(first), notes=tuple(notes), why=first.message)

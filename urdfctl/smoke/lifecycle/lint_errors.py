@@ -23,6 +23,8 @@ from urdfctl.rules.urdf.tree import Tree
 from urdfctl.source.span import Place
 
 _stage_of = cache(stage_of)
+LINT_REPORTS_IT = "urdfctl lint reports it as "
+"""How the note of a finding of smoke begins that has the code of the error of lint."""
 
 
 def stops_robot(error: Diagnostic) -> bool:
