@@ -154,6 +154,12 @@ def known_hardware(project: Project, control: Ros2Control) -> tuple[HardwareType
     return tuple(entry for entry in entries if entry is not None)
 
 
+def interfaces_exported(hardware: HardwareType, kind: str) -> tuple[str, ...] | None:
+    """Return the interfaces that hardware exports for a joint, of the kind `command` or `state`; None if it exports any,
+    or if this is not known."""
+    return hardware.command_interfaces if kind == "command" else hardware.state_interfaces
+
+
 def is_deaf(project: Project, control: Ros2Control, name: str) -> bool:
     """Return whether a component's plugin is known to ignore a joint parameter in one of the project's distros."""
     return any(

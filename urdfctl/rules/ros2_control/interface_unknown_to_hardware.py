@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.catalog.hardware import HardwareType
 from urdfctl.control.hardware.behaviour import validates
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known, label, severity_where
-from urdfctl.rules.ros2_control.common import called, known_hardware, parts
+from urdfctl.rules.ros2_control.common import called, interfaces_exported, known_hardware, parts
 
 
 @rule(
@@ -66,7 +65,7 @@ def interface_unknown_to_hardware(project: Project) -> Iterator[Finding]:
             name = (interface.name or "").strip()
             if not name or not is_known(name):
                 continue
-            exported = [_exported(each, interface.kind) for each in hardware]
+            exported = [interfaces_exported(each, interface.kind) for each in hardware]
             if any(names is None or name in names for names in exported):
                 continue
             known = exported[-1] or ()
@@ -75,8 +74,3 @@ def interface_unknown_to_hardware(project: Project) -> Iterator[Finding]:
             hint = did_you_mean(name, known) or f"; it provides {in_words(known, len(known))}"
             message = f"'{hardware[0].type}' has no {called(interface)} for {label('joint', part.name)}{hint}"
             yield Finding(interface.at["name"], message, severity=severity)
-
-
-def _exported(hardware: HardwareType, kind: str) -> tuple[str, ...] | None:
-    """The interfaces that the hardware exports for a joint; None if it exports any, or this is not known."""
-    return hardware.command_interfaces if kind == "command" else hardware.state_interfaces
