@@ -334,7 +334,15 @@ def test_another_joint_of_a_row_is_not_taken_for_a_slip(tmp_path: Path, other: s
 
 def test_a_link_that_is_named_for_its_joint_says_so(tmp_path: Path) -> None:
     [finding] = findings(tmp_path, MANAGER % FORWARD + FORWARDS % "elbow, upper", robot=ARM, start=("arm",))
-    assert [note.message for note in finding.notes] == ["'upper' is a link; the joint that moves it is 'shoulder'"]
+    assert "did you mean 'shoulder'?" in finding.message
+    assert finding.notes[0].message == "'upper' is a link; the joint that moves it is 'shoulder'"
+
+
+def test_a_link_that_is_called_like_its_joint_is_surely_meant_for_it(tmp_path: Path) -> None:
+    robot = ARM.replace('"elbow"', '"elbow_joint"').replace('"fore"', '"elbow"')
+    [finding] = findings(tmp_path, MANAGER % FORWARD + FORWARDS % "shoulder, elbow", robot=robot, start=("arm",))
+    assert finding.fix is not None
+    assert (finding.fix.title, finding.fix.safe) == ("write 'elbow_joint'", True)
 
 
 # -- extra joints of ROS 1 ---------------------------------------------------------------------------------------------

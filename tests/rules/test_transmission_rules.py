@@ -275,9 +275,9 @@ def test_an_unknown_joint_is_a_warning_if_another_plugin_moves_the_robot(
 
 def test_a_link_in_place_of_a_joint_is_noted(robot: Robot) -> None:
     finding = robot.only("UC206", SOUND.replace('"elbow"', '"fore"'))
-    assert finding.fix is None
-    assert "'fore' is a link; a transmission drives a joint" in notes(finding)
-    assert "joint 'elbow' moves this link" in notes(finding)
+    assert finding.fix is not None
+    assert (finding.fix.title, finding.fix.safe) == ("write 'elbow'", False)
+    assert "'fore' is a link; the joint that moves it is 'elbow'" in notes(finding)
     assert "is a link" in notes(robot.only("UC206", SOUND.replace('"elbow"', '"base"')))
 
 

@@ -232,7 +232,7 @@ def test_an_unknown_joint_is_fixed_and_a_link_is_noted(robot: Robot) -> None:
     found = robot.only("UC312", component(f'{MOCK}<joint name="elbwo"><state_interface name="effort"/></joint>'))
     assert 'name="elbow"' in robot.fixed(found)
     link = robot.only("UC312", component(f'{MOCK}<joint name="fore"><state_interface name="effort"/></joint>'))
-    assert "joint 'elbow' moves this link" in notes(link)
+    assert "'fore' is a link; the joint that moves it is 'elbow'" in notes(link)
 
 
 def test_a_note_shows_what_replaces_a_transmission_of_ros1(robot: Robot) -> None:

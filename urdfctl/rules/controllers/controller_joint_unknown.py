@@ -6,13 +6,14 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.control.hardware.interfaces import OfferedHardware
-from urdfctl.control.parameters.readers import Reader, in_each_distro, robot_of
+from urdfctl.control.parameters.readers import Reader, in_each_distro, readers_of, robot_of
 from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.robot import Robot
 from urdfctl.names import are_opposed, folded, is_slip
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import KnownNames, in_words, is_known, replaced, robot_in
-from urdfctl.rules.controllers.joints import Named, hardware_in, links_called, meant_by, named, severity_of
+from urdfctl.rules.controllers.joints import Named, hardware_in, in_row, meant_by, named, severity_of
+from urdfctl.rules.links_for_joints import joint_meant_by, links_called
 
 _ROBOT = """
     <ros2_control name="arm" type="system">
@@ -46,6 +47,7 @@ _CONTROLLERS = """
     options=["--distro=jazzy"],
     bad=[
         {"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«elbw»"},
+        {"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«lift»"},
         {
             "robot.urdf": """
                 <robot name="hand">
@@ -139,16 +141,34 @@ def _unknown(
         joint for joint in named_joints if is_misnamed(joint.claim, hardware) and joint.name not in hardware.fixed
     ]
     others = {joint.name for joint in named_joints} - {joint.name for joint in unknown}
-    meant = [meant_by(names, joint, others) for joint in unknown]
+    joints = [joint_meant_by(robot, joint.name, meant_by(names, joint, others), others) for joint in unknown]
+    meant = [joint.name for joint in joints]
+    left = _only_left(project, reader, hardware) if len(unknown) == 1 else None
     if len(unknown) > 1 and not others:
         yield _all_unknown(reader, unknown, meant, severity_of(project, hardware, meant=all(meant), others=False))
         return
-    for joint, right in zip(unknown, meant, strict=True):
-        hint = f"; did you mean '{right}'?" if right else ""
+    for joint, (right, is_sure) in zip(unknown, joints, strict=True):
+        only = ""
+        if right is None and left and not _are_of_one_row(joint.name, left):
+            right, only = left, ", the only joint that no controller names"  # noqa: PLW2901 (what is meant then)
+        hint = f"; did you mean '{right}'{only}?" if right else ""
         message = f"controller '{reader.name}' names joint '{joint.name}', which the robot does not have{hint}"
-        fix = names.fix(joint.at, joint.name, right)
+        fix = replaced(joint.at, joint.name, right, safe=is_sure or names.is_sure(joint.name, right)) if right else None
         severity = severity_of(project, hardware, meant=bool(right), others=bool(others))
         yield Finding(joint.at, message, tuple(links_called(robot, joint.name)), fix, severity)
+
+
+def _only_left(project: Project, reader: Reader, hardware: OfferedHardware) -> str | None:
+    """The only joint with a command interface that no controller names; None if there are more, or none."""
+    readers = (other for nodes in readers_of(project) for other in nodes if other.distro == reader.distro)
+    taken = {joint.name for other in readers for joint in named(other)}
+    free = [name for name in hardware.command if name in hardware.joints and name not in taken]
+    return free[0] if len(free) == 1 else None
+
+
+def _are_of_one_row(name: str, other: str) -> bool:
+    """Whether two joints differ by their side or number: neither is written for the other."""
+    return are_opposed(name, other) or in_row(name) == in_row(other)
 
 
 def _all_unknown(reader: Reader, unknown: list[Named], meant: list[str | None], severity: Severity) -> Finding:

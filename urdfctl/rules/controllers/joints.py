@@ -11,7 +11,7 @@ from urdfctl.control.hardware.interfaces import OfferedHardware, fixed_joints
 from urdfctl.control.hardware.offered import hardware_of
 from urdfctl.control.parameters.readers import Reader
 from urdfctl.model.robot import Robot
-from urdfctl.rule import Note, Project, Severity
+from urdfctl.rule import Project, Severity
 from urdfctl.rules.common import KnownNames
 from urdfctl.rules.controllers.parameters import known_as
 from urdfctl.source.opaque import UNKNOWN
@@ -99,12 +99,3 @@ def severity_of(project: Project, hardware: OfferedHardware, *, meant: bool, oth
     if project.started is None and not project.together and not (meant and others):
         return Severity.WARNING if meant or others else Severity.INFO
     return Severity.ERROR if hardware.known and not hardware.open else Severity.WARNING
-
-
-def links_called(robot: Robot, name: str) -> Iterator[Note]:
-    """Yield a note if a name is that of a link: it names the joint that moves the link."""
-    if not any(link.name == name for link in robot.links):
-        return
-    for joint in robot.joints:
-        if joint.child is not None and joint.child.name == name:
-            yield Note(f"'{name}' is a link; the joint that moves it is '{joint.name}'", joint.at)

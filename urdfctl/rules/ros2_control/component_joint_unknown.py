@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.robot import Robot
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import KnownNames, is_known, severity_where, whole_robot_in
+from urdfctl.rules.links_for_joints import joint_meant_by, links_called
 from urdfctl.rules.ros2_control.common import JAZZY, component, parts
 from urdfctl.rules.written import at_written
 
@@ -71,19 +72,20 @@ def component_joint_unknown(project: Project) -> Iterator[Finding]:
     if robot is None or project.library or not robot.joints:
         return
     joints = list(parts(project, "joint"))
-    known = KnownNames(robot.joint_names, (joint.name for _, joint in joints))
-    left = _only_left(robot, [joint.name or "" for _, joint in joints])
+    named = [joint.name or "" for _, joint in joints]
+    known = KnownNames(robot.joint_names, named)
+    left = _only_left(robot, named)
     for control, joint in joints:
         name = joint.name
         if name is None or not is_known(name) or name.strip() in known:
             continue
-        meant = known.meant_by(name)
+        meant, is_sure = joint_meant_by(robot, name, known.meant_by(name), named)
         hint = f"; did you mean '{meant}'?" if meant else ""
         if meant is None and left:
             meant, hint = left, f"; did you mean '{left}', the only joint that no component has?"
         message = f"{component(control)} names joint '{name}', which the robot does not have{hint}"
-        is_sure = known.is_sure(name, meant)
-        finding = at_written(joint.at["name"], name, meant, message, tuple(_links(robot, name)), safe=is_sure)
+        is_sure = is_sure or known.is_sure(name, meant)
+        finding = at_written(joint.at["name"], name, meant, message, tuple(links_called(robot, name)), safe=is_sure)
         yield finding._replace(severity=severity_where(project, JAZZY))
 
 
@@ -93,13 +95,3 @@ def _only_left(robot: Robot, named: list[str]) -> str | None:
     free = [joint.name for joint in robot.joints if joint.moves and not joint.mimic and joint.name not in named]
     is_single = len({name for name in named if name not in joints}) == 1
     return free[0] if is_single and len(free) == 1 else None
-
-
-def _links(robot: Robot, name: str) -> Iterator[Note]:
-    link = robot.link(name)
-    if link is None:
-        return
-    yield Note(f"'{name}' is a link; a component controls joints", link.at)
-    for joint in robot.joints:
-        if joint.child is not None and joint.child.name == name:
-            yield Note(f"joint '{joint.name}' moves this link", joint.at)

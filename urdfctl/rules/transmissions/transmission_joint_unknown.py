@@ -8,7 +8,8 @@ from urdfctl.catalog.distros import ROS1
 from urdfctl.control.hardware.gazebo_ros1 import control_plugins, in_gazebo
 from urdfctl.model.robot import Joint, Robot, Transmission, TransmissionEnd
 from urdfctl.names import is_only_slip, nearest
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.links_for_joints import joint_meant_by, links_called
 from urdfctl.rules.transmissions.common import joints_by_name, known_joints
 from urdfctl.rules.transmissions.wrong_calls import WrongCall, macro_call, wrong_calls
 from urdfctl.rules.written import at_written
@@ -77,11 +78,11 @@ def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
     for transmission, joint, name in named:
         if name in known or macro_call(joint.at) in wrong:
             continue
-        right = nearest(name, known.keys() - taken)
+        right, is_sure = joint_meant_by(robot, name, nearest(name, known.keys() - taken), taken)
         hint = f"; did you mean '{right}'?" if right else ""
         message = f"{transmission.label} names joint '{name}', which the robot does not have{hint}"
-        is_sure = right is not None and is_only_slip(name, right, known)
-        finding = at_written(joint.at["name"], name, right, message, tuple(_links(robot, name)), safe=is_sure)
+        is_sure = is_sure or (right is not None and is_only_slip(name, right, known))
+        finding = at_written(joint.at["name"], name, right, message, tuple(links_called(robot, name)), safe=is_sure)
         yield finding._replace(severity=severity)
 
 
@@ -97,13 +98,3 @@ def _wrong_calls(
     """The calls of macros whose transmissions belong to another robot."""
     places = ((joint.at["name"], name) for _, joint, name in named)
     return wrong_calls(robot, places, lambda name: name in known or nearest(name, known) is not None)
-
-
-def _links(robot: Robot, name: str) -> Iterator[Note]:
-    link = robot.link(name)
-    if link is None:
-        return
-    yield Note(f"'{name}' is a link; a transmission drives a joint", link.at)
-    for joint in robot.joints:
-        if joint.child is not None and joint.child.name == name:
-            yield Note(f"joint '{joint.name}' moves this link", joint.at)

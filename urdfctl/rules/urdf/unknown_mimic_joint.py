@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import KnownNames, is_known, label, robot_in, whole_robot_in
+from urdfctl.rules.links_for_joints import joint_meant_by, links_called
 from urdfctl.rules.urdf.common import known_part
 from urdfctl.rules.written import at_written
 
@@ -59,8 +60,10 @@ def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
         mimic = joint.mimic
         if mimic is None or not mimic.joint or mimic.joint in joints or not known_part(mimic.joint):
             continue
-        meant = joints.meant_by(mimic.joint)
+        meant, is_sure = joint_meant_by(robot, mimic.joint, joints.meant_by(mimic.joint), (joint.name,))
         hint = f"; did you mean '{meant}'?" if meant else ""
         message = f"{label('joint', joint.name)} mimics unknown joint '{mimic.joint}'{hint}"
         correct = meant if meant and is_known(meant) else None
-        yield at_written(mimic.at["joint"], mimic.joint, correct, message, safe=joints.is_sure(mimic.joint, correct))
+        notes = tuple(links_called(robot, mimic.joint))
+        is_sure = is_sure or joints.is_sure(mimic.joint, correct)
+        yield at_written(mimic.at["joint"], mimic.joint, correct, message, notes, safe=is_sure)
