@@ -131,6 +131,17 @@ def test_else_it_is_the_one_that_the_plugins_of_control_are_made_for(
     assert linted(folder, files, Settings(simulator="none")).simulator == "none"
 
 
+@pytest.mark.parametrize(("simulator", "is_read"), [(None, True), ("gz", True), ("none", False)])
+def test_without_a_simulator_nothing_loads_the_controllers_that_its_plugin_names(
+    folder: Folder, simulator: str | None, is_read: bool
+) -> None:
+    hosted = plugin("gz_ros2_control-system").replace("/></gazebo>", "><parameters>{}</parameters></plugin></gazebo>")
+    broken = "controller_manager: {ros__parameters: {arm: {type: no_such/Type}}}\n"
+    files = {"r.urdf": PLAIN.format(hosted.format(f"{folder.path}/own.yaml")), "own.yaml": broken}
+    result = linted(folder, files, Settings("jazzy", simulator))
+    assert any("no_such/Type" in one.message for one in result.outcome.diagnostics) is is_read
+
+
 def test_a_simulator_that_only_a_plugin_names_leaves_hardware_open() -> None:
     guessed = Project(None, simulator="gz", simulator_from="the plugin 'gz_ros2_control-system'")
     assert guessed.named_simulator is None

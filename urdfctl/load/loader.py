@@ -282,7 +282,9 @@ class Loader:
     ) -> Project:
         expansion, robot = described.expansion, described.robot
         launch = launch_file.launch if launch_file else None
-        controller_files = _controller_files(controllers, robot, launch, files)
+        settings = self._settings_of_package(path)
+        hosting = robot if settings.simulator != "none" else None  # no simulator loads the plugins of the robot
+        controller_files = _controller_files(controllers, hosting, launch, files)
         sources = tuple(_sources(files, launch_file).values())
         moveit = self._moveit(path, launch, controller_files, files)
         beside = Beside(
@@ -294,7 +296,7 @@ class Loader:
             workspace=self._workspace(path),
             path=path,
         )
-        evidence = detect_distro(robot, beside, self._settings_of_package(path))
+        evidence = detect_distro(robot, beside, settings)
         problems = (
             *expansion.problems,
             *(launch_file.problems if launch_file else ()),
