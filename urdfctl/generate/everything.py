@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.errors import UserError
@@ -24,6 +24,7 @@ from urdfctl.generate.files.hardware import has_host, loads_others, takes_namesp
 from urdfctl.generate.files.mjcf import MODEL, commanded, mjcf_file
 from urdfctl.generate.files.moveit import moveit_file
 from urdfctl.generate.files.moveit_package import moveit_dependencies, moveit_files
+from urdfctl.generate.files.planned_controllers import planned_controllers
 from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 from urdfctl.generate.robot.mounting import needs_world
@@ -49,12 +50,15 @@ class Order(NamedTuple):
         return f"'{self.robot.name}'" if self.robot.name else "these joints"
 
     def controllers(self) -> tuple[GeneratedController, ...]:
-        """Return the requested controllers."""
+        """Return the requested controllers, or the robot's own ones."""
+        if self.options.own:
+            return planned_controllers(self.robot, self.options, self.catalog)
         return controllers(self.joints, self.options, self.catalog, self.robot)
 
     def made_if_typed(self) -> tuple[GeneratedController, ...]:
         """Return the requested controllers. Empty if no type is given."""
-        return self.controllers() if self.options.types or self.options.requests else ()
+        asked = self.options.types or self.options.requests or self.options.own
+        return self.controllers() if asked else ()
 
 
 def _controllers(order: Order) -> list[File]:
@@ -125,6 +129,8 @@ def _launch_file(order: Order, made: Sequence[GeneratedController]) -> File:
 
 
 def _typed(order: Order) -> tuple[GeneratedController, ...]:
+    if order.options.own:
+        return order.controllers()
     if not (order.options.types or order.options.requests):
         raise UserError("--type is missing: use e.g. --type effort, --type trajectory or --type diff_drive")
     made = order.controllers()
@@ -160,24 +166,12 @@ def _all(order: Order) -> list[File]:
     if options.simulator == "mujoco" and robot.skeleton:
         options = options._replace(model_path=f"$(find {options.package})/{MODEL}")
     order = order._replace(options=options)
-    others = loads_others(robot, options, order.catalog)
+    others = "" if options.own else loads_others(robot, options, order.catalog)
     if others and options.moveit:
         raise UserError(others)
     if others and order.told is not None:
         order.told.append(others)
-    blocks = []
-    wanted = wanted_interfaces(made) if options.ros == 1 else {}
-    without = [joint for joint in order.joints if joint.name not in robot.interfaces]
-    if options.ros == 1 and without and (not wanted or {*wanted.values()} & {*OF_TRANSMISSIONS}):
-        blocks.append(transmissions(without, options, order.templates, wanted))
-    if options.ros == 2:  # noqa: PLR2004
-        block = _component(order, made)
-        blocks += [block] if block else []
-    if options.simulator in ("gz", "gazebo-classic") and not has_host(robot, options, order.catalog):
-        # the launch file passes the namespace; xacro takes an empty argument for a missing one
-        movable = takes_namespace(robot, options, order.catalog)
-        hosting = options._replace(namespace="") if movable else options
-        blocks.append(simulator_plugin(hosting, order.catalog, order.templates))
+    blocks = list(_blocks(order, made))
     includes = [order.options.robot_file]
     includes += [f"$(find {options.package})/urdf/control.xacro"] if blocks else []
     depends = dependencies(made, options, order.catalog, robot.package)
@@ -185,7 +179,7 @@ def _all(order: Order) -> list[File]:
     planning = _planning(order, made) if options.moveit else []
     depends = sorted({*depends, *moveit_dependencies(options)}) if options.moveit else depends
     return [
-        controllers_file(made, options, order.templates, order.title),
+        *([] if options.own else [controllers_file(made, options, order.templates, order.title)]),
         *([moveit] if moveit else []),
         *planning,
         *([_wrapped(order, "urdf/control.xacro", *blocks)] if blocks else []),
@@ -196,6 +190,23 @@ def _all(order: Order) -> list[File]:
         *_mujoco(order, made),
         *package_files(depends, options, order.templates, order.title, _one_dash(options.command)),
     ]
+
+
+def _blocks(order: Order, made: Sequence[GeneratedController]) -> Iterator[str]:
+    """What a robot lacks to be controlled, as blocks of its description."""
+    options, robot = order.options, order.robot
+    wanted = wanted_interfaces(made) if options.ros == 1 else {}
+    without = [joint for joint in order.joints if joint.name not in robot.interfaces]
+    if options.ros == 1 and without and (not wanted or {*wanted.values()} & {*OF_TRANSMISSIONS}):
+        yield transmissions(without, options, order.templates, wanted)
+    block = _component(order, made) if options.ros == 2 and not options.own else None  # noqa: PLR2004
+    if block:
+        yield block
+    if options.simulator in ("gz", "gazebo-classic") and not has_host(robot, options, order.catalog):
+        # the launch file passes the namespace; xacro takes an empty argument for a missing one
+        movable = takes_namespace(robot, options, order.catalog)
+        hosting = options._replace(namespace="") if movable else options
+        yield simulator_plugin(hosting, order.catalog, order.templates)
 
 
 def _planning(order: Order, made: Sequence[GeneratedController]) -> list[File]:
@@ -222,7 +233,7 @@ def _settings(order: Order) -> File:
         command=options.command,
         distro=options.distro,
         simulator=options.simulator,
-        controllers_file=options.controllers_file,
+        controllers_file="" if options.own else options.controllers_file,
         launch=launch_name(options),
     )
     return File("urdfctl.toml", text)

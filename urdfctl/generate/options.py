@@ -51,7 +51,8 @@ class GeneratorOptions(NamedTuple):
     path and text of a copy of the robot in the package. `model_path` is where a model
     for MuJoCo is written, and `to` the format that a robot is converted to. With `moveit`, MoveIt is configured
     too, with these `planning_groups` beside the proposed ones; `output` is the folder whose SRDF may have a person's
-    changes. `launch` is the name under which a launch file is written, if that is not its usual one.
+    changes. With `own`, the controllers are those that the robot's plugin loads from a file of its own. `launch` is the
+    name under which a launch file is written, if that is not its usual one.
     """
 
     distro: str
@@ -84,6 +85,7 @@ class GeneratorOptions(NamedTuple):
     moveit: bool = False
     planning_groups: tuple[str, ...] = ()
     output: str | None = None
+    own: bool = False
     launch: str | None = None
     command: str = "urdfctl"
 

@@ -6,7 +6,7 @@ import os
 import re
 import shlex
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from urdfctl.catalog.catalog import catalog_with
@@ -14,9 +14,10 @@ from urdfctl.commands.answering import answered
 from urdfctl.commands.declaring import Option
 from urdfctl.commands.generate.delivering import Made, delivered
 from urdfctl.commands.generate.judging import RATES, judged, with_motion
-from urdfctl.commands.generate.measuring import measure_links, measure_tree, measure_work
+from urdfctl.commands.generate.measuring import measure_tree, measure_work
 from urdfctl.commands.generate.model_check import loaded_model
 from urdfctl.commands.generate.options import PACKAGES, GenerateOptions
+from urdfctl.commands.generate.planning import plans, started, with_tested_links
 from urdfctl.commands.robot_targets import best_of, robots_of
 from urdfctl.commands.words import configured, contradictions, settings_from, split_arguments
 from urdfctl.config.file import Config
@@ -27,7 +28,6 @@ from urdfctl.generate.controllers.wanted import needs_joints, way_out, with_requ
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.files.again import words_of_generated_file
 from urdfctl.generate.files.bringup import plain_name
-from urdfctl.generate.files.hardware import loads_others
 from urdfctl.generate.files.package import check_other_package
 from urdfctl.generate.options import GeneratorOptions, Roles
 from urdfctl.generate.request.choice import chosen, stuck
@@ -117,30 +117,27 @@ def generated(options: GenerateOptions) -> Made:
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
     if command == "convert":
         settings = settings._replace(simulator="gz" if options.to == "sdf" else "mujoco")
-    notices: tuple[str, ...] = () if options.check else tuple(contradictions(config, options.distro))
     robot, listed = _sources(options, settings, config)
     words = list(options.words)
     if robot and robot.file and not split_arguments(words)[0]:  # the generated files may hide it next time
         words = [os.path.relpath(robot.file), *words]
     joints = chosen(robot, listed, options.joints, options.exclude)
-    immovable = stuck(robot, joints) if robot and not (listed or options.joints) else ()
-    left_out = f"left out because their limits allow no motion: {', '.join(immovable)}. Include them with --joint"
-    notices += (left_out,) if immovable else ()
-    if options.fix_inertia and robot and robot.file:
-        notices += with_valid_inertia(_text(robot.file)).changes
+    notices = () if options.check else tuple(contradictions(config, options.distro))
+    if robot:
+        notices += tuple(_about(robot, joints, options, is_listed=bool(listed)))
     catalog, templates = catalog_with(settings.additions), Templates(options.templates)
 
     def make(distro: str, options: GenerateOptions = options) -> Made:
         simulator = settings.simulator or (robot.simulator if robot else None) or simulator_of(distro, command, catalog)
-        requested = _requested(options, words, robot, distro, simulator)
-        is_free = robot is not None and _plans(options) and not (settings.simulator or robot.components)
-        others = loads_others(robot, requested, catalog) if robot and is_free else ""
-        if others:  # the demo of MoveIt needs no simulator, and a robot without hardware gets mock hardware
-            requested = _requested(options, words, robot, distro, "none")
+
+        def request(simulator: str) -> GeneratorOptions:
+            return _requested(options, words, robot, distro, simulator)
+
+        is_set = settings.simulator is not None
+        requested, told = started(robot, request, simulator, catalog, asked=options, is_set=is_set)
         requested, proposal = with_requests(requested, command, options.controller, joints, robot)
         if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
             raise UserError(_no_joints(robot))
-        told = [f"written for mock hardware, without a simulator: {others}"] if others else []
         order = Order(
             joints=joints,
             options=requested,
@@ -167,8 +164,8 @@ def generated(options: GenerateOptions) -> Made:
         made = make(distro)
     else:
         made, chosen_distro = made_for_newest(robot, make)
-    if robot and _plans(options):  # only now: what is asked wrongly is told without MuJoCo, and at once
-        robot = _tested(robot, options, settings)
+    if robot and plans(options):  # only now: what is asked wrongly is told without MuJoCo, and at once
+        robot = with_tested_links(robot, options, settings)
         made = make(made.options.distro)
     made = made._replace(notices=(*made.notices, *filter(None, [chosen_distro])))
     if command == "convert" and not options.check:
@@ -176,6 +173,17 @@ def generated(options: GenerateOptions) -> Made:
     if command not in PACKAGES or options.check or robot is None or listed:
         return made
     return _judged(made, options, settings, lambda faster: make(made.options.distro, faster))
+
+
+def _about(
+    robot: RobotFacts, joints: Sequence[JointFacts], options: GenerateOptions, *, is_listed: bool
+) -> Iterator[str]:
+    """What is left out or changed of a robot."""
+    immovable = () if is_listed or options.joints else stuck(robot, joints)
+    if immovable:
+        yield f"left out because their limits allow no motion: {', '.join(immovable)}. Include them with --joint"
+    if options.fix_inertia and robot.file:
+        yield from with_valid_inertia(_text(robot.file)).changes
 
 
 def _loaded(made: Made, options: GenerateOptions, settings: Settings) -> Made:
@@ -237,7 +245,7 @@ def _sources(
         )
     path = robots[0] if robots and not os.path.isdir(robots[0]) else os.path.relpath(descriptions[0])
     details = {"sdf": 1} if options.command == "convert" and options.to == "sdf" else None
-    measured = measure_robot(path, arguments, settings, measure_tree if _plans(options) else measure_work, details)
+    measured = measure_robot(path, arguments, settings, measure_tree if plans(options) else measure_work, details)
     if measured.facts is None:
         text = "\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n"
         raise UnreadableRobot(text, [finding(relative(problem)) for problem in measured.problems])
@@ -247,23 +255,11 @@ def _sources(
     return facts, listed
 
 
-def _tested(robot: RobotFacts, options: GenerateOptions, settings: Settings) -> RobotFacts:
-    """The robot with the pairs of its links that need no test for collisions."""
-    poses = {"samples": options.samples, "seed": options.seed}
-    _, arguments = split_arguments(options.words)
-    measured = measure_robot(robot.file or "", arguments, settings, measure_links, poses)
-    return robot._replace(linkage=measured.facts.linkage) if measured.facts else robot
-
-
 def _started_for(path: str, arguments: Mapping[str, str], settings: Settings, config: Config) -> str | None:
     """The distro that lint detects from what is started with the robot, which generators do not read."""
     words = [path, *(f"{name}:={value}" for name, value in arguments.items())]
     found = best_of(robots_of(words, config, settings))
     return found[1].distro if found else None
-
-
-def _plans(options: GenerateOptions) -> bool:
-    return options.command == "gen-moveit" or options.moveit
 
 
 def _is_part(path: str) -> bool:
@@ -320,7 +316,7 @@ def _requested(
         form=options.form or defaults.form,
         chain=options.chain,
         base=options.base,
-        moveit=_plans(options),
+        moveit=plans(options),
         planning_groups=options.planning_groups,
         output=options.output if options.command in PACKAGES else None,
         launch=plain_name(options.output) if options.command == "gen-launch" else None,

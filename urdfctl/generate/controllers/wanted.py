@@ -28,6 +28,8 @@ def with_requests(
 
     UserError if the requests are malformed or unclear.
     """
+    if options.own:
+        return options, ""
     asked = requested(texts)
     if not asked and any(joint.controller or joint.controller_type for joint in joints):
         default = options.types[0] if len(options.types) == 1 else None

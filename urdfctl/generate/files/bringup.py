@@ -88,7 +88,7 @@ def launch_file(
         spawner=spawner(options.distro),
         manager_option="--controller-manager",
         manager="controller_manager" if movable else f"{'/' * bool(space)}{space}/controller_manager",
-        param_file=takes_param_file(options.distro),
+        param_file=takes_param_file(options.distro) and not options.own,
         description=_description(options.distro),
         gz=gz_names(options.distro),
         model_path=_model_path(options),

@@ -44,12 +44,22 @@ def loads_others(robot: RobotFacts, options: GeneratorOptions, catalog: Catalog)
     hosted = options.ros == 2 and options.simulator in ("gz", "gazebo-classic") and has_host(robot, options, catalog)  # noqa: PLR2004
     if not hosted or not robot.hosted:
         return ""
-    file = robot.hosted[0]
-    shown = os.path.relpath(file) if os.path.isabs(file) else file
     return (
-        f"the simulator's plugin in the robot loads the controllers of '{shown}', and not these: name a description "
-        "without the plugin, or leave it out by an argument"
+        f"the simulator's plugin in the robot loads the controllers of '{hosted_file(robot)}', and not these: name a "
+        "description without the plugin, or leave it out by an argument"
     )
+
+
+def hosted_file(robot: RobotFacts) -> str:
+    """Return the path of the controllers that the plugin of a robot loads, for a message."""
+    file = robot.hosted[0]
+    return os.path.relpath(file) if os.path.isabs(file) else file
+
+
+def simulates(robot: RobotFacts, distro: str, catalog: Catalog) -> bool:
+    """Return whether the hardware of a robot may be that of a simulator: only then its plugin runs controllers."""
+    known = [catalog.hardware(name, distro) for name in robot.plugins]
+    return any(entry is None or entry.simulator in ("gz", "gazebo-classic") for entry in known)
 
 
 def takes_namespace(robot: RobotFacts, options: GeneratorOptions, catalog: Catalog) -> bool:

@@ -9,10 +9,11 @@ from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.text.scalars import one_line
 from urdfctl.generate.text.templates import Templates
 
-_ACTIONS = {
+ACTIONS = {
     "JointTrajectoryController": ("FollowJointTrajectory", "follow_joint_trajectory"),
     "GripperActionController": ("GripperCommand", "gripper_cmd"),
 }
+"""The types of controllers that MoveIt uses, without their packages, with the type and the name of their action."""
 
 
 def moveit_file(
@@ -42,7 +43,7 @@ def moveit_file(
 def usable_by_moveit(made: Sequence[GeneratedController]) -> Iterator[tuple[GeneratedController, tuple[str, str]]]:
     """Yield the controllers that MoveIt can use, each with the type and the name of its action."""
     for controller in made:
-        action = _ACTIONS.get(controller.type.type.rpartition("/")[2])
+        action = ACTIONS.get(controller.type.type.rpartition("/")[2])
         if action is None or controller.waits or controller.task.below:
             continue
         parallel = "parallel_gripper" in controller.type.type

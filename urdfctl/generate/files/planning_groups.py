@@ -16,6 +16,9 @@ _TIPS = ("tool0", "tcp", "tool", "tip", "end_effector", "ee", "flange", "grasp",
 _ARM, _SHORT = 5, 3
 """An arm has at least this many joints; a chain that carries one has at most this many."""
 _TOOL = re.compile(r"gripper|finger|hand|jaw|claw", re.IGNORECASE)
+_OF_TYPE = re.compile(r"(?:^|_)(?:(?:joint_)?trajectory_)?controller$")
+"""What the name of a controller says of its type."""
+_UNNAMED = "arm"
 _GIVEN = re.compile(r"([^=:,]+)=([^=:,]+):([^=:,]+)")
 _LISTED = re.compile(r"([^=:]+)=([^=:]+)")
 
@@ -91,7 +94,7 @@ def planning_groups(
 
 def _proposed(controller: GeneratedController, tree: LinkTree) -> PlanningGroup:
     joints = tuple(joint.name for joint in controller.task.joints)
-    name = controller.name.removesuffix("_controller")
+    name = _OF_TYPE.sub("", controller.name) or _UNNAMED
     ends = None if _is_tool(controller, joints) else _ends_of(joints, tree)
     return PlanningGroup(name, joints, *(ends or (None, None)))
 

@@ -132,6 +132,16 @@ class Linkage(NamedTuple):
         )
 
 
+class OwnController(NamedTuple):
+    """A controller in a file that a robot's plugin loads: its joints, commanded interfaces, and namespace."""
+
+    name: str
+    type: str
+    joints: tuple[str, ...] = ()
+    interfaces: tuple[str, ...] = ()
+    namespace: str = ""
+
+
 class RobotFacts(NamedTuple):
     """A robot as the generators use it.
 
@@ -144,7 +154,8 @@ class RobotFacts(NamedTuple):
     their defaults. `skeleton` is there if the simulator is MuJoCo. `generated` are the components that
     gen-ros2-control wrote, with their parts, and the joints of transmissions that gen-transmissions wrote. `lowest` is
     the height of the lowest point in the frame of the root, in m, with all joints at zero. `mesh_packages` contain its
-    meshes. `linkage` is there if a motion planner is configured.
+    meshes. `linkage` is there if a motion planner is configured, and `own` are the controllers in the files that its
+    plugins load. `plugins` are the hardware plugins of its `<ros2_control>` tags.
     """
 
     name: str | None = None
@@ -170,6 +181,8 @@ class RobotFacts(NamedTuple):
     lowest: float | None = None
     mesh_packages: tuple[str, ...] = ()
     linkage: Linkage | None = None
+    own: tuple[OwnController, ...] = ()
+    plugins: tuple[str, ...] = ()
 
     def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
         """Return the joints, sensors or gpios of its `<ros2_control>` tags."""
@@ -193,6 +206,10 @@ class RobotFacts(NamedTuple):
             fixed, free, meshes, notes, surfaces = skeleton
             files, inside = (tuple((*mesh,) for mesh in each) for each in (meshes, surfaces))
             values["skeleton"] = Skeleton(fixed, free, files, tuple(notes), inside)
+        values["own"] = tuple(
+            OwnController(name, kind, tuple(joints), tuple(commanded), space)
+            for name, kind, joints, commanded, space in plain["own"]
+        )
         values["linkage"] = Linkage.from_json(plain["linkage"]) if plain.get("linkage") else None
         return cls(**values)
 

@@ -40,6 +40,7 @@ def facts_of(robot: Robot, corners: Corners = no_corners) -> RobotFacts:
         interfaces=_interfaces(robot),
         parts=tuple(_parts(robot)),
         components=tuple(control.name or "" for control in robot.ros2_controls),
+        plugins=tuple(control.plugin for control in robot.ros2_controls if control.plugin),
         hosts=tuple(plugin.filename for plugin in robot.plugins if plugin.filename),
         hosted=tuple(dict.fromkeys(_hosted(robot))),
         sensor_links=_sensor_links(robot),

@@ -1,0 +1,112 @@
+"""MoveIt's configuration of a robot whose simulator's plugin loads controllers from a file of its own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import yaml
+from folder import Folder
+from generating import command
+from planned_arm import JAZZY, ROW, arm, semantic
+
+pytest.importorskip("mujoco")
+
+PLUGIN = "the simulator's plugin in the robot"
+REMEDY = "leave it out by an argument of the robot"
+OTHERWISE = "name a description without the plugin, or leave it out by an argument"
+SIMULATED = "gz_ros2_control/GazeboSimSystem"
+OWN_FILE = """controller_manager:
+  ros__parameters:
+    update_rate: 100
+    publisher: {type: joint_state_broadcaster/JointStateBroadcaster}
+    joint_trajectory_controller: {type: joint_trajectory_controller/JointTrajectoryController}
+    scaled_controller: {type: joint_trajectory_controller/JointTrajectoryController}
+    wrist: {type: position_controllers/JointGroupPositionController}
+joint_trajectory_controller:
+  ros__parameters:
+    joints: [pan, lift, elbow, roll, bend, turn]
+    command_interfaces: [position]
+    state_interfaces: [position, velocity]
+scaled_controller:
+  ros__parameters:
+    joints: [pan, lift, elbow, roll, bend, turn]
+    command_interfaces: [position]
+    state_interfaces: [position, velocity]
+wrist: {ros__parameters: {joints: [turn]}}
+"""
+
+
+def with_own_controllers(folder: Folder, hardware: str, more: str = "", controllers: str = OWN_FILE) -> str:
+    """Return the arm, fixed to the world, whose simulator's plugin loads controllers of its own."""
+    offered = '<command_interface name="position"/><state_interface name="position"/><state_interface name="velocity"/>'
+    moved = "".join(
+        f'<joint name="{name}">{offered}</joint>' for name in (*(name for name, _, _ in ROW), "left_finger_joint")
+    )
+    component = f"""<ros2_control name="own" type="system"><hardware><plugin>{hardware}</plugin></hardware>
+      {moved}</ros2_control>"""
+    folder.write({"own.yaml": controllers})
+    plugin = f"""<gazebo><plugin filename="gz_ros2_control-system"
+      name="gz_ros2_control::GazeboSimROS2ControlPlugin"><parameters>{folder.path}/own.yaml</parameters>{more}
+      </plugin></gazebo>"""
+    fixed = f"""<link name="world"/><joint name="stand" type="fixed"><parent link="world"/><child link="base_link"/>
+      </joint>{plugin}{component}"""
+    return arm().replace("</robot>", f"{fixed}</robot>")
+
+
+def test_moveit_uses_the_controllers_that_the_plugin_of_a_simulated_robot_loads(folder: Folder) -> None:
+    folder.write({"six.urdf": with_own_controllers(folder, SIMULATED)})
+    ran = command("gen-moveit", "six.urdf", *JAZZY)
+    assert "MoveIt uses the controllers of 'own.yaml', which the simulator's plugin in the robot loads" in ran.stderr
+    listed = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["moveit_simple_controller_manager"]
+    assert listed["controller_names"] == ["joint_trajectory_controller"]
+    assert listed["joint_trajectory_controller"]["joints"] == [name for name, _, _ in ROW]
+    assert [group.get("name") for group in semantic(folder).findall("group")] == ["arm"]
+    launched = Path("out/launch/control.launch.py").read_text()
+    assert '"publisher"' in launched
+    assert '"joint_trajectory_controller"' in launched
+    assert "scaled_controller" not in launched
+    assert not Path("out/config/controllers.yaml").exists()
+    assert not Path("out/urdf/control.xacro").exists()
+    assert command("lint", "out", "--format", "concise", "--fail-on", "error").returncode == 0
+    assert command("gen-check", "out") == (0, "", "")
+
+
+def test_a_robot_with_mock_hardware_is_started_without_the_simulator_that_its_plugin_is_for(folder: Folder) -> None:
+    folder.write({"six.urdf": with_own_controllers(folder, "mock_components/GenericSystem")})
+    ran = command("gen-moveit", "six.urdf", *JAZZY)
+    assert "written for the hardware in the robot, without a simulator" in ran.stderr
+    assert (
+        'package="controller_manager",\n        executable="ros2_control_node"'
+        in Path("out/launch/control.launch.py").read_text()
+    )
+    assert command("smoke", "out", "--engine", "none").returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("more", "controllers", "said"),
+    [
+        (
+            "<ros><namespace>/one</namespace></ros>",
+            OWN_FILE,
+            f"{PLUGIN} runs its controllers in namespace 'one', and MoveIt's configuration has no namespace: {REMEDY}",
+        ),
+        (
+            "",
+            OWN_FILE.replace("[pan,", "[pam,"),
+            "the robot's own controller 'joint_trajectory_controller' names joint 'pam', which the robot lacks",
+        ),
+        (
+            "",
+            OWN_FILE.replace("joint_trajectory_controller/JointT", "own/T"),
+            f"{PLUGIN} loads the controllers of 'own.yaml', and not these: {OTHERWISE}",
+        ),
+    ],
+)
+def test_own_controllers_that_moveit_cannot_use_are_one_line_and_nothing_is_written(
+    more: str, controllers: str, said: str, folder: Folder
+) -> None:
+    folder.write({"six.urdf": with_own_controllers(folder, SIMULATED, more, controllers)})
+    ran = command("gen-moveit", "six.urdf", *JAZZY)
+    assert (ran.returncode, ran.stderr.splitlines()[-1]) == (2, f"urdfctl: {said}")
+    assert not Path("out").exists()

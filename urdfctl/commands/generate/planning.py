@@ -1,0 +1,62 @@
+"""What `gen-moveit` asks more of a robot than the other generators do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from urdfctl.catalog.catalog import Catalog
+from urdfctl.commands.generate.measuring import measure_links
+from urdfctl.commands.generate.options import GenerateOptions
+from urdfctl.commands.words import split_arguments
+from urdfctl.config.settings import Settings
+from urdfctl.generate.files.hardware import hosted_file, loads_others, simulates
+from urdfctl.generate.files.planned_controllers import has_planned
+from urdfctl.generate.options import GeneratorOptions
+from urdfctl.generate.robot.facts import RobotFacts
+from urdfctl.generate.robot.job import measure_robot
+
+_WITHOUT = "none"
+
+
+def plans(options: GenerateOptions) -> bool:
+    """Return whether a planner is configured."""
+    return options.command == "gen-moveit" or options.moveit
+
+
+def with_tested_links(robot: RobotFacts, options: GenerateOptions, settings: Settings) -> RobotFacts:
+    """Return a robot with the pairs of its links that need no test for collisions."""
+    poses = {"samples": options.samples, "seed": options.seed}
+    _, arguments = split_arguments(options.words)
+    measured = measure_robot(robot.file or "", arguments, settings, measure_links, poses)
+    return robot._replace(linkage=measured.facts.linkage) if measured.facts else robot
+
+
+def started(
+    robot: RobotFacts | None,
+    requested: Callable[[str], GeneratorOptions],
+    simulator: str,
+    catalog: Catalog,
+    *,
+    asked: GenerateOptions,
+    is_set: bool,
+) -> tuple[GeneratorOptions, list[str]]:
+    """Return the options with which a robot is started, and what to say of it: of one that a planner starts.
+
+    A simulator's plugin that loads controllers of its own is not started if no hardware of the robot needs the
+    simulator: the demo of MoveIt needs none, and a robot without hardware gets mock hardware. Otherwise a planner uses
+    the plugin's controllers, unless the user asks for other ones.
+
+    requested: returns the options for a simulator.
+    is_set: whether an option or the configuration sets the simulator.
+    """
+    options = requested(simulator)
+    if robot is None or not plans(asked):
+        return options, []
+    others = loads_others(robot, options, catalog)
+    if others and not (is_set or simulates(robot, options.distro, catalog)):
+        hardware = "the hardware in the robot" if robot.plugins else "mock hardware"
+        return requested(_WITHOUT), [f"written for {hardware}, without a simulator: {others}"]
+    if others and has_planned(robot) and not (asked.types or asked.controller):
+        told = f"MoveIt uses the controllers of '{hosted_file(robot)}', which the simulator's plugin in the robot loads"
+        return options._replace(own=True), [told]
+    return options, []

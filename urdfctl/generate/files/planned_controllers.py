@@ -1,0 +1,72 @@
+"""The controllers of a robot that its simulator's plugin loads itself, from a file that is not generated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.catalog import Catalog
+from urdfctl.catalog.entries import ControllerType
+from urdfctl.errors import UserError
+from urdfctl.generate.controllers.parameters import GeneratedController
+from urdfctl.generate.controllers.values import Task
+from urdfctl.generate.files.moveit import ACTIONS
+from urdfctl.generate.options import GeneratorOptions
+from urdfctl.generate.robot.facts import JointFacts, OwnController, RobotFacts
+
+_REPORTS = "JointStateBroadcaster"
+
+
+def has_planned(robot: RobotFacts) -> bool:
+    """Return whether a planner can use one of the controllers that a robot's plugin loads."""
+    return any(_last(own.type) in ACTIONS for own in robot.own)
+
+
+def planned_controllers(
+    robot: RobotFacts, options: GeneratorOptions, catalog: Catalog
+) -> tuple[GeneratedController, ...]:
+    """Return those of a robot's own controllers that are started for a planner, the broadcaster of its joints first.
+
+    Of several for one joint, the first one is started. UserError if the plugin runs them in a namespace, or if one
+    names a joint that the robot does not have.
+    """
+    spaces = [own.namespace for own in robot.own if own.namespace]
+    if spaces:
+        raise UserError(
+            f"the simulator's plugin in the robot runs its controllers in namespace '{spaces[0]}', and MoveIt's "
+            "configuration has no namespace: leave it out by an argument of the robot"
+        )
+    chosen = list(_chosen(robot))
+    return tuple(_made(own, kind, robot, options) for own in chosen if (kind := _type(own, options, catalog)))
+
+
+def _chosen(robot: RobotFacts) -> Iterator[OwnController]:
+    yield from (own for own in robot.own if _last(own.type) == _REPORTS)
+    taken: set[str] = set()
+    for own in robot.own:
+        if _last(own.type) in ACTIONS and own.joints and taken.isdisjoint(own.joints):
+            taken.update(own.joints)
+            yield own
+
+
+def _type(own: OwnController, options: GeneratorOptions, catalog: Catalog) -> ControllerType | None:
+    found = catalog.controller(own.type, options.distro)
+    if found is None and _last(own.type) in ACTIONS:
+        raise UserError(f"{options.distro} has no '{own.type}', the type of the robot's own controller '{own.name}'")
+    return found
+
+
+def _made(
+    own: OwnController, kind: ControllerType, robot: RobotFacts, options: GeneratorOptions
+) -> GeneratedController:
+    known = {joint.name: joint for joint in robot.joints}
+    unknown = [name for name in own.joints if name not in known]
+    if unknown:
+        raise UserError(f"the robot's own controller '{own.name}' names joint '{unknown[0]}', which the robot lacks")
+    joints: tuple[JointFacts, ...] = tuple(known[name] for name in own.joints)
+    commanded = own.interfaces or ("position",)
+    task = Task(kind="", interfaces=commanded, joints=joints, robot=robot, options=options, states=())
+    return GeneratedController(own.name, kind, (), task)
+
+
+def _last(name: str) -> str:
+    return name.rpartition("/")[2]
