@@ -213,6 +213,26 @@ def test_launch_files_in_python_get_the_topic_and_the_file_of_the_spawner(folder
     compile(after, "a.launch.py", "exec")
 
 
+@pytest.mark.parametrize(
+    ("option", "prefix", "expected"),
+    [
+        ("", "", '"--param-file", files]'),
+        (", allow_substs=True", "", '"--param-file", files]'),
+        (", allow_substs=True", "$(var prefix)", '"--inactive"]'),
+    ],
+)
+def test_a_spawner_gets_the_path_of_a_file_that_launch_does_not_change(
+    folder: Folder, option: str, prefix: str, expected: str
+) -> None:
+    text = LAUNCH.replace('"~/robot_description", "/', '"~/robot_description", "/a/')
+    text = text.replace("robot_description, files", f"ParameterFile(files{option})")
+    files = {"launch/a.launch.py": text, "config/c.yaml": controllers(DIFF, f"odom_frame_id: {prefix}odom\n")}
+    after = migrated(folder, files, "--to", "jazzy", "--only", "launch")
+    assert expected in after["launch/a.launch.py"]
+    assert f"ParameterFile(files{option})]" in after["launch/a.launch.py"]
+    assert ("launch replaces the substitutions" in after["launch/a.launch.py"]) == bool(prefix)
+
+
 def value_of(name: str) -> str:
     """A value that a parameter of this name can have."""
     return "[a, b]" if "names" in name else "1.0" if "i_clamp" in name else "true"

@@ -8,7 +8,7 @@ from itertools import takewhile
 
 from urdfctl.catalog.moves import MANAGER
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.edits.python_edits import PythonFile, called, keyword, text_of
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.controller_files import FileSection, installed_path, sections, sections_near
@@ -20,6 +20,10 @@ AUTHORITY_OF_FILE = "ros2_control#1694: parameters given to the controller manag
 AUTHORITY_OF_OPTIONS = "controller_manager spawner.py: the options of each distro"
 AUTHORITY_OF_REMAPPING = "ros2_control#3016: remappings of the controller manager do not reach its controllers"
 WITH_FILE = "spawn controllers that have parameters by a spawner with --param-file FILE"
+_EVALUATED = (
+    "launch replaces the substitutions of the controller file only for the controller manager (allow_substs): write a "
+    "file without them, and give it to the spawner by --param-file"
+)
 _DESCRIPTION = "robot_description"
 _OLD_TOPIC = "~/robot_description"
 
@@ -171,7 +175,11 @@ class _LaunchFile:
         files = {path for name in names for path in self.known.get(name, ())}
         if not any(not name or name in self.known for name in names):
             return
-        expression = self._file_of_manager(scope)
+        given_file = self._file_of_manager(scope)
+        if given_file is not None and self._is_evaluated(given_file, scope):
+            yield for_you(self.file.at(call), _EVALUATED, authority=AUTHORITY_OF_FILE)
+            return
+        expression = self._path_in(given_file, scope) if given_file is not None else None
         imports: tuple[Edit, ...] = ()
         if expression is None and len(files) == 1:
             expression, imports = self._file_in_package(next(iter(files)))
@@ -184,8 +192,8 @@ class _LaunchFile:
         entry = ReportEntry(EntryKind.DONE, what, self.file.at(call), authority=AUTHORITY_OF_FILE)
         yield Proposal((edit, *imports), entries=(entry,))
 
-    def _file_of_manager(self, scope: ast.AST) -> str | None:
-        """The expression that the controller manager of the same function gets its only file by."""
+    def _file_of_manager(self, scope: ast.AST) -> ast.expr | None:
+        """The only file that the controller manager of the same function gets."""
         for call, around in self.nodes:
             given = keyword(call, "parameters")
             if around is not scope or given is None or not isinstance(given.value, ast.List):
@@ -193,8 +201,26 @@ class _LaunchFile:
             values = [(item, self.file.value_of(item, scope)) for item in given.value.elts]
             files = [item for item, value in values if not isinstance(value, (ast.Dict, ast.Starred))]
             if len(files) == 1:
-                return " ".join(self.file.text(files[0]).split())
+                return files[0]
         return None
+
+    def _path_in(self, item: ast.expr, scope: ast.AST) -> str | None:
+        """The expression for the path of a file, which may be in a ParameterFile: a spawner takes none."""
+        value = self.file.value_of(item, scope)
+        if isinstance(value, ast.Call) and called(value) == "ParameterFile":
+            named = keyword(value, "param_file")
+            inner = named.value if named else next(iter(value.args), None)
+            return " ".join(self.file.text(inner).split()) if inner is not None else None
+        return " ".join(self.file.text(item).split())
+
+    def _is_evaluated(self, item: ast.expr, scope: ast.AST) -> bool:
+        """Whether launch replaces substitutions in the file, and the controllers have any."""
+        value = self.file.value_of(item, scope)
+        allowed = keyword(value, "allow_substs") if isinstance(value, ast.Call) else None
+        if allowed is None or (isinstance(allowed.value, ast.Constant) and not allowed.value.value):
+            return False
+        files = {path for paths in self.known.values() for path in paths}
+        return any(b"$(" in self.packages.read(path).data for path in files)
 
     def _file_in_package(self, path: str) -> tuple[str, tuple[Edit, ...]]:
         """The expression for a file of a package, and the imports that it needs."""
