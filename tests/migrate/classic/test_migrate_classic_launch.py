@@ -132,6 +132,31 @@ def test_a_process_with_its_command_line_becomes_an_include_of_the_launch_file_o
     assert "import IncludeLaunchDescription\n" in text
 
 
+def test_a_command_line_that_is_not_understood_is_left_to_a_person(folder: Folder) -> None:
+    command = "['gzserver', world, ' ', str('--lockstep'), ' ', str('--pause')]"
+    text = after(folder, "sim.launch.py", PROCESS.format(command=command))
+    assert f"    command = {command}\n" in text
+    assert "start gz here by gz_sim.launch.py of ros_gz_sim" in text
+
+
+def test_an_own_launch_file_with_the_name_of_one_of_gazebo_ros_keeps_it(folder: Folder) -> None:
+    include = (
+        '        IncludeLaunchDescription(PythonLaunchDescriptionSource([FindPackageShare("{}"), "/{}.launch.py"])),\n'
+    )
+    text = after(
+        folder,
+        "sim.launch.py",
+        "from launch import LaunchDescription\n"
+        "from launch.actions import IncludeLaunchDescription\n"
+        "from launch.launch_description_sources import PythonLaunchDescriptionSource\n"
+        "from launch_ros.substitutions import FindPackageShare\n\n\n"
+        "def generate_launch_description():\n    return LaunchDescription([\n"
+        f"{include.format('base', 'gzserver')}{include.format('gazebo_ros', 'gzclient')}    ])\n",
+    )
+    assert include.format("base", "gzserver") in text
+    assert '[FindPackageShare("ros_gz_sim"), "/gz_sim.launch.py"]' in text
+
+
 def test_a_process_that_an_event_handler_waits_for_stays_a_process(folder: Folder) -> None:
     waiting = """\
     gazebo = ExecuteProcess(cmd=["gzserver", world])

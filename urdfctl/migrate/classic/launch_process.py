@@ -63,6 +63,10 @@ class ClassicProcess(NamedTuple):
         text = f'["ros2", "launch", "{names["package"]}", "{names["launch"]}", [{value}]]'
         return Edit(file.span(self.command), text), ()
 
+    def is_clear(self) -> bool:
+        """Return whether at most one word of the command line is no option of Gazebo Classic: the world."""
+        return len(_options(self.command)[1]) <= 1
+
     def _is_includable(self) -> bool:
         """Whether nothing waits for the process, and its settings are those of an include."""
         if not all(one.arg in _INCLUDABLE for one in self.call.keywords):
@@ -114,5 +118,5 @@ def _kept(words: Sequence[ast.expr]) -> Iterator[ast.expr]:
         text = text_of(word)
         if text in _VALUES:
             next(rest, None)
-        elif not text.startswith("-"):
+        elif not text.startswith("-") and not text.isspace():
             yield word

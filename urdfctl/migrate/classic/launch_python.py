@@ -25,7 +25,7 @@ from urdfctl.migrate.classic.starting import (
     is_empty_world,
     undecided,
 )
-from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.edits.python_edits import PythonFile, keyword, outermost, text_of
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.bridge_file import bridge_file_of
@@ -38,6 +38,9 @@ from urdfctl.source.workspaces.packages import package_around, package_name
 
 _CLASSIC = re.compile(rb"gazebo_ros|['\"](?:gazebo|gzserver|gzclient)['\"]")
 _AUTHORITY = "ros_gz_sim README; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
+_UNCLEAR = (
+    "start gz here by gz_sim.launch.py of ros_gz_sim: the words of this command line are for Gazebo Classic alone"
+)
 
 
 def _launch_python(packages: MigratedPackages) -> Iterator[Proposal]:
@@ -61,7 +64,9 @@ class _ClassicLaunchFile:
             for call, scope in file.calls("IncludeLaunchDescription")
             if (name := self._launched(call, scope)) is not None
         ]
-        self.processes = list(classic_processes(file))
+        processes = list(classic_processes(file))
+        self.processes = [process for process in processes if process.is_clear()]
+        self.unclear = [process for process in processes if not process.is_clear()]
         nodes = ((call, scope, keyword(call, "executable")) for call, scope in file.calls("Node"))
         self.spawns = [(call, scope) for call, scope, given in nodes if given and text_of(given.value) == SPAWN]
 
@@ -80,6 +85,8 @@ class _ClassicLaunchFile:
     # -- to gz ---------------------------------------------------------------------------------------------------------
 
     def to_gz(self) -> Iterator[Proposal]:
+        for process in self.unclear:
+            yield for_you(self.file.at(process.call), _UNCLEAR, authority=_AUTHORITY)
         if not self.includes and not self.spawns and not self.processes:
             return
         started = [process.in_gz(self.file, self.gz) for process in self.processes]
@@ -102,9 +109,7 @@ class _ClassicLaunchFile:
         if dropped := sorted({name for call, scope, _ in self.includes for name in self._dropped(call, scope)}):
             what = f"gz has no argument {', '.join(dropped)}: dropped"
             entries.append(ReportEntry(EntryKind.DONE, what, self._place(), authority=_AUTHORITY))
-        distinct = list(dict.fromkeys(edits))
-        kept = (edit for edit in distinct if not self._is_inside_other(edit, distinct))
-        yield Proposal(tuple(kept), entries=tuple(entries))
+        yield Proposal(tuple(outermost(edits)), entries=tuple(entries))
 
     def _pairs(self, call: ast.Call, scope: ast.AST) -> tuple[ast.expr | None, list[tuple[str, ast.expr]]]:
         """The dict with the arguments of an included launch file, None if it is not known, and its items."""
@@ -124,16 +129,6 @@ class _ClassicLaunchFile:
         calls: list[ast.expr] = [call for call, _, _ in self.includes]
         calls += [call for call, _ in self.spawns]
         return self.file.at([*calls, *(process.command for process in self.processes)][0])
-
-    @staticmethod
-    def _is_inside_other(edit: Edit, edits: list[Edit]) -> bool:
-        return any(
-            other is not edit
-            and other.span.start <= edit.span.start
-            and edit.span.end <= other.span.end
-            and other.span.start < other.span.end
-            for other in edits
-        )
 
     def _without_options(self, call: ast.Call) -> Iterator[Edit]:
         """The edits that remove the arguments of a spawner that gz does not know."""
@@ -179,20 +174,26 @@ class _ClassicLaunchFile:
         return f'PythonExpression(["{head}", {value}, "{tail}"])'
 
     def _names(self) -> Iterator[Edit]:
-        """The edits of names in the file: packages, programs, launch files and worlds."""
+        """The edits of names in the file: packages, programs, launch files and worlds.
+
+        A launch file of another package may have the name of one of gazebo_ros.
+        """
         launch = self.gz["launch"]
+        of_classic = {id(node) for call, scope, _ in self.includes for node in self._reached(call, scope)}
+        files = {f"{start}{name}": f"{start}{launch}" for name in FILES for start in ("", "/launch/", "launch/", "/")}
         new = {
             "gazebo_ros": self.gz["package"],
             SPAWN: "create",
             "-entity": "-name",
-            **dict.fromkeys(FILES, self.gz["launch"]),
-            **{f"{start}{name}": f"{start}{launch}" for name in FILES for start in ("/launch/", "launch/", "/")},
+            **files,
             **({} if has_own_empty_world(self.packages) else dict.fromkeys(EMPTY_WORLDS, "empty.sdf")),
             "GAZEBO_MODEL_PATH": "GZ_SIM_RESOURCE_PATH",
             "GAZEBO_RESOURCE_PATH": "GZ_SIM_RESOURCE_PATH",
         }
         for node in ast.walk(self.file.tree) if self.file.tree else ():
-            if isinstance(node, ast.Constant) and node.value in new and isinstance(node.value, str):
+            if not isinstance(node, ast.Constant) or not isinstance(node.value, str):
+                continue
+            if node.value in new and (node.value not in files or id(node) in of_classic):
                 span = self.file.span(node)
                 yield Edit(span, span.text.replace(node.value, new[node.value]))
 

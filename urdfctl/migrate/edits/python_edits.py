@@ -187,6 +187,16 @@ def text_of(node: ast.expr | None) -> str:
     return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
 
 
+def outermost(edits: Iterable[Edit]) -> Iterator[Edit]:
+    """Yield each edit once, without those that are inside the span of another one."""
+    distinct = list(dict.fromkeys(edits))
+    spans = [edit.span for edit in distinct]
+    for edit in distinct:
+        inside = (span for span in spans if span is not edit.span and span.start < span.end)
+        if not any(span.start <= edit.span.start and edit.span.end <= span.end for span in inside):
+            yield edit
+
+
 def _after_blanks(data: bytes, offset: int) -> int:
     while data[offset : offset + 1] in (b" ", b"\t", b"\n", b"\r"):
         offset += 1
