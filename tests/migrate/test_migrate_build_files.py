@@ -145,3 +145,62 @@ def test_a_package_that_only_a_broken_launch_file_names_is_not_needed(folder: Fo
     after = migrated(folder, {"urdf/arm.urdf": ROBOT, **files})["package.xml"]
     assert "camera_of_arm" in after
     assert "lost" not in after
+
+
+def test_tests_of_catkin_run_no_longer_and_are_left_to_a_person(folder: Folder) -> None:
+    tests = "find_package(rostest REQUIRED)\nif(CATKIN_ENABLE_TESTING)\n  add_rostest(test/arm.test)\nendif()\n"
+    after = migrated(folder, {"CMakeLists.txt": COMMENTED + tests, "urdf/arm.urdf": ROBOT})
+    assert "rostest" not in after["CMakeLists.txt"]
+    assert "BUILD_TESTING" not in after["CMakeLists.txt"]
+    assert "tests of add_rostest no longer run" in after["MIGRATION.md"]
+
+
+def test_tests_of_cmake_itself_stay(folder: Folder) -> None:
+    tests = "if(CATKIN_ENABLE_TESTING)\n  add_test(NAME arm COMMAND arm)\nendif()\n"
+    after = migrated(folder, {"CMakeLists.txt": COMMENTED + tests, "urdf/arm.urdf": ROBOT})
+    assert "if(BUILD_TESTING)\n  add_test(NAME arm COMMAND arm)\nendif()\n" in after["CMakeLists.txt"]
+    assert "no longer run" not in after["MIGRATION.md"]
+
+
+def test_programs_are_installed_where_launch_finds_them(folder: Folder) -> None:
+    rule = "install(PROGRAMS ros/src/servo.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}/ros/src)\n"
+    files = {"CMakeLists.txt": COMMENTED + rule, "urdf/arm.urdf": ROBOT, "ros/src/servo.py": "#!/usr/bin/env python3\n"}
+    after = migrated(folder, files)["CMakeLists.txt"]
+    assert "install(PROGRAMS ros/src/servo.py DESTINATION lib/${PROJECT_NAME})\n" in after
+
+
+def test_the_modules_of_a_package_are_still_installed(folder: Folder) -> None:
+    setup = "setup(**generate_distutils_setup(packages=['arm_driver'], package_dir={'': 'src'}))\n"
+    files = {"CMakeLists.txt": f"{COMMENTED}catkin_python_setup()\n", "urdf/arm.urdf": ROBOT, "setup.py": setup}
+    after = migrated(folder, {**files, "src/arm_driver/__init__.py": ""})
+    assert after["CMakeLists.txt"].endswith(
+        "\nfind_package(ament_cmake_python REQUIRED)\n"
+        "ament_python_install_package(arm_driver PACKAGE_DIR src/arm_driver)\n\nament_package()\n"
+    )
+    assert "setup.py installed" not in after["MIGRATION.md"]
+
+
+def test_modules_that_are_not_found_are_left_to_a_person(folder: Folder) -> None:
+    after = migrated(folder, {"CMakeLists.txt": f"{COMMENTED}catkin_python_setup()\n", "urdf/arm.urdf": ROBOT})
+    assert "ament_python" not in after["CMakeLists.txt"]
+    assert "setup.py installed the Python modules" in after["MIGRATION.md"]
+
+
+def test_headers_that_other_packages_include_are_still_exported(folder: Folder) -> None:
+    build = COMMENTED.replace("catkin_package()  #", "catkin_package(INCLUDE_DIRS include)  #")
+    after = migrated(folder, {"CMakeLists.txt": build, "urdf/arm.urdf": ROBOT, "include/arm/arm.h": ""})
+    rule = "install(DIRECTORY include/\n  DESTINATION include\n)\nament_export_include_directories(include)\n"
+    assert rule in after["CMakeLists.txt"]
+    own = "install(DIRECTORY include/arm/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})\n"
+    after = migrated(folder, {"CMakeLists.txt": build + own})["CMakeLists.txt"]
+    assert after.count("DIRECTORY include") == after.count("ament_export_include_directories(include)") == 1
+    after = migrated(folder, {"CMakeLists.txt": COMMENTED})["CMakeLists.txt"]
+    assert "ament_export_include_directories" not in after
+
+
+def test_a_dependency_that_ros_2_does_not_have_is_named(folder: Folder) -> None:
+    needs = "<exec_depend>dynamic_reconfigure</exec_depend>\n  <exec_depend>std_msgs</exec_depend>\n"
+    manifest = MANIFEST.replace("</package>", f"  {needs}</package>")
+    report = migrated(folder, {"package.xml": manifest, "urdf/arm.urdf": ROBOT})["MIGRATION.md"]
+    assert "'dynamic_reconfigure' does not exist in ROS 2: use the parameters of a node in its place" in report
+    assert "std_msgs" not in report

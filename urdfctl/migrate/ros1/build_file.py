@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.python_modules import python_rules
 from urdfctl.migrate.ros1.used_files import programs_in, used_in
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry
@@ -18,11 +19,13 @@ _AUTHORITY = "docs.ros.org, Migrating packages from ROS 1 to ROS 2"
 _FOLDERS = ("config", "launch", "meshes", "models", "params", "robots", "rviz", "sdf", "urdf", "worlds", "xacro")
 _AMENT = "find_package(ament_cmake REQUIRED)"
 _ARGUMENTS = r"\((?:[^()]|\([^()]*\))*\)"
+_PYTHON = "catkin_python_setup"
+_TESTS = r"(add_rostest(?:_gtest|_gmock)?|catkin_add_(?:gtest|gmock|nosetests))"
 _REPLACED = (
     (r"cmake_minimum_required\s*\(\s*VERSION\s+(?:2\.|3\.[0-4]\b)[\d.]*", "cmake_minimum_required(VERSION 3.8"),
     (rf"find_package\s*(?=\(\s*catkin\b){_ARGUMENTS}", _AMENT),
     (r"\$\{CATKIN_PACKAGE_SHARE_DESTINATION\}", "share/${PROJECT_NAME}"),
-    (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_BIN_DESTINATION\}", "lib/${PROJECT_NAME}"),
+    (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_BIN_DESTINATION\}(?:/[\w./-]*)?", "lib/${PROJECT_NAME}"),
     (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_LIB_DESTINATION\}", "lib"),
     (r"\$\{CATKIN_PACKAGE_INCLUDE_DESTINATION\}", "include/${PROJECT_NAME}"),
     (r"\bcatkin_install_python\b", "install"),
@@ -32,9 +35,10 @@ _REPLACED = (
 _REMOVED = (
     rf"catkin_package\s*{_ARGUMENTS}",
     rf"catkin_metapackage\s*{_ARGUMENTS}",
-    rf"catkin_python_setup\s*{_ARGUMENTS}",
-    rf"roslaunch_add_file_check\s*{_ARGUMENTS}",
-    r"find_package\s*\(\s*roslaunch\b[^)]*\)",
+    rf"{_PYTHON}\s*{_ARGUMENTS}",
+    rf"(?:roslaunch_add_file_check|roslint_(?:cpp|python|add_test|custom))\s*{_ARGUMENTS}",
+    rf"{_TESTS}\s*{_ARGUMENTS}",
+    r"find_package\s*\(\s*(?:roslaunch|roslint|rostest|rosunit)\b[^)]*\)",
     r"include_directories\s*\(\s*\$\{catkin_INCLUDE_DIRS\}\s*\)",
 )
 _OF_CLASSIC = (r"find_package\s*\(\s*gazebo(?:_dev|_ros|_plugins)?\b[^)]*\)",)
@@ -42,6 +46,10 @@ _INSTALLS = (
     r"\b(?:catkin_install_python|install)\s*\(\s*(?:PROGRAMS|FILES|DIRECTORY)\s+([^()]*?)\s+DESTINATION\b[^()]*\)"
 )
 _INSTALLED = "cmake-commands: install(FILES) ends with an error where a file is missing; colcon installs each package"
+_TESTING = "docs.ros.org, launch_testing: tests that start processes"
+_NO_MODULES = (
+    "setup.py installed the Python modules: install them by ament_python_install_package(NAME PACKAGE_DIR DIR)"
+)
 _EMPTY_TESTS = r"(?ims)^if\s*\(BUILD_TESTING\)\s*endif\s*\(\s*(?:BUILD_TESTING)?\s*\)[ \t]*\n?"
 
 
@@ -51,7 +59,7 @@ def ament_build_file(packages: MigratedPackages, source: SourceText, *, name: st
     name: that of the package.
     is_classic: whether Gazebo Classic simulates the robot, so that it may be looked for.
     """
-    text = source.data.decode("utf-8", "surrogateescape")
+    old = text = source.data.decode("utf-8", "surrogateescape")
     for pattern, replacement in _REPLACED:
         text = _outside_comments(text, pattern, replacement)
     for call in (*_REMOVED, *(() if is_classic else _OF_CLASSIC)):
@@ -61,14 +69,39 @@ def ament_build_file(packages: MigratedPackages, source: SourceText, *, name: st
     text = re.sub(_EMPTY_TESTS, "", text)
     text = re.sub(r"\n{3,}", "\n\n", text).rstrip("\n") + "\n"
     folder = os.path.dirname(source.path)
+    has_modules = any(_matches(old, rf"{_PYTHON}\b"))
+    modules = python_rules(packages, folder, name) if has_modules else []
     text += "".join(f"\n{rule}" for rule in _rules(packages, folder, name, text))
+    text += "".join(f"{line}\n" for line in ["", *modules]) if modules else ""
+    text += _header_rules(folder, old, text)
     text += "\nament_package()\n"
     what = "the build file uses ament_cmake and installs what launch files need"
     entries = [ReportEntry(EntryKind.DONE, what, file=source.path, authority=_AUTHORITY)]
+    if has_modules and not modules:
+        entries.append(ReportEntry(EntryKind.FOR_YOU, _NO_MODULES, file=source.path, authority=_AUTHORITY))
+    entries += _left(source, old)
+    return Proposal((Edit(SourceSpan(source, 0, len(source.data)), text),), entries=tuple(entries))
+
+
+def _left(source: SourceText, old: str) -> Iterator[ReportEntry]:
+    """Yield what is left to a person: tests of catkin, and what does not exist."""
+    if tests := sorted({found[1].lower() for found in _matches(old, rf"(?<!\w){_TESTS}\s*\(")}):
+        what = f"tests of {', '.join(tests)} no longer run: write them with launch_testing or ament_cmake_pytest"
+        yield ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_TESTING)
     for path in dict.fromkeys(_not_there(source)):
         what = f"'{path}' is to be installed, but does not exist, so that colcon cannot install the package: remove it"
-        entries.append(ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_INSTALLED))
-    return Proposal((Edit(SourceSpan(source, 0, len(source.data)), text),), entries=tuple(entries))
+        yield ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_INSTALLED)
+
+
+def _header_rules(folder: str, old: str, text: str) -> str:
+    """The rules for headers that catkin exported to other packages; empty if it exported none."""
+    calls = _matches(old, rf"catkin_package\s*{_ARGUMENTS}")
+    exported = any(re.search(r"\bINCLUDE_DIRS\s+include\b", re.sub(r"#[^\n]*", "", call[0])) for call in calls)
+    if not exported or not is_folder(os.path.join(folder, "include")):
+        return ""
+    installed = re.search(r"DIRECTORY\s+include\b", re.sub(r"#[^\n]*", "", text))
+    rule = "" if installed else "install(DIRECTORY include/\n  DESTINATION include\n)\n"
+    return f"\n{rule}ament_export_include_directories(include)\n"
 
 
 def _rules(packages: MigratedPackages, folder: str, name: str, text: str) -> Iterator[str]:

@@ -14,6 +14,7 @@ from urdfctl.migrate.edits.markup import child, children, content, end_of, inden
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.build_file import ament_build_file
+from urdfctl.migrate.ros1.lost_packages import lost_dependencies
 from urdfctl.migrate.shared.hardware import host_plugin, started_by_launch_files, system
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import SourceSpan
@@ -63,14 +64,18 @@ def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
         root = root_of(source)
         if root is None or root.tagName != "package" or not _is_catkin(root):
             continue
+        lost = lost_dependencies([one for one in root.elements() if one.tagName in _DEPENDS])
         cmake = packages.read(os.path.join(os.path.dirname(path), "CMakeLists.txt"))
         if re.search(_COMPILED, cmake.data.decode("utf-8", "replace")):
             text = "this package compiles code or messages: port them, then package.xml and CMakeLists.txt"
-            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, text, root.at, authority=_AUTHORITY),))
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, text, root.at, authority=_AUTHORITY), *lost))
             continue
         yield Proposal(
             (merged(_manifest_edits(packages, root)),),
-            entries=(ReportEntry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),),
+            entries=(
+                ReportEntry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),
+                *lost,
+            ),
         )
         if cmake.data:
             is_classic = started_by_launch_files(packages) == "gazebo-classic"
