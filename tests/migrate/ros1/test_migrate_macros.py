@@ -67,6 +67,36 @@ def test_a_joint_with_a_transmission_for_each_interface_is_in_the_component_once
     assert "<transmission" not in after["knee.urdf"]
 
 
+SHARED = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="motor" params="joint">
+    <transmission name="${joint}_t"><type>transmission_interface/SimpleTransmission</type>
+      <joint name="${joint}"><hardwareInterface>PositionJointInterface</hardwareInterface>
+        <hardwareInterface>VelocityJointInterface</hardwareInterface></joint>
+      <actuator name="${joint}_m"/></transmission>
+  </xacro:macro>
+</robot>
+"""
+UNUSED = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="motor.xacro"/>
+  <xacro:macro name="old_arm" params="name">
+    <xacro:motor joint="${name}"/><xacro:motor joint="${name}"/>
+  </xacro:macro>
+</robot>
+"""
+
+
+def test_the_joints_of_a_macro_that_nothing_calls_are_not_taken_for_one(folder: Folder) -> None:
+    motor = '  <xacro:include filename="motor.xacro"/>\n  <xacro:motor joint="knee"/>'
+    robot = BOTH.format(name='knee" xmlns:xacro="http://www.ros.org/wiki/xacro', transmissions=motor)
+    files = {"motor.xacro": SHARED, "old_arm.xacro": UNUSED, "knee.urdf.xacro": robot}
+    migrated(folder, files, "--simulator", "gz")
+    component = expanded(folder, "new/knee.urdf.xacro").partition("<ros2_control")[2]
+    assert '<command_interface name="position"/>' in component
+    assert '<command_interface name="velocity"/>' in component
+
+
 HAND = """\
 <robot name="hand" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <link name="body"/>

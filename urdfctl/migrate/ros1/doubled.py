@@ -28,15 +28,19 @@ Joints = Mapping[str, tuple[str, ...]]
 
 
 def doubled_elements(uses: Uses) -> set[ElementKey]:
-    """Return the transmissions of robots in which one of these joints has several of them."""
+    """Return the transmissions of robots in which one of these joints has several of them.
+
+    Names that are not known, of macros that nothing calls, may be those of different joints.
+    """
     found: set[ElementKey] = set()
     by_robot: dict[int, list[tuple[ElementKey, TransmissionUse]]] = {}
     for key, its in uses.by_element.items():
         for use in its:
             by_robot.setdefault(use.robot, []).append((key, use))
     for known in by_robot.values():
-        counts = Counter(joint.name for _, use in known for joint in use.value.joints if joint.name)
-        found |= {key for key, use in known if any(counts[joint.name] > 1 for joint in use.value.joints if joint.name)}
+        names = (joint.name for _, use in known for joint in use.value.joints)
+        counts = Counter(name for name in names if name and is_known(name))
+        found |= {key for key, use in known if any(counts[joint.name or ""] > 1 for joint in use.value.joints)}
     return found
 
 

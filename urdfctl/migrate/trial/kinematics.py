@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 
 from urdfctl.model.robot import Robot, Tag
+from urdfctl.source.opaque import UNKNOWN
 
 _OF_LINK = ("inertial", "collision")
 _OF_JOINT = ("origin", "axis", "limit", "parent", "child")
@@ -25,9 +26,12 @@ def kinematics(robot: Robot) -> dict[str, object]:
 
 
 def commanded_twice(robot: Robot) -> frozenset[str]:
-    """Return the joints that have commands in several places of `<ros2_control>`: a resource manager rejects these."""
+    """Return the joints that have commands in several places of `<ros2_control>`: a resource manager rejects these.
+
+    Names that are not known, in macros that nothing calls, may be those of different joints.
+    """
     joints = (part for component in robot.ros2_controls for part in component.of_kind("joint"))
-    counts = Counter(part.name for part in joints if part.commands and part.name)
+    counts = Counter(part.name for part in joints if part.commands and part.name and UNKNOWN not in part.name)
     return frozenset(name for name, count in counts.items() if count > 1)
 
 
