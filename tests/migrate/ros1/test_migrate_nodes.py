@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import pytest
 from folder import Folder
 from ros1_packages import arm, migrated, transmission
@@ -100,6 +102,29 @@ def test_a_file_of_a_node_that_ros_2_does_not_have_stays(folder: Folder) -> None
     launch = FILTER.format(more="").replace("robot_localization", "move_base")
     files = {"launch/arm.launch": launch, "config/filter.yaml": "frequency: 30.0\n"}
     assert migrated(folder, files)["config/filter.yaml"] == "frequency: 30.0\n"
+
+
+ANALYZED = """\
+analyzers:
+  motors:
+    type: diagnostic_aggregator/GenericAnalyzer
+    path: Motors
+"""
+
+
+def test_the_plugins_of_a_node_are_not_taken_for_controllers(folder: Folder) -> None:
+    node = 'pkg="diagnostic_aggregator" type="aggregator_node"'
+    launch = FILTER.format(more="").replace('pkg="robot_localization" type="ekf_localization_node"', node)
+    after = migrated(folder, {"launch/arm.launch": launch, "config/filter.yaml": ANALYZED})
+    assert after["config/filter.yaml"] == "/**:\n  ros__parameters:\n" + textwrap.indent(ANALYZED, "    ")
+    assert "write the analyzers directly below ros__parameters" in after["MIGRATION.md"]
+
+
+def test_controllers_that_a_node_of_ones_own_manages_are_still_controllers(folder: Folder) -> None:
+    launch = FILTER.format(more="").replace("robot_localization", "arm")
+    controllers = "ctl:\n  type: effort_controllers/JointEffortController\n  joint: shoulder\n"
+    after = migrated(folder, {"launch/arm.launch": launch, "config/filter.yaml": controllers})["config/filter.yaml"]
+    assert "controller_manager" in after
 
 
 IN_PYTHON = """\

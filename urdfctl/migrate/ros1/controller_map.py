@@ -5,12 +5,18 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
+from urdfctl.catalog.catalog import catalog_with
+from urdfctl.migrate.edits.markup import attribute, elements
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.ros1.launches import launch_roots
+from urdfctl.migrate.ros1.left_over import addressed_files
 from urdfctl.model.launch import ParameterLoad
 from urdfctl.source.span import SourceText
+from urdfctl.source.xml.dom import Element
 from urdfctl.source.yaml.tree import Mapping, Node, Scalar, YamlEntry, read_yaml
 from urdfctl.startup.records import NamedTuple
 
+_MANAGER = "controller_manager"
 GAINS_OF_GAZEBO = "gazebo_ros_control"
 _OF_ROS2 = (b"ros__parameters", b"moveit_simple_controller_manager", b"moveit_ros_control_interface")
 
@@ -37,14 +43,34 @@ class MapItem(NamedTuple):
 
 
 def controller_maps(packages: MigratedPackages) -> Iterator[tuple[SourceText, Node, list[MapItem]]]:
-    """Yield the controller files in the form of ROS 1: each with its map and the controllers and maps in it."""
+    """Yield the controller files in the form of ROS 1: each with its map and the controllers and maps in it.
+
+    The maps with a type in a file that only other nodes read are plugins of these, unless they are known controllers.
+    """
+    catalog = catalog_with(packages.settings.additions)
+    of_others = packages.found(files_of_other_nodes)
     for path in packages.files(".yaml", ".yml"):
         source = packages.read(path)
         documents = read_yaml(source).documents if b"type" in source.data else ()
         if len(documents) == 1 and not any(mark in source.data for mark in _OF_ROS2):
             items = _whole_file(packages, documents[0]) or list(items_of(documents[0]))
-            if any(item.type for item in items):
+            types = {item.type for item in items if item.type}
+            is_other = path in of_others and not any(catalog.controller(each, "noetic") for each in types)
+            if types and not is_other:
                 yield source, documents[0], items
+
+
+def files_of_other_nodes(packages: MigratedPackages) -> frozenset[str]:
+    """Return the files that launch files of ROS 1 load for single nodes alone, none of which spawns controllers."""
+    of_nodes: set[str] = set()
+    of_all: set[str] = set()
+    for root in packages.found(launch_roots).values():
+        for element in elements(root):
+            written = attribute(element, "file") if element.tagName == "rosparam" else ""
+            node = element.parentNode
+            is_own = isinstance(node, Element) and node.tagName == "node" and attribute(node, "pkg") != _MANAGER
+            (of_nodes if is_own else of_all).update(addressed_files(packages, written) if written else ())
+    return frozenset(of_nodes - of_all)
 
 
 def loads_of(packages: MigratedPackages, path: str) -> Iterator[ParameterLoad]:

@@ -22,6 +22,10 @@ from urdfctl.source.xml.dom import Element
 from urdfctl.source.yaml.tree import Mapping, Node, YamlFile, read_yaml
 
 _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
+_ANALYZERS = (
+    "write the analyzers directly below ros__parameters, and base_path as path: the aggregator reads them there"
+)
+_AGGREGATOR = "diagnostic_aggregator README (ros2 branch): analyzers: ros__parameters: NAME: type"
 _HEAD = "/**:\n  ros__parameters:\n"
 
 
@@ -41,7 +45,10 @@ def _node_files(packages: MigratedPackages) -> Iterator[Proposal]:
         entry = ReportEntry(
             EntryKind.DONE, "the parameters of a node are in the form of ROS 2", root.at, authority=_FORM
         )
-        yield Proposal((_wrapped(root, programs.get(path, "")),), entries=(entry,))
+        entries = [entry]
+        if programs.get(path) == "aggregator_node" and isinstance(root.get("analyzers"), Mapping):
+            entries.append(ReportEntry(EntryKind.FOR_YOU, _ANALYZERS, root.at, authority=_AGGREGATOR))
+        yield Proposal((_wrapped(root, programs.get(path, "")),), entries=tuple(entries))
 
 
 def _loaded(packages: MigratedPackages, programs: dict[str, str]) -> dict[str, set[str | None]]:
