@@ -297,3 +297,31 @@ def test_the_topics_of_a_macro_that_nothing_calls_are_not_bridged(folder: Folder
     found = bridged(folder, called)
     assert "front/scan" in found
     assert "spare/scan" not in found
+
+
+def test_the_sensors_of_a_link_that_is_written_as_sdf_are_bridged(folder: Folder) -> None:
+    sensor = LIDAR.replace("<namespace>/front</namespace>", "<namespace>${'front'}</namespace>")
+    sensor = sensor.replace('<gazebo reference="body">', '<gazebo>\n    <link name="mast">')
+    assert "front/scan" in bridged(folder, sensor.replace("</gazebo>", "</link></gazebo>"))
+
+
+def test_a_topic_that_only_an_argument_names_is_left_to_a_person(folder: Folder) -> None:
+    lidar = LIDAR.replace("<namespace>/front</namespace>", "<namespace>$(arg space)</namespace>")
+    after = migrated(folder, {"urdf/base.xacro": base(lidar)})
+    assert "topic '$(arg space)/scan' is not bridged: add it to config/bridge.yaml" in after["MIGRATION.md"]
+    argument = '  <xacro:arg name="space" default="rear"/>\n'
+    assert "is not bridged" not in migrated(folder, {"urdf/base.xacro": base(argument + lidar)})["MIGRATION.md"]
+
+
+def test_frames_have_no_slash_before_them(folder: Folder) -> None:
+    robot = base((DRIVE + LIDAR).replace(">body</robot_base_frame>", ">/body</robot_base_frame>"))
+    text = migrated(folder, {"urdf/base.xacro": robot.replace("<frame_name>body", "<frame_name>/body")})
+    assert "<gz_frame_id>body</gz_frame_id>" in text["urdf/base.xacro"]
+    assert "<child_frame_id>body</child_frame_id>" in text["urdf/base.xacro"]
+
+
+def test_the_noise_of_a_plugin_that_is_a_sensor_is_named(folder: Folder) -> None:
+    noise = "<accelGaussianNoise>0.1 0.1 0.1</accelGaussianNoise><accelDrift>0.0 0.0 0.0</accelDrift>"
+    imu = f'<plugin name="imu" filename="libhector_gazebo_ros_imu.so"><bodyName>body</bodyName>{noise}</plugin>'
+    report = migrated(folder, {"urdf/base.xacro": base(f"  <gazebo>{imu}</gazebo>\n")})["MIGRATION.md"]
+    assert "the sensor has no accelGaussianNoise of 'hector_gazebo_ros_imu': dropped" in report

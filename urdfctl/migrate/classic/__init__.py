@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from urdfctl.migrate.classic.bridge import BRIDGE, BRIDGE_INSTALL
+from urdfctl.migrate.classic.bridge import BRIDGE
+from urdfctl.migrate.classic.bridge_install import BRIDGE_INSTALL
 from urdfctl.migrate.classic.build_files import BUILD_FILES
 from urdfctl.migrate.classic.comments import COMMENTS
 from urdfctl.migrate.classic.environment import ENVIRONMENT, MODEL_PATHS

@@ -6,21 +6,22 @@ import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
+from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.sensor_topics import SENSORS, Sensor, SensorPlugin, plugin_as_expanded, plugin_as_written
 from urdfctl.migrate.classic.systems import library_of
 from urdfctl.migrate.edits.markup import MACRO, ancestors, attribute, child, children, content, elements, root_of
-from urdfctl.migrate.edits.places import written_elements
+from urdfctl.migrate.edits.places import key_of, key_of_element, written_elements
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import OF_XML, MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz, leaves_classic
-from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
+from urdfctl.migrate.shared.install_rules import BRIDGE_FILE
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
+from urdfctl.model.robot import Tag
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.opaque import is_known
-from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.source.span import SourceText
 from urdfctl.source.workspaces.packages import package_around
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
@@ -81,10 +82,13 @@ def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
             topic._replace(name=_valid(topic.name), in_ros=_valid(topic.in_ros)) for topic in _topics(packages, folder)
         )
         topics = list(dict.fromkeys(found))
+        entries = list(_unnamed(packages, folder))
         if topics:
             message = f"{len(topics)} topics of gz are bridged to ROS"
-            entry = ReportEntry(EntryKind.DONE, message, file=path, authority=_AUTHORITY)
-            yield Proposal(created=((path, _text(packages, topics)),), entries=(entry,))
+            entries.append(ReportEntry(EntryKind.DONE, message, file=path, authority=_AUTHORITY))
+        if entries:
+            created = ((path, _text(packages, topics)),) if topics else ()
+            yield Proposal(created=created, entries=tuple(entries))
 
 
 def _valid(name: str) -> str:
@@ -105,8 +109,16 @@ def _starts_bridge(packages: MigratedPackages) -> bool:
 def _topics(packages: MigratedPackages, folder: str) -> Iterator[Topic]:
     """The topics of the files of a package: as they are written, with the defaults of arguments, and as its robots have
     them."""
-    defaults = packages.found(_defaults)
     names = packages.found(_names_in_ros)
+    for element, texts in _written(packages, folder):
+        yield from _of_element(element.tagName, element.attrs, texts, names)
+    for tag, texts in _expanded(packages, folder):
+        yield from _of_element(tag.name, tag.attributes, texts, names)
+
+
+def _written(packages: MigratedPackages, folder: str) -> Iterator[tuple[Element, dict[str, str]]]:
+    """The plugins and sensors of the files of a package as they are written, each with the texts of its children."""
+    defaults = packages.found(_defaults)
     for path in packages.files(*OF_XML, *OF_SDF):
         source = packages.read(path)
         is_simulated = b"<gazebo" in source.data or path.endswith(OF_SDF)
@@ -114,15 +126,53 @@ def _topics(packages: MigratedPackages, folder: str) -> Iterator[Topic]:
         for element in elements(root) if root is not None else ():
             if element.tagName in {"plugin", "sensor"} and not _is_uncalled(packages, element):
                 written = {each.tagName: each for each in (*_in_contact(element), *element.elements())}
-                texts = {name: _with_defaults(content(each), defaults) for name, each in written.items()}
-                yield from _of_element(element.tagName, element.attrs, texts, names)
+                yield element, {name: _with_defaults(content(each), defaults) for name, each in written.items()}
+
+
+def _expanded(packages: MigratedPackages, folder: str) -> Iterator[tuple[Tag, dict[str, str]]]:
+    """The plugins and sensors of a package as its robots have them, each with the texts of its children."""
     for loaded in packages.loaded():
-        gazebos = loaded.project.robot.gazebos if loaded.project.robot else ()
-        for tag in (tag for gazebo in gazebos for tag in gazebo.tag.children):
-            if tag.name in {"plugin", "sensor"} and tag.at.source.path.startswith(folder + os.sep):
+        for tag in _in_gazebo(loaded, "plugin", "sensor"):
+            if tag.at.source.path.startswith(folder + os.sep):
                 inner = (each for one in tag.named("contact") for each in one.named("topic"))
-                texts = {each.name: each.text for each in (*inner, *tag.children)}
-                yield from _of_element(tag.name, tag.attributes, texts, names)
+                yield tag, {each.name: each.text for each in (*inner, *tag.children)}
+
+
+def _in_gazebo(loaded: LoadedTarget, *names: str) -> Iterator[Tag]:
+    """The elements with some names in the <gazebo> elements of a robot, also in links that are written there as SDF."""
+    pending = [gazebo.tag for gazebo in loaded.project.robot.gazebos] if loaded.project.robot else []
+    while pending:
+        tag = pending.pop(0)
+        if tag.name in names:
+            yield tag
+        pending += tag.children
+
+
+def _unnamed(packages: MigratedPackages, folder: str) -> Iterator[ReportEntry]:
+    """Yield the topics that are not bridged, because their names depend on an argument that no robot has a value of."""
+    bridged = {
+        key_of(tag.at) for tag, texts in _expanded(packages, folder) if _has_topics(tag.name, tag.attributes, texts)
+    }
+    for element, texts in _written(packages, folder):
+        is_known = key_of_element(element) in bridged
+        for name in _topic_settings(element.tagName, element.attrs) if not is_known else ():
+            if "$(arg" in texts.get(name, ""):
+                message = (
+                    f"topic '{texts[name]}' is not bridged: add it to {BRIDGE_FILE} with the value of the argument"
+                )
+                yield ReportEntry(EntryKind.FOR_YOU, message, element.at, authority=_AUTHORITY)
+
+
+def _has_topics(name: str, attributes: Mapping[str, str], texts: Mapping[str, str]) -> bool:
+    return any(_is_plain(texts.get(setting, "")) for setting in _topic_settings(name, attributes))
+
+
+def _topic_settings(name: str, attributes: Mapping[str, str]) -> Sequence[str]:
+    """The settings of a plugin or sensor that name topics."""
+    if name == "sensor":
+        return ("topic",) if attributes.get("type") in _OF_SENSORS else ()
+    filename = attributes.get("filename", "")
+    return tuple(_OF_SYSTEMS) if filename in _DRIVES else ("topic",) if filename == _STATES else ()
 
 
 def _is_uncalled(packages: MigratedPackages, element: Element) -> bool:
@@ -189,8 +239,7 @@ def _before_as_written(packages: MigratedPackages) -> Iterator[tuple[SensorPlugi
 
 def _before_as_expanded(packages: MigratedPackages) -> Iterator[tuple[SensorPlugin, Sensor, str]]:
     for loaded in packages.robots_before:
-        gazebos = loaded.project.robot.gazebos if loaded.project.robot else ()
-        for sensor in (tag for gazebo in gazebos for tag in gazebo.tag.named("sensor")):
+        for sensor in _in_gazebo(loaded, "sensor"):
             for plugin in sensor.named("plugin"):
                 library = library_of(plugin.attributes.get("filename", ""))
                 kind = SENSORS[library].types.get(sensor.attributes.get("type", ""), "") if library in SENSORS else ""
@@ -296,58 +345,6 @@ BRIDGE = Step(
                   ros_type_name: sensor_msgs/msg/LaserScan
                   gz_type_name: gz.msgs.LaserScan
                   direction: GZ_TO_ROS
-            """,
-        },
-    ],
-)
-
-
-def _installed(packages: MigratedPackages) -> Iterator[Proposal]:
-    """Install the file for the bridge with its package, unless a rule does."""
-    for path in packages.files(BRIDGE_FILE) if goes_to_gz(packages) else ():
-        source = packages.read(os.path.join(os.path.dirname(os.path.dirname(path)), "CMakeLists.txt"))
-        text = source.data.decode("utf-8", "surrogateescape")
-        at = source.data.rfind(b"ament_package(")
-        if at >= 0 and not installs(text, os.path.dirname(BRIDGE_FILE)):
-            rule = f"{install_rule(os.path.dirname(BRIDGE_FILE))}\n"
-            entry = ReportEntry(EntryKind.DONE, f"{BRIDGE_FILE} is installed", file=source.path, authority=_AUTHORITY)
-            yield Proposal((Edit(SourceSpan(source, at, at), rule),), entries=(entry,))
-
-
-BRIDGE_INSTALL = Step(
-    "bridge-install",
-    Part.MANIFEST,
-    "The install rule of the file for ros_gz_bridge",
-    _installed,
-    before=[
-        {
-            "options": "--to=jazzy --simulator=gz",
-            "config/bridge.yaml": """
-                - ros_topic_name: scan
-                  gz_topic_name: scan
-                  ros_type_name: sensor_msgs/msg/LaserScan
-                  gz_type_name: gz.msgs.LaserScan
-                  direction: GZ_TO_ROS
-            """,
-            "CMakeLists.txt": """
-                project(arm)
-                find_package(ament_cmake REQUIRED)
-                install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
-                ament_package()
-            """,
-        },
-    ],
-    after=[
-        {
-            "CMakeLists.txt": """
-                project(arm)
-                find_package(ament_cmake REQUIRED)
-                install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
-                install(DIRECTORY config
-                  DESTINATION share/${PROJECT_NAME}
-                )
-
-                ament_package()
             """,
         },
     ],

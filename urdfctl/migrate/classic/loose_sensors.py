@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import CHOICE, is_chosen, keeps_classic, replaced
-from urdfctl.migrate.classic.systems import in_namespace, library_of
+from urdfctl.migrate.classic.systems import in_namespace, library_of, plain_frame
 from urdfctl.migrate.edits.markup import (
     attribute,
     child,
@@ -14,6 +14,7 @@ from urdfctl.migrate.edits.markup import (
     end_of,
     indent_of,
     indented,
+    is_zero,
     parent_of,
     removal,
     step_of,
@@ -34,6 +35,9 @@ LOOSE: Mapping[str, tuple[str, str]] = {
     "hector_gazebo_ros_gps": ("navsat", "fix"),
 }
 """By library of Gazebo Classic: the type of the sensor in gz, and its topic if none is set."""
+_FRAMES = ("frameId", "frameName", "frame_id")
+_RATES = ("updateRate", "updateRateHZ")
+_READ = (*_FRAMES, *_RATES, "bodyName", "topicName", "robotNamespace", "alwaysOn", "always_on")
 _IN_CLASSIC = {"imu": ("imu", "gazebo_ros_imu_sensor"), "navsat": ("gps", "gazebo_ros_gps_sensor")}
 """By type of the sensor in gz: the type in Gazebo Classic, and the library that publishes it in ROS 2."""
 
@@ -56,11 +60,15 @@ def _loose_sensors(packages: MigratedPackages) -> Iterator[Proposal]:
             continue
         kind = LOOSE[library][0] if to_gz else _IN_CLASSIC[LOOSE[library][0]][0]
         message = f"plugin '{library}' became a sensor of type {kind} on link '{link}'"
-        entry = ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)
+        entries = [ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
+        others = (one for one in element.elements() if one.tagName not in _READ and ":" not in one.tagName)
+        if dropped := [one.tagName for one in others if not is_zero(one)]:
+            message = f"the sensor has no {', '.join(dropped)} of '{library}': dropped"
+            entries.append(ReportEntry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
         text = _sensor(element, library, link, to_gz=to_gz)
         is_alone = len(around.elements()) == 1
         edits = replaced(packages, around, text) if is_alone else _moved(packages, element, around, text)
-        yield Proposal(tuple(edits), entries=(entry,))
+        yield Proposal(tuple(edits), entries=tuple(entries))
 
 
 def _moved(packages: MigratedPackages, plugin: Element, around: Element, text: str) -> Iterator[Edit]:
@@ -79,8 +87,8 @@ def _sensor(plugin: Element, library: str, link: str, *, to_gz: bool) -> str:
     kind, default = LOOSE[library]
     step, name = step_of(plugin.source), attribute(plugin, "name")
     topic = _given(plugin, ("topicName",), default)
-    rate = _given(plugin, ("updateRate", "updateRateHZ"), "50")
-    frame = _given(plugin, ("frameId", "frameName", "frame_id"), link)
+    rate = _given(plugin, _RATES, "50")
+    frame = plain_frame(_given(plugin, _FRAMES, link))
     lines = [f"<update_rate>{rate}</update_rate>", "<always_on>true</always_on>"]
     if to_gz:
         topic = in_namespace(plugin, topic).lstrip("/")

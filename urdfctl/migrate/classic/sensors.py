@@ -9,7 +9,7 @@ from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.depth import DEPTH_RANGE, depth_range
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.sensor_topics import PLAIN_LIDAR, SENSORS, plugin_as_written, unread
-from urdfctl.migrate.classic.systems import library_of
+from urdfctl.migrate.classic.systems import library_of, plain_frame
 from urdfctl.migrate.edits.markup import (
     CONDITIONS,
     appended,
@@ -140,7 +140,9 @@ def _frames(plugin: Element, step: str) -> Iterator[str]:
 
 
 def _frame(around: Element) -> str:
-    return next((content(one) for name in _FRAMES if (one := child(around, name)) is not None and content(one)), "")
+    return plain_frame(
+        next((content(one) for name in _FRAMES if (one := child(around, name)) is not None and content(one)), "")
+    )
 
 
 def _topic(packages: MigratedPackages, element: Element, plugin: Element, kind: str) -> str:

@@ -140,6 +140,11 @@ def library_of(filename: str) -> str:
     return filename.rpartition("/")[2].removeprefix("lib").removesuffix(".so")
 
 
+def plain_frame(name: str) -> str:
+    """Return the name of a frame without the slash before it, with which tf2 refuses it (buffer_core.cpp)."""
+    return name.lstrip("/")
+
+
 def system_text(element: Element, system: System, step: str, more: Sequence[str] = ()) -> str:
     """Return the `<plugin>` of gz for one of Classic. `more` are further lines in it."""
     lines = [f'<plugin filename="{system.filename}" name="{system.name}">']
@@ -177,7 +182,8 @@ def _setting(setting: Element, system: System, once: set[str]) -> Iterator[str]:
     for new in system.settings.get(setting.tagName, "").split():
         way, _, name = new.rpartition(":")
         if name not in once or name.endswith(("_joint", "joint_name")):
-            yield from (f"<{name}>{value}</{name}>" for value in _values(content(setting), way))
+            written = plain_frame(content(setting)) if "frame" in name else content(setting)
+            yield from (f"<{name}>{value}</{name}>" for value in _values(written, way))
         once.add(name)
 
 

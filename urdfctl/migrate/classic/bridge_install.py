@@ -1,0 +1,68 @@
+"""The install rule of the file for ros_gz_bridge."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.options import Part
+from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.shared.hardware import goes_to_gz
+from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
+from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
+from urdfctl.source.span import SourceSpan
+
+_AUTHORITY = "ros_gz_bridge README: config_file"
+
+
+def _installed(packages: MigratedPackages) -> Iterator[Proposal]:
+    """Install the file for the bridge with its package, unless a rule does."""
+    for path in packages.files(BRIDGE_FILE) if goes_to_gz(packages) else ():
+        source = packages.read(os.path.join(os.path.dirname(os.path.dirname(path)), "CMakeLists.txt"))
+        text = source.data.decode("utf-8", "surrogateescape")
+        at = source.data.rfind(b"ament_package(")
+        if at >= 0 and not installs(text, os.path.dirname(BRIDGE_FILE)):
+            rule = f"{install_rule(os.path.dirname(BRIDGE_FILE))}\n"
+            entry = ReportEntry(EntryKind.DONE, f"{BRIDGE_FILE} is installed", file=source.path, authority=_AUTHORITY)
+            yield Proposal((Edit(SourceSpan(source, at, at), rule),), entries=(entry,))
+
+
+BRIDGE_INSTALL = Step(
+    "bridge-install",
+    Part.MANIFEST,
+    "The install rule of the file for ros_gz_bridge",
+    _installed,
+    before=[
+        {
+            "options": "--to=jazzy --simulator=gz",
+            "config/bridge.yaml": """
+                - ros_topic_name: scan
+                  gz_topic_name: scan
+                  ros_type_name: sensor_msgs/msg/LaserScan
+                  gz_type_name: gz.msgs.LaserScan
+                  direction: GZ_TO_ROS
+            """,
+            "CMakeLists.txt": """
+                project(arm)
+                find_package(ament_cmake REQUIRED)
+                install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+                ament_package()
+            """,
+        },
+    ],
+    after=[
+        {
+            "CMakeLists.txt": """
+                project(arm)
+                find_package(ament_cmake REQUIRED)
+                install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+                install(DIRECTORY config
+                  DESTINATION share/${PROJECT_NAME}
+                )
+
+                ament_package()
+            """,
+        },
+    ],
+)
