@@ -52,6 +52,18 @@ def test_a_chain_ends_at_its_hand_and_the_hand_is_its_end_effector(written: Fold
     }
 
 
+@pytest.mark.parametrize(("second", "opened"), [("revolute", "0"), ("fixed", "0.9")])
+def test_a_jaw_that_turns_alone_is_open_far_from_0_and_fingers_that_turn_together_near_0(
+    second: str, opened: str, folder: Folder
+) -> None:
+    turning = arm().replace("prismatic", "revolute").replace('lower="0" upper="0.04"', 'lower="-0.2" upper="0.9"')
+    of_second = 'name="right_finger_joint" type="revolute"'
+    folder.write({"six.urdf": turning.replace(of_second, of_second.replace("revolute", second))})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    [value] = semantic(folder).findall("group_state[@name='open']/joint")
+    assert value.attrib == {"name": "left_finger_joint", "value": opened}
+
+
 @pytest.mark.parametrize(
     ("distro", "simulator"),
     [

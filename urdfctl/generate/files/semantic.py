@@ -105,8 +105,9 @@ def _group(group: PlanningGroup, joints: Sequence[JointFacts]) -> SemanticPart:
 
 def _poses(group: PlanningGroup, joints: dict[str, JointFacts], rest: dict[str, float]) -> Iterator[SemanticPart]:
     if group.mount:
-        yield _pose("open", group, joints, _opened)
-        yield _pose("close", group, joints, _closed)
+        far, near = ("open", "close") if _is_drawn_closed(group, joints) else ("close", "open")
+        values = {far: _far, near: _near}
+        yield from (_pose(name, group, joints, values[name]) for name in ("open", "close"))
         return
     yield _pose("home", group, joints, _home)
     if any(_rounded(rest.get(name, 0.0)) != _rounded(_home(joints[name])) for name in group.joints if name in joints):
@@ -137,13 +138,11 @@ def _span(joint: JointFacts) -> tuple[float, float]:
     return joint.lower, joint.upper
 
 
-def _opened(joint: JointFacts) -> float:
-    """Fingers that slide are open far from 0, as they are drawn closed; fingers that turn are drawn open."""
-    return _far(joint) if joint.slides else _near(joint)
-
-
-def _closed(joint: JointFacts) -> float:
-    return _near(joint) if joint.slides else _far(joint)
+def _is_drawn_closed(group: PlanningGroup, joints: dict[str, JointFacts]) -> bool:
+    """Whether a tool is open far from 0: fingers that slide are, and one jaw that turns against a fixed one."""
+    moved = [joints[name] for name in group.joints if name in joints]
+    is_jaw = len(moved) == 1 and not any(one.mimic and one.mimic[0] == moved[0].name for one in joints.values())
+    return is_jaw or any(joint.slides for joint in moved)
 
 
 def _far(joint: JointFacts) -> float:
