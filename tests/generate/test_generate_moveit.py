@@ -335,3 +335,26 @@ def test_what_is_asked_wrongly_is_said_before_mujoco_is_asked_for(
     ran = command("gen-moveit", "six.urdf", *JAZZY, *words)
     assert (ran.returncode, ran.stderr.splitlines()[-1]) == (2, f"urdfctl: {said}")
     assert not Path(folder.path, "out").exists()
+
+
+MISSING_GROUP = "UC660 group 'own' refers to group 'arms', which the SRDF does not define; did you mean 'arm'?"
+
+
+@pytest.mark.parametrize(
+    ("kept", "said"),
+    [
+        (
+            '<group name="own"><group name="arms"/></group>',
+            f"{MISSING_GROUP}\nurdfctl: nothing was written, because this robot could not be planned for",
+        ),
+        ('<group name="own"><chain base_link="base_link" tip_link="hand"/></group>', ""),
+    ],
+)
+def test_what_a_person_wrote_is_linted_with_the_rest_before_anything_is_written(
+    kept: str, said: str, folder: Folder
+) -> None:
+    folder.write({"six.urdf": arm(), "out/config/six.srdf": f'<robot name="six">{kept}</robot>'})
+    ran = command("gen-moveit", "six.urdf", *JAZZY, *(() if said else ("--force",)))
+    assert ran.returncode == bool(said), ran.stderr
+    assert said in ran.stderr
+    assert Path("out/config/kinematics.yaml").exists() is not bool(said)

@@ -48,6 +48,33 @@ def read_moveit(
     return _MoveItReader(files, expander).read(found, is_given=given is not None, ros=launch.ros if launch else None)
 
 
+def moveit_in(paths: Sequence[str], files: Files, expander: Callable[[], Expander], ros: int) -> MoveIt:
+    """Return the configuration in files that a launch file will give to MoveIt, by their names.
+
+    A name ends as those that the setup assistant writes: `.srdf`, `kinematics.yaml`, `ompl_planning.yaml`.
+    """
+
+    def named(ending: str) -> list[FileReference]:
+        found = [path for path in paths if path.endswith(ending)]
+        return [FileReference(path, _start_of(path), path, True) for path in found]  # noqa: FBT003
+
+    given = MoveItFiles(
+        at=_start_of(paths[0]),
+        semantic=next(iter(named(".srdf")), None),
+        kinematics=next(iter(named(_KINEMATICS)), None),
+        limits=next(iter(named(_LIMITS)), None),
+        controllers=tuple(named(_OF_MOVEIT)),
+        pipelines=tuple((_pipeline_named(file.text), file) for file in named(_PIPELINE)),
+        as_values=True,
+        runs=True,
+    )
+    return _MoveItReader(files, expander).read(given, is_given=True, ros=ros)
+
+
+def _pipeline_named(path: str) -> str:
+    return os.path.basename(path).removesuffix(_PIPELINE).rpartition("-")[2]
+
+
 def _given(launch: Launch) -> MoveItFiles:
     """What a launch file gives to MoveIt: what move_group gets, with what other nodes get where that is unknown."""
     home = launch.description.namespace if launch.description else None

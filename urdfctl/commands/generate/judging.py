@@ -8,11 +8,13 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from urdfctl.commands.generate.judging_plans import faults_of_plans, is_of_moveit
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.generate.options import File
 from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.lint.job import Work, run_on_targets
+from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json
 from urdfctl.load.target import Target
 from urdfctl.smoke.checked_robot import CheckedRobot
 from urdfctl.smoke.engines import installed
@@ -44,12 +46,14 @@ class Judgement(NamedTuple):
     fatal: what keeps the robot or a controller from starting.
     gains: the findings about gains.
     others: what keeps something from moving as it should.
+    unplanned: the errors in MoveIt's configuration.
     checked: the robot with the plan of its motion; None if it is not known.
     """
 
     fatal: tuple[Diagnostic, ...] = ()
     gains: tuple[Diagnostic, ...] = ()
     others: tuple[Diagnostic, ...] = ()
+    unplanned: tuple[Diagnostic, ...] = ()
     checked: CheckedRobot | None = None
 
     @property
@@ -57,13 +61,15 @@ class Judgement(NamedTuple):
         """Why the package should not be written, or nothing."""
         if self.fatal:
             return "would not start"
+        if self.unplanned:
+            return "could not be planned for"
         found = [one for one in (*self.gains, *self.others) if one.code not in _NOT_JUDGED]
         fails = any(one.severity is Severity.ERROR for one in found)
         return "would not move as commanded" if fails else ""
 
     def lines(self) -> Iterator[str]:
         """Yield a line for each finding, with its place if that is in a file of the user."""
-        told = [*self.fatal, *self.gains]
+        told = [*self.fatal, *self.unplanned, *self.gains]
         told += [one for one in self.others if self.refusal or one.severity is Severity.ERROR]
         for finding in causes_first(told):
             own = os.path.basename(finding.at.file).startswith(_BESIDE)
@@ -81,13 +87,14 @@ def judged(made: list[File], robot: RobotFacts, settings: Settings, *, repaired:
     path = os.path.abspath(robot.file)
     texts = dict(_texts(made, path, repaired=repaired))
     description = _beside(path, _ROBOT)
-    controllers = tuple(name for name in texts if name.endswith(_CONTROLLERS))
+    controllers = tuple(name for name in texts if name.endswith(_CONTROLLERS) and not is_of_moveit(name))
     target = Target(description, controllers=controllers)
     [result] = run_on_targets(judge_work, [target], settings, details=[{"texts": texts}])
     if not isinstance(result, dict):
         return Judgement()
     checked = CheckedRobot.from_json(result)
-    return _judgement(checked.result)._replace(checked=checked)
+    unplanned = tuple(map(diagnostic_from_json, result["unplanned"]))
+    return _judgement(checked.result)._replace(checked=checked, unplanned=unplanned)
 
 
 def with_motion(judgement: Judgement, robot: RobotFacts, settings: Settings) -> Judgement:
@@ -99,7 +106,7 @@ def with_motion(judgement: Judgement, robot: RobotFacts, settings: Settings) -> 
     [result] = move([judgement.checked], _request(), settings)
     if result.interrupted:
         raise KeyboardInterrupt
-    return _judgement(result)
+    return _judgement(result)._replace(unplanned=judgement.unplanned)
 
 
 def _request() -> SmokeRequest:
@@ -126,7 +133,7 @@ def _texts(made: list[File], path: str, *, repaired: bool) -> Iterator[tuple[str
             yield _beside(path, _ROBOT), text
         elif file.name == _CONTROL:
             yield _beside(path, file.name), _OWN_FILE.sub(lambda found: _beside(path, found[1]), file.text)
-        elif file.name == copy or os.path.basename(file.name) == "controllers.yaml":
+        elif file.name == copy or os.path.basename(file.name) == "controllers.yaml" or is_of_moveit(file.name):
             yield _beside(path, file.name), file.text
 
 
@@ -146,4 +153,7 @@ def judge_work(work: Work) -> dict[str, Any]:
     """Return a robot whose files are in memory after the checks without an engine, in a worker."""
     texts: Mapping[str, str] = work.details["texts"]
     loader = work.loader.with_overlay({os.path.realpath(path): text.encode() for path, text in texts.items()})
-    return judge(load(loader, work.target), loader, _request()).to_json()
+    seen = load(loader, work.target)
+    planned = [path for path in texts if is_of_moveit(path)]
+    unplanned = faults_of_plans(seen, loader, planned) if any(path.endswith(".srdf") for path in planned) else []
+    return {**judge(seen, loader, _request()).to_json(), "unplanned": [*map(diagnostic_to_json, unplanned)]}
