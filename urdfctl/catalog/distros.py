@@ -14,20 +14,22 @@ class Distro(NamedTuple):
     ros: 1 or 2.
     maintained: True if it still gets releases.
     long_term: True if it is supported for five years.
+    bygone: True if its support ended before 2020: nobody starts with it.
     """
 
     name: str
     ros: int
     maintained: bool = False
     long_term: bool = False
+    bygone: bool = False
 
 
 DISTROS = (
-    Distro("hydro", 1),
-    Distro("indigo", 1),
-    Distro("jade", 1),
+    Distro("hydro", 1, bygone=True),
+    Distro("indigo", 1, bygone=True),
+    Distro("jade", 1, bygone=True),
     Distro("kinetic", 1),
-    Distro("lunar", 1),
+    Distro("lunar", 1, bygone=True),
     Distro("melodic", 1),
     Distro("noetic", 1),
     Distro("foxy", 2, long_term=True),
@@ -46,6 +48,7 @@ ROS2 = tuple(distro.name for distro in DISTROS if distro.ros == 2)  # noqa: PLR2
 ALL = ROS1 + ROS2
 MAINTAINED = tuple(distro.name for distro in DISTROS if distro.maintained)
 _LONG_TERM = tuple(distro.name for distro in DISTROS if distro.long_term)
+BYGONE = tuple(distro.name for distro in DISTROS if distro.bygone)
 SIMULATORS = ("gz", "gazebo-classic", "mujoco", "none")
 
 

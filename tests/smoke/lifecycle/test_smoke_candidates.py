@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from smoking import smoked, target_of, verdicts
 
 from urdfctl.model.stage import Stage
 from urdfctl.smoke.lifecycle import possible_distros
@@ -158,3 +160,33 @@ def test_a_controller_that_depends_on_the_distro_is_warned_at_the_first_stage_th
     made = result_without_motion(way("arm")._replace(by_distro=by_distro))
     assert (made.verdict, made.stage) == (Verdict.WARNED, stage)
     assert result_without_motion(way("arm")).verdict is Verdict.SKIPPED
+
+
+ELBOW = """
+<robot name="arm">
+  <link name="base"/>
+  <link name="fore">
+    <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+  </link>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/><child link="fore"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="5" velocity="1"/>
+  </joint>
+  <transmission name="elbow_trans">
+    <type>transmission_interface/SimpleTransmission</type>
+    <joint name="elbow"><hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface></joint>
+    <actuator name="elbow_motor"/>
+  </transmission>
+  <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>
+</robot>
+"""
+"""Gazebo takes the interface with its prefix from kinetic on."""
+
+
+def test_what_only_distros_of_long_ago_reject_is_no_warning(tmp_path: Path) -> None:
+    target = target_of(
+        tmp_path,
+        {"r.urdf": ELBOW, "c.yaml": "mover: {type: position_controllers/JointPositionController, joint: elbow}"},
+    )
+    assert verdicts(smoked(target)) == {"mover": "skipped activate"}
+    assert verdicts(smoked(target, distro="indigo")) == {"mover": "failed activate"}

@@ -26,6 +26,7 @@ def verdict_depends_on_distro(controller: str, verdicts: str) -> str:
     """Verdict depends on an unknown ROS distro.
 
     Neither an option nor a file names the distro, and the controller becomes active in some distros only. The verdict
-    of each possible distro is listed. Name yours with `--distro`, or in urdfctl.toml.
+    of each possible distro is listed, without those whose support ended before 2020, such as indigo and jade. Name
+    yours with `--distro`, or in urdfctl.toml.
     """
     return f"controller '{controller}' depends on the ROS distro, which is unknown: {verdicts}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.catalog.distros import in_words
+from urdfctl.catalog.distros import BYGONE, in_words
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint.engine import lint
 from urdfctl.lint.findings.weakening import is_weakened
@@ -56,14 +56,15 @@ def lifecycle_of(seen: LintedTarget) -> RobotLifecycle:
 
 
 def errors_by_distro(seen: LintedTarget) -> Iterator[tuple[str, Sequence[Diagnostic]]]:
-    """Yield each possible distro, with what lint finds in it."""
+    """Yield each possible distro, with what lint finds in it. A bygone one is possible only if no other is."""
     project, known = seen.project, seen.result.outcome.diagnostics
+    distros = tuple(distro for distro in project.distros if distro not in BYGONE) or project.distros
     if len(project.distros) == 1 or project.distro or not (project.controllers and project.controllers.controllers):
         yield project.distro or project.distros[-1], known
         return
     weakened = {(each.code, each.at) for each in known if is_weakened(each)}
     sources = list(seen.sources.values())
-    for distro in project.distros:
+    for distro in distros:
         outcome = lint(project._replace(distro=distro, distros=(distro,)), sources, Selection())
         yield distro, [each for each in outcome.diagnostics if (each.code, each.at) not in weakened]
 
