@@ -231,7 +231,7 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
 
     results = _outer(list(zip(entries, linted(entries), strict=True)))
     known = {os.path.abspath(entry.target.path) for entry in entries}
-    needy = [entry for entry, (_, result) in results if _lacks_robot(result) and not entry.target.launch]
+    needy = [entry for entry, (_, result) in results if lacks_robot(result) and not entry.target.launch]
     choices = linter.variants([entry.target for entry in needy]) if needy else []
     more: list[PlannedTarget] = []
     replaced: set[Target] = set()
@@ -279,8 +279,8 @@ def _outer(launched: LaunchedTargets) -> LaunchedTargets:
     return [(entry, pair) for entry, pair in launched if os.path.abspath(entry.target.path) not in inner]
 
 
-def _lacks_robot(result: TargetResult) -> bool:
-    """Whether a launch file does not say which robot it starts, or the robot is unknown without more arguments."""
+def lacks_robot(result: TargetResult) -> bool:
+    """Return whether a launch file does not say which robot it starts, or needs arguments to know it."""
     return is_launch(result.path) or (result.links == 0 and not result.complete)
 
 

@@ -114,9 +114,12 @@ def account(result: ControllerResult) -> str:
 
 
 def heading(robot: RobotResult) -> str:
-    """Return the robot of a test, after the launch file that starts it."""
-    path, launch = shown(robot.linted.path), robot.linted.launch
-    return f"{shown(launch)}: {path}" if launch and shown(launch) != path else path
+    """Return the robot of a test, after the launch file that starts it, with the arguments that this is given."""
+    path, launch, bringup = shown(robot.linted.path), robot.linted.launch, robot.linted.bringup
+    if not launch or shown(launch) == path:
+        return path
+    given = (f"{name}:={value}" for name, value in (bringup.arguments if bringup else ()))
+    return f"{' '.join((shown(launch), *given))}: {path}"
 
 
 def conditions(robot: RobotResult) -> str:

@@ -107,7 +107,7 @@ def with_engine_result(
     new = [diagnostic for diagnostic in found if diagnostic.message not in messages]
     outcome = result.linted.outcome._replace(diagnostics=[*diagnostics, *new])
     after = (_with_trial(controller, trial, troubles) for controller in result.controllers)
-    controllers = tuple(as_not_started(each) if each.name in robot.not_started else each for each in after)
+    controllers = as_not_started(after, robot.not_started)
     name = f"{result.engine} and {engine}" if result.engine else engine
     seconds = result.seconds + trial.seconds
     linted = result.linted._replace(outcome=outcome)

@@ -18,7 +18,8 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.errors import UserError
 from urdfctl.lint.findings.merging import merge
-from urdfctl.lint.job import Work, Workers, failed, run_on_targets, shared_loader
+from urdfctl.lint.findings.weakening import is_with_defaults
+from urdfctl.lint.job import Work, Workers, failed, launch_variants, run_on_targets, shared_loader
 from urdfctl.lint.planning import Arguments, PlannedTarget, discovered, of_shard, planned
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import LintedTarget, lint_target
@@ -30,6 +31,7 @@ from urdfctl.report.common import shown
 from urdfctl.run.limits import processors
 from urdfctl.smoke.aside import as_aside
 from urdfctl.smoke.checked_robot import CheckedRobot
+from urdfctl.smoke.choices import choices_of
 from urdfctl.smoke.pairing import with_joined
 from urdfctl.smoke.ranking import causes_first
 from urdfctl.smoke.reports import SmokeReport, report_of
@@ -121,13 +123,39 @@ def smoke(
 
 
 def _tested(robots: Sequence[PlannedRobot], request: SmokeRequest) -> Iterator[RobotTest]:
-    checked = check([robot.target for robot in robots], [robot.settings for robot in robots], request)
+    robots, checked = _with_choices(robots, _check(robots, request), request)
     reported = list(_reported(robots, [robot.result for robot in checked]))
     limits = robots[0].settings if robots else Settings()  # the options of the run, which are the same for all
     results = move([checked[index] for index in reported], request, limits)
     for index, result in zip(reported, results, strict=True):
         robot = robots[index]
         yield RobotTest(robot.target, robot.settings, as_aside(robot.entry, result))
+
+
+def _check(robots: Sequence[PlannedRobot], request: SmokeRequest) -> list[CheckedRobot]:
+    return check([robot.target for robot in robots], [robot.settings for robot in robots], request)
+
+
+def _with_choices(
+    robots: Sequence[PlannedRobot], checked: Sequence[CheckedRobot], request: SmokeRequest
+) -> tuple[list[PlannedRobot], list[CheckedRobot]]:
+    """The robots with their checks, where launch files that need arguments are started with some that exist."""
+    settings = robots[0].settings if robots else Settings()
+
+    def variants(targets: list[Target]) -> list[list[Target]]:
+        return launch_variants(targets, settings, Workers(Loader(settings), request.parallel or processors()))
+
+    choices = choices_of([robot.target for robot in robots], [one.result.linted for one in checked], variants)
+    kept = [(robot, one) for n, (robot, one) in enumerate(zip(robots, checked, strict=True)) if n not in choices]
+    more = [
+        robots[n]._replace(
+            entry=robots[n].entry._replace(target=target._replace(controllers=robots[n].target.controllers))
+        )
+        for n, targets in choices.items()
+        for target in targets
+    ]
+    kept += zip(more, _check(more, request) if more else (), strict=True)
+    return [robot for robot, _ in kept], [one for _, one in kept]
 
 
 # -- find and plan ---------------------------------------------------------------------------------------------------
@@ -192,7 +220,7 @@ def _checked(targets: Sequence[Target], settings: Sequence[Settings], request: S
 def load_and_judge(work: Work) -> dict[str, Any]:
     """Return the checked robot of a job, in a worker."""
     seen = load(work.loader, work.target)
-    return judge(seen, work.loader, SmokeRequest(**work.details)).to_json()
+    return judge(seen, work.loader, SmokeRequest(**work.details), guessed=work.target.guessed).to_json()
 
 
 def load(loader: Loader, target: Target) -> LintedTarget:
@@ -200,14 +228,17 @@ def load(loader: Loader, target: Target) -> LintedTarget:
     return lint_target(loader, target, Selection())
 
 
-def judge(seen: LintedTarget, loader: Loader, request: SmokeRequest) -> CheckedRobot:
-    """Return a robot after the checks without an engine, with the plan for an engine if one is wanted."""
+def judge(seen: LintedTarget, loader: Loader, request: SmokeRequest, *, guessed: bool = False) -> CheckedRobot:
+    """Return a robot after the checks without an engine, with the plan for an engine if one is wanted.
+
+    guessed: whether the arguments of its launch file are guessed.
+    """
     packages = loader.reading(seen.result.path)[1]
     given = TaskFile.from_json(request.tasks) if request.tasks else None
     find_mesh = partial(mesh_path, packages=packages, robot_file=seen.result.path)
     mocked = with_mock_hardware(seen) if request.mocked else None
     static_check = check_statically(mocked or seen, request.only, find_mesh, given)
-    static_check = static_check._replace(mocked=mocked is not None)
+    static_check = static_check._replace(mocked=mocked is not None, guessed=guessed)
     motion_plan = None
     if request.engines:
         from urdfctl.smoke.robot_motion import plan_of
@@ -246,17 +277,21 @@ def _check_tasks(robots: Sequence[CheckedRobot], request: SmokeRequest) -> None:
 
 def _reported(robots: Sequence[PlannedRobot], results: Sequence[RobotResult]) -> Iterator[int]:
     """Yield the indices of the results to report. Each robot with its controllers is reported once, in whatever order
-    launch files start them, unless they are rejected for another reason then. A robot without
-    controllers is reported only if no launch file gives it any. If nothing has controllers, launch files that include
-    what is not here are reported too, each set of missing packages once."""
+    launch files start them, unless they are rejected for another reason then. A description in a folder is not reported
+    as it is if a launch file starts it with controllers; a robot without controllers only if no launch file gives it
+    any. If nothing has controllers, launch files that include what is not here are reported too, each set of missing
+    packages once."""
     among = [
         robot if planned_robot.entry.is_reported(robot.linted) else None
         for planned_robot, robot in zip(robots, results, strict=True)
     ]
     driven = {robot.linted.path for robot in among if robot and robot.controllers}
+    launched = {robot.linted.path for robot in among if robot and robot.controllers and robot.linted.launch}
     seen = set()
     for index, robot in enumerate(among):
-        if robot is None:
+        if robot is None or (
+            robot.linted.path in launched and not robot.linted.launch and is_with_defaults(robots[index].entry)
+        ):
             continue
         verdicts = frozenset((result.name, result.verdict, result.reason) for result in robot.controllers)
         key = robot.linted.path, robot.linted.controllers, verdicts

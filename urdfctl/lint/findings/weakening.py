@@ -53,7 +53,7 @@ def as_started(entry: PlannedTarget, result: TargetResult, launched: Iterable[Ta
     start it give it arguments. What is found there too stays. If a start is not wholly known, its own findings stay as
     warnings at most.
     """
-    starts = [each for each in launched if each.path == result.path] if _is_with_defaults(entry) else []
+    starts = [each for each in launched if each.path == result.path] if is_with_defaults(entry) else []
     if not starts or not all(each.arguments for each in starts):
         return result
     outcomes = [each.outcome for each in starts]
@@ -64,7 +64,8 @@ def as_started(entry: PlannedTarget, result: TargetResult, launched: Iterable[Ta
     return result._replace(outcome=result.outcome._replace(diagnostics=found))
 
 
-def _is_with_defaults(entry: PlannedTarget) -> bool:
+def is_with_defaults(entry: PlannedTarget) -> bool:
+    """Return whether a description of a folder is taken as it is: with its defaults, and without a launch file."""
     target = entry.target
     settings: Sequence[object] = (target.arguments, target.controllers, target.launch)
     return entry.origin in (TargetOrigin.FOUND, TargetOrigin.DECLARED) and not any(settings)

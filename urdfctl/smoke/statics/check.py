@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.control.hardware.interfaces import ClaimKind
 from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.lint.findings.weakening import GUESSED
 from urdfctl.lint.results import Outcome
 from urdfctl.lint.target import LintedTarget
 from urdfctl.model.project import Project
@@ -76,6 +77,7 @@ class StaticCheck(NamedTuple):
     support: what a robot rests on that nothing fixes to the world.
     mocked: whether mock hardware is in the place of its driver.
     doubts: the errors of its controllers that are warnings.
+    guessed: whether the arguments of its launch file are guessed.
     """
 
     seen: LintedTarget
@@ -90,6 +92,7 @@ class StaticCheck(NamedTuple):
     support: Support = Support()
     mocked: bool = False
     doubts: Doubts = {}
+    guessed: bool = False
 
     def wants(self, name: str | None) -> bool:
         """Return whether a controller was asked for. Findings of no controller are always reported."""
@@ -104,11 +107,13 @@ class StaticCheck(NamedTuple):
         results = (with_troubles(result, self.troubles) for result in known)
         if self.mocked:
             results = (result._replace(untested={**result.untested, **MOCKED}) for result in results)
-        return tuple(as_not_started(result) if result.name in self.not_started else result for result in results)
+        return as_not_started(results, self.not_started)
 
     @property
     def not_started(self) -> dict[str, str]:
         """The controllers that are most likely not started, each with the reason; none if the user asks for some."""
+        if self.guessed:
+            return dict.fromkeys((each.name for each in self.lifecycle.controllers), GUESSED)
         return {} if self.only else _controllers_not_started(self.seen.project, self.lifecycle, self.troubles)
 
     @property
@@ -319,11 +324,18 @@ def _controllers_not_started(
     return {name: ANOTHER_FITS.format(other) for name, other in others if other}
 
 
-def as_not_started(result: ControllerResult) -> ControllerResult:
-    """Return the result of a controller that is not started: warned where it would fail."""
-    if result.verdict is not Verdict.FAILED:
-        return result
-    return result._replace(verdict=Verdict.WARNED, reason=f"most likely not started; it would fail: {result.reason}")
+def as_not_started(results: Iterable[ControllerResult], not_started: Mapping[str, str]) -> tuple[ControllerResult, ...]:
+    """Return results, in which controllers that are most likely not started are warned where they would fail."""
+    return tuple(
+        result._replace(verdict=Verdict.WARNED, reason=f"{_would_fail(why)}: {result.reason}")
+        if result.verdict is Verdict.FAILED and (why := not_started.get(result.name))
+        else result
+        for result in results
+    )
+
+
+def _would_fail(why: str) -> str:
+    return "with guessed arguments it fails" if why == GUESSED else "most likely not started; it would fail"
 
 
 def _commanded(controller: ControllerLifecycle) -> frozenset[str]:
