@@ -49,7 +49,7 @@ class Launch(NamedTuple):
     packages: the packages that it names.
     package: the package that contains it; None if unknown.
     strays: ROS 1: arguments for included files that do not declare them.
-    undeclared: ROS 1: names of arguments whose value is used in a file that does not declare them.
+    undeclared: names of arguments that are used for sure, and not declared: in the file (ROS 1), before it (ROS 2).
     arguments: the launch arguments that the file itself declares, with their defaults; None for a required one.
     choices: ROS 2: the values that it allows for these arguments.
     inline: ROS 1: the parameters that it contains.

@@ -23,6 +23,8 @@ NODES = frozenset({"Node", "LifecycleNode"})
 PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
 HANDLERS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start", "OnExecutionComplete": "on_completion"}
 """Event handlers, and the argument with their actions."""
+LATER = frozenset({"RegisterEventHandler", "RosTimer", "ROSTimer", "TimerAction"})
+"""Actions whose own actions run when all the rest has run."""
 SPAWNING = frozenset(
     (
         "generate_load_controller_launch_description generate_controllers_spawner_launch_description "

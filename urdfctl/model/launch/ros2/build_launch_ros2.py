@@ -9,6 +9,7 @@ from urdfctl.model.launch.ros2.actions import (
     ALTERING,
     HANDLERS,
     HARMLESS,
+    LATER,
     NODES,
     PROCESSES,
     SPAWNING,
@@ -29,7 +30,9 @@ from urdfctl.model.launch.ros2.simulators import (
     package_outside,
     simulator_of,
 )
+from urdfctl.model.launch.ros2.sources import Ros2Sources
 from urdfctl.model.launch.ros2.texts import ActionScope, Texts, table_of
+from urdfctl.model.launch.ros2.undeclared import Undeclared
 from urdfctl.model.launch.ros2.waiting import Handlers
 from urdfctl.source.launch.terms import (
     Called,
@@ -48,29 +51,6 @@ from urdfctl.startup.records import NamedTuple
 _MOST_DEPTH = 16
 _MOST_INCLUDES = 200
 _MOST_ACTIONS = 5000
-
-
-class Ros2Sources(NamedTuple):
-    """Access to files, packages and the environment for a launch file.
-
-    read: returns the launch description of a file; None if it cannot be read.
-    locate: returns the source path of a file, and whether it exists; None if that cannot be checked.
-    find: returns the folder of a package that is used at a place; None if it is not among the sources.
-    environ: the environment variables.
-    values: returns the content of a YAML file; None if it cannot be read.
-    blank: returns the value of arguments with an empty default, in this file and the included ones.
-    too_long: is told a place at which a text becomes too long.
-    written: returns the text that launch files write into a file; None if they write none.
-    """
-
-    read: Callable[[str], Term | None]
-    locate: Callable[[str], tuple[str, bool | None]]
-    find: Callable[[str, Place], str | None]
-    environ: Mapping[str, str]
-    values: Callable[[str], Term | None] = lambda _: None
-    blank: Callable[[], str] = str
-    too_long: Callable[[Place], None] = lambda _: None
-    written: Callable[[str], Term | None] = lambda _: None
 
 
 class _State(NamedTuple):
@@ -96,6 +76,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
     walk = _Walk(sources)
     scope = ActionScope(path, arguments)
     walk.action(term, scope, _State())
+    undeclared = tuple(dict.fromkeys(walk.undeclared.words))
     facts = walk.facts
     waiting = walk.handlers.waiting(walk.nodes(scope), complete=walk.complete)
     never = walk.handlers.never
@@ -110,6 +91,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         nodes=tuple(node for node in facts.nodes if not any(node is other for other in never)),
         simulations=tuple(walk.simulations),
         references=tuple(facts.references.values()),
+        undeclared=undeclared,
         arguments=tuple(walk.arguments.items()),
         choices=tuple(walk.choices.items()),
         moveit=tuple(facts.moveit),
@@ -137,11 +119,15 @@ class _Walk:
         self.handlers = Handlers()
         self.unread: list[Word] = []
         """The included files that cannot be read."""
+        self.undeclared = Undeclared()
         self._includes = self._actions = 0
 
     def texts(self, scope: ActionScope) -> Texts:
-        sources = self.sources
-        return Texts(scope, sources.find, sources.environ, sources.values, sources.too_long, written=sources.written)
+        return Texts(scope, self.sources, unset=self._unset)
+
+    def _unset(self, name: str, at: Place) -> None:
+        if self.complete:
+            self.undeclared.use(name, at)
 
     def nodes(self, scope: ActionScope) -> Nodes:
         return Nodes(self.facts, self.texts(scope))
@@ -174,7 +160,10 @@ class _Walk:
             scope.blur(inner)
 
     def _called(self, term: Called, scope: ActionScope, state: _State) -> None:
+        used = len(self.undeclared)
         held = self.texts(scope).condition(term.keywords.get("condition"))
+        if state.sure:  # so that the condition is evaluated in any case
+            used = len(self.undeclared)
         if held is False:
             scope = scope.copy()
             state = state._replace(sure=False, held=False)
@@ -186,6 +175,8 @@ class _Walk:
         self._act(term, scope, state._replace(depth=state.depth + 1))
         if held is None:
             outer.blur(scope)
+        if not state.sure or term.short in LATER:
+            self.undeclared.keep(used)
         self.handlers.may_start(term.keywords.get("on_exit"))
 
     def _act(self, term: Called, scope: ActionScope, state: _State) -> None:
@@ -276,7 +267,11 @@ class _Walk:
         arguments = given.values if isinstance(given, Items) else []
         keywords = table_of(term.given("kwargs"))
         context = UnknownTerm(term.at)
+        used = len(self.undeclared)
         actions = function.call([context, *arguments], keywords.entries if keywords else {}, self.texts(scope).context)
+        self.undeclared.keep(used)
+        if b"launch_configurations" in term.at.source.data:
+            self.undeclared.stop()
         self.action(actions, scope, state)
 
     def timer(self, term: Called, scope: ActionScope, state: _State) -> None:
@@ -310,6 +305,7 @@ class _Walk:
     def moveit(self, term: Called, scope: ActionScope, state: _State) -> None:
         """Add what a function of moveit_configs_utils.launches starts, and what is added to its description."""
         self.nodes(scope).moveit(term, sure=state.sure, held=state.held)
+        self.undeclared.stop()
         for added in term.added:
             self.action(added, scope, state)
 
@@ -341,6 +337,10 @@ class _Walk:
         if not is_simulator and package_outside(path) not in WITHOUT_CONTROLLERS:
             at = source.at if source is not None else term.at
             self._follow(path, Word(path, at), scope, state)
+        elif is_simulator:
+            self.undeclared.simulate()
+        else:
+            self.undeclared.stop()
 
     def _follow(self, path: str, written: Word, scope: ActionScope, state: _State) -> None:
         self._includes += 1
@@ -350,6 +350,7 @@ class _Walk:
             if self._includes <= _MOST_INCLUDES and state.depth < _MOST_DEPTH * 4:
                 included = self.sources.read(path)
         if included is None:
+            self.undeclared.stop()
             if state.held:
                 self.unread.append(written)
             return

@@ -61,7 +61,7 @@ def _of_either(contents: Sequence[Content | None]) -> Content | None:
 
 def as_written(content: Content, texts: Texts, exists: Callable[[str], bool]) -> Content:
     """Return the description that the launch file itself writes into the file of another one, if it does."""
-    term = texts.written(content.path) if content.path else None
+    term = texts.sources.written(content.path) if content.path else None
     return content_of(term, texts, exists) or content
 
 

@@ -86,7 +86,7 @@ class Builder:
             return known_path(modified), arguments
         package, relative = setup.get("package"), setup.get("relative_path")
         if package and relative:
-            folder = self.texts.find(package, self.call.at)
+            folder = self.texts.sources.find(package, self.call.at)
             return known_path(os.path.join(folder, relative)) if folder else None, arguments
         plain = os.path.join(self.folder, f"config/{self.name}.urdf")
         return (known_path(plain) if exists(plain) else None), arguments
@@ -124,7 +124,7 @@ class Builder:
         (moveit_configs_utils, launches.py).
         """
         path = known_path(self._controllers() or UNKNOWN)
-        file = self.texts.values(path) if path else None
+        file = self.texts.sources.values(path) if path else None
         if not isinstance(file, Table):
             return None
         manager = file.entries.get(_MANAGER)
@@ -160,7 +160,11 @@ class Builder:
 
     def _setup(self, part: str) -> dict[str, str]:
         """The texts of a section of .setup_assistant."""
-        file = self.texts.values(os.path.join(self.folder, ".setup_assistant")) if UNKNOWN not in self.folder else None
+        file = (
+            self.texts.sources.values(os.path.join(self.folder, ".setup_assistant"))
+            if UNKNOWN not in self.folder
+            else None
+        )
         config = file.entries.get("moveit_setup_assistant_config") if isinstance(file, Table) else None
         tables = (config.entries.get(name) for name in (part, part.lower())) if isinstance(config, Table) else ()
         table = next((each for each in tables if isinstance(each, Table)), None)
@@ -231,7 +235,7 @@ def _folder(call: Called, texts: Texts) -> str:
     if given is None or UNKNOWN in name:
         return UNKNOWN
     package = name if call.given("package_name") else f"{name}_moveit_config"
-    return texts.find(package, given.at) or outside(package)
+    return texts.sources.find(package, given.at) or outside(package)
 
 
 def _listed(folder: str) -> list[str]:

@@ -69,7 +69,7 @@ class NodeParameters:
         if not (is_described or re.search(_MAY_MANAGE, self.executable)):
             return
         for term, word in self._plain:
-            content = self.texts.values(word.text) if word.known else None
+            content = self.texts.sources.values(word.text) if word.known else None
             if isinstance(content, Table) and any(_is_manager(key) for key in content.entries):
                 self._load(term, word)
 

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 
 from urdfctl.model.launch import UNCHANGED, Rewriting
+from urdfctl.model.launch.ros2.sources import Ros2Sources
 from urdfctl.source.launch.python import evaluated
 from urdfctl.source.launch.terms import Called, Constant, Context, Items, Table, Term, outside
 from urdfctl.source.lengths import MOST_CHARACTERS, until_too_long
@@ -78,28 +79,12 @@ class ActionScope:
 class Texts:
     """Performs substitutions in a scope.
 
-    find: returns the folder of a package that is used at a place; None if it is not among the sources.
-    environ: the environment variables.
-    values: returns the content of a YAML file; None if it cannot be read.
-    too_long: is told a place at which a text becomes too long.
-    written: returns the text that the launch file writes into a file; None if it writes none.
+    sources: files, packages and the environment.
+    unset: is told the name of a launch configuration that is used, although nothing has set it, and its place.
     """
 
-    def __init__(
-        self,
-        scope: ActionScope,
-        find: Callable[[str, Place], str | None],
-        environ: Mapping[str, str],
-        values: Callable[[str], Term | None],
-        too_long: Callable[[Place], None],
-        written: Callable[[str], Term | None] = lambda _: None,
-    ) -> None:
-        self.scope = scope
-        self.find = find
-        self.environ = environ
-        self.values = values
-        self.too_long = too_long
-        self.written = written
+    def __init__(self, scope: ActionScope, sources: Ros2Sources, unset: Callable[[str, Place], None]) -> None:
+        self.scope, self.sources, self.unset = scope, sources, unset
         self._depth = self._parts = 0
 
     @property
@@ -129,7 +114,7 @@ class Texts:
         text = join([*until_too_long(parts)])
         if len(text) <= MOST_CHARACTERS:
             return text
-        self.too_long(at)
+        self.sources.too_long(at)
         return UNKNOWN
 
     def truth(self, term: Term | None) -> bool | None:
@@ -180,7 +165,11 @@ def _is_of_environment(term: Term | None) -> bool:
 
 
 def _setting(texts: Texts, term: Called) -> str:
-    return texts.setting(texts.of(term.given("variable_name", 0)), term.given("default", 1))
+    given, default = term.given("variable_name", 0), term.given("default", 1)
+    name = texts.of(given)
+    if given is not None and default is None and name not in texts.scope.settings:
+        texts.unset(name, given.at)
+    return texts.setting(name, default)
 
 
 def _package(texts: Texts, term: Called) -> str:
@@ -188,13 +177,13 @@ def _package(texts: Texts, term: Called) -> str:
     name = texts.of(given)
     if given is None or UNKNOWN in name:
         return UNKNOWN
-    return texts.find(name, given.at) or outside(name)
+    return texts.sources.find(name, given.at) or outside(name)
 
 
 def _environment(texts: Texts, term: Called) -> str:
     name = texts.of(term.given("name", 0))
-    if name in texts.environ:
-        return texts.environ[name]
+    if name in texts.sources.environ:
+        return texts.sources.environ[name]
     default = term.given("default_value", 1)
     return UNKNOWN if default is None else texts.of(default)
 
@@ -249,7 +238,7 @@ _PERFORMED: dict[str, Callable[[Texts, Called], str]] = {
     "ThisLaunchFile": lambda texts, _: texts.scope.file,
     "EnvironmentVariable": _environment,
     "PythonExpression": lambda texts, term: evaluated(
-        texts.of(term.given("expression", 0)), too_long=lambda: texts.too_long(term.at)
+        texts.of(term.given("expression", 0)), too_long=lambda: texts.sources.too_long(term.at)
     ),
     "EqualsSubstitution": _equals,
     "NotEqualsSubstitution": _equals,
