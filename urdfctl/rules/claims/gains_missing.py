@@ -103,7 +103,9 @@ def _ungained(reader: Reader) -> Iterator[Finding]:
     for fate, missing in by_fate.items():
         at = _place(controller, missing[0])
         if at is not None:
-            fix = Fix(f"add {_example(missing[0])}, and tune the values")
+            fix = Fix(
+                f"add {_example(missing[0])}; urdfctl gen-controllers computes values from the masses of the robot"
+            )
             yield Finding(at, _message(reader, missing), fix=fix, severity=_SEVERITIES[fate])
 
 
@@ -128,8 +130,8 @@ def _place(controller: Controller, gain: MissingGain) -> Place | None:
 
 
 def _example(gain: MissingGain) -> str:
-    """Example of the missing gains: `gains: {elbow: {p: 100.0, i: 0.0, d: 1.0}}`."""
-    text = "{p: 100.0, i: 0.0, d: 1.0}"
+    """The missing gains as they are written: `gains: {elbow: {p: P, i: I, d: D}}`."""
+    text = "{p: P, i: I, d: D}"
     parent = gain.name.rpartition(".")[0]
     if gain.element and gain.element in parent:
         before, after = parent.split(gain.element, 1)
