@@ -55,6 +55,23 @@ def test_transmissions_of_wheels_are_those_that_their_controller_needs(
     assert set(re.findall(r"hardware_interface/(\w+)JointInterface", made.stdout)) == {interface}
 
 
+def test_a_caster_that_nothing_commands_needs_no_transmission_beside_those_of_the_wheels(folder: Folder) -> None:
+    moment = '<inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>'
+    caster = f"""<link name="fork"><inertial><mass value="0.1"/>{moment}</inertial></link>
+      <joint name="fork_joint" type="continuous">
+        <parent link="base_link"/><child link="fork"/><origin xyz="-0.1 0 0.1"/><axis xyz="0 0 1"/>
+      </joint></robot>"""
+    with_transmissions = re.sub(r"(?s)<gazebo>.*?</gazebo>", "", BASE["urdf/tern.urdf.xacro"])
+    folder.write({"urdf/tern.urdf.xacro": with_transmissions.replace("</robot>", caster), "package.xml": MANIFEST})
+    words = ("urdf/tern.urdf.xacro", "--distro", "noetic", "--simulator", "gazebo-classic")
+    drive = ("--controller", "base_controller=diff_drive:left_wheel_joint,right_wheel_joint")
+    made = command("gen-all", *words, *drive, "-o", "tern_control")
+    assert made.returncode == 0, made.stderr
+    assert "<transmission" not in (folder.path / "tern_control/urdf/control.xacro").read_text()
+    refused = command("gen-transmissions", *words, *drive)
+    assert "the robot already has transmissions for all of these joints" in refused.stderr
+
+
 def test_interfaces_are_written_although_no_controller_can_be_proposed(folder: Folder) -> None:
     three = "".join(
         f"""<link name="w{n}"><collision><geometry><sphere radius="0.1"/></geometry></collision></link>

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.errors import UserError
@@ -86,11 +86,17 @@ def _one_dash(command: str) -> str:
 
 def _transmissions(order: Order) -> list[File]:
     there = {name for name in order.robot.interfaces if name not in order.robot.generated}
-    without = [joint for joint in order.joints if joint.name not in there]
+    wanted = wanted_interfaces(order.made_if_typed())
+    without = _commanded((joint for joint in order.joints if joint.name not in there), wanted)
     if there and not without:
         raise UserError("the robot already has transmissions for all of these joints; change their <hardwareInterface>")
-    block = transmissions(without, order.options, order.templates, wanted_interfaces(order.made_if_typed()))
+    block = transmissions(without, order.options, order.templates, wanted)
     return [_wrapped(order, "urdf/transmissions.xacro", block)]
+
+
+def _commanded(joints: Iterable[JointFacts], wanted: Mapping[str, str]) -> list[JointFacts]:
+    """The joints that controllers command, or that are asked for with an interface; all of them without controllers."""
+    return [joint for joint in joints if not wanted or joint.interface or joint.name in wanted]
 
 
 def _ros2_control(order: Order) -> list[File]:
@@ -196,7 +202,7 @@ def _blocks(order: Order, made: Sequence[GeneratedController]) -> Iterator[str]:
     """What a robot lacks to be controlled, as blocks of its description."""
     options, robot = order.options, order.robot
     wanted = wanted_interfaces(made) if options.ros == 1 else {}
-    without = [joint for joint in order.joints if joint.name not in robot.interfaces]
+    without = _commanded((joint for joint in order.joints if joint.name not in robot.interfaces), wanted)
     if options.ros == 1 and without and (not wanted or {*wanted.values()} & {*OF_TRANSMISSIONS}):
         yield transmissions(without, options, order.templates, wanted)
     block = _component(order, made) if options.ros == 2 and not options.own else None  # noqa: PLR2004
