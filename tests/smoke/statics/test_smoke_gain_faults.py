@@ -53,6 +53,26 @@ def test_the_range_that_is_told_is_stable(tmp_path: Path) -> None:
     assert found(tmp_path, f"p: 4000.0, i: 100.0, d: {0.8 * float(most[1])}") == []
 
 
+@pytest.mark.parametrize(
+    ("gains", "d", "words"),
+    [
+        ("p: 4000.0, i: 900.0", 0.0, r"d of joint 'lift' is 0, which is too low: (\S+) steadies it with the 5 kg"),
+        (
+            "p: 4000.0, i: 9000.0",
+            10.0,
+            r"i of joint 'lift' is 9000, but is stable only up to .*, or with a d of (\S+)$",
+        ),
+    ],
+)
+def test_the_damping_that_is_told_to_help_makes_the_loop_stable(
+    gains: str, d: float, words: str, tmp_path: Path
+) -> None:
+    [message] = found(tmp_path, f"{gains}, d: {d}")
+    enough = re.search(words, message)
+    assert enough, message
+    assert not any("UC916" in one for one in found(tmp_path, f"{gains}, d: {float(enough[1])}"))
+
+
 @pytest.mark.parametrize(("p", "expected"), [("50.0", []), ("900.0", []), ("1100.0", ["UC916"]), ("-5.0", ["UC916"])])
 def test_a_loop_that_holds_a_velocity_is_stable_below_twice_the_mass_per_update(
     p: str, expected: list[str], tmp_path: Path

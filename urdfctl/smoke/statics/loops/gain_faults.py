@@ -40,18 +40,29 @@ def gain_fault(
         return GainFault("p", f"p of joint '{hinge.name}' is 0, so that nothing holds it")
     ranges = {name: _greatest(gains, name, is_stable) for name in NAMES if getattr(gains, name) > 0}
     found = {name: most for name, most in ranges.items() if most is not None}
-    if found:
-        name = max(found, key=lambda each: found[each] / getattr(gains, each))
-        value, most = getattr(gains, name), found[name]
-        load = (
-            f"with the {inertia:.2g} {'kg' if hinge.type == 'prismatic' else 'kg m²'} that it moves, "
-            if inertia
-            else ""
-        )
-        where = f"{load}at {rate:g} Hz"
+    name = max(found, key=lambda each: found[each] / getattr(gains, each), default="")
+    steadying = None if name == "d" else _least_damping(gains, is_stable)
+    unit = "kg" if hinge.type == "prismatic" else "kg m²"
+    where = (f"with the {inertia:.2g} {unit} that it moves, " if inertia else "") + f"at {rate:g} Hz"
+    if name:
+        too_high = f"{name} of joint '{hinge.name}' is {getattr(gains, name):g}, but is stable only up to"
+        instead = f", or with a d of {steadying:g}" if steadying else ""
+        return GainFault(name, f"{too_high} {found[name]:.2g} {where}{instead}")
+    if steadying:
         return GainFault(
-            name, f"{name} of joint '{hinge.name}' is {value:g}, but is stable only up to {most:.2g} {where}"
+            "d", f"d of joint '{hinge.name}' is {gains.d:g}, which is too low: {steadying:g} steadies it {where}"
         )
+    return None
+
+
+def _least_damping(gains: PidGains, is_stable: Callable[[PidGains], bool]) -> float | None:
+    """A rounded d above the given one with which the loop is stable, about the least or twice it; None if none is."""
+    d = max(gains.d, _LEAST * gains.p)
+    while d <= gains.p:
+        d *= 2
+        rounded = float(f"{d:.2g}")
+        if is_stable(gains._replace(d=rounded)):
+            return rounded
     return None
 
 
