@@ -95,6 +95,8 @@ def poses_of(model: ET.Element, positions: dict[str, float]) -> dict[str, Pose]:
             moved[name] = Pose(scaled(way, value)) if slides else Pose(turn=about(way, value))
 
     def pose_of(name: str) -> Pose:
+        if name == "__model__":
+            return Pose()
         element = given[name]
         frame, pose = pose_in(element)
         frame = frame or element.get("attached_to", "")
@@ -103,8 +105,9 @@ def poses_of(model: ET.Element, positions: dict[str, float]) -> dict[str, Pose]:
     return {name: pose_of(name) for name, element in given.items() if element.tag != "joint"}
 
 
-def test_links_are_where_they_are_in_the_urdf_at_all_joint_positions(folder: Folder) -> None:
-    model = converted(folder, ARM)
+@pytest.mark.parametrize("root", ["foot", "world"])
+def test_links_are_where_they_are_in_the_urdf_at_all_joint_positions(root: str, folder: Folder) -> None:
+    model = converted(folder, ARM.replace('"foot"', f'"{root}"'))
     mechanism = mechanism_of(robot_in(folder.path / "robot.urdf"))
     assert mechanism is not None
     mechanism = mechanism._replace(hinges=tuple(hinge._replace(mimic=None) for hinge in mechanism.hinges))
@@ -113,7 +116,7 @@ def test_links_are_where_they_are_in_the_urdf_at_all_joint_positions(folder: Fol
         positions = {hinge.name: dice.uniform(-1, 1) for hinge in mechanism.hinges}
         expected = mechanism.poses(positions)
         places = poses_of(model, positions)
-        for name in expected:
+        for name in expected.keys() - {"world"}:
             pose = places[name]
             assert pose.place == pytest.approx(expected[name].place, abs=CLOSE), name
             assert [*sum(pose.turn, ())] == pytest.approx([*sum(expected[name].turn, ())], abs=CLOSE), name
@@ -128,6 +131,14 @@ def test_what_fixed_joints_connect_is_one_link_with_all_their_mass(folder: Folde
     collision = links["upper"].find("collision")
     assert collision is not None
     assert collision.get("name") == "upper_fixed_joint_lump__plate_collision"
+
+
+def test_every_frame_that_a_pose_is_relative_to_is_in_the_model(folder: Folder) -> None:
+    """What is fixed to the world has its pose in the model: `world` is no frame of a model in sdformat."""
+    model = converted(folder, ARM.replace('"foot"', '"world"'))
+    frames = {each.get("name") for each in model if each.tag in ("link", "joint", "frame")} | {"__model__"}
+    assert {pose.get("relative_to", "__model__") for pose in model.iter("pose")} <= frames
+    assert model.findtext("joint[@name='stand']/parent") == "world"
 
 
 def test_gazebo_elements_limits_and_mimic_joints_are_kept(folder: Folder) -> None:

@@ -28,6 +28,7 @@ from urdfctl.model.robot import Geometry, Joint, Robot, Tag
 _TYPES = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic", "fixed": "fixed"}
 _ENDLESS = "1e+16"
 _WORLD = "world"
+_MODEL = "__model__"
 _FRICTION = {"mu1": "mu", "mu2": "mu2"}
 
 
@@ -130,8 +131,9 @@ class _Writer:
             ] = None
             return
         top, pose = self.tops[parent]
+        frame = _MODEL if top == _WORLD == self._root else top  # 'world' is no frame in a model
         yield f'    <joint name="{xml_text(name)}" type="{kind}">'
-        yield f"      {_pose(pose.then(_origin(joint.tag)), top)}"
+        yield f"      {_pose(pose.then(_origin(joint.tag)), frame)}"
         yield f"      <parent>{xml_text(top)}</parent><child>{xml_text(child)}</child>"
         if kind != "fixed":
             yield f"      {self._axis(joint)}"
