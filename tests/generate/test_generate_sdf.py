@@ -141,6 +141,15 @@ def test_every_frame_that_a_pose_is_relative_to_is_in_the_model(folder: Folder) 
     assert model.findtext("joint[@name='stand']/parent") == "world"
 
 
+def test_a_moving_joint_with_the_name_of_a_link_is_refused_and_a_fixed_one_disappears(folder: Folder) -> None:
+    model = converted(folder, ARM.replace('"bolt"', '"plate"'))
+    assert [frame.get("name") for frame in model.findall("frame")] == ["stand", "base", "plate"]
+    folder.write({"robot.urdf": ARM.replace('name="turn"', 'name="upper"')})
+    done = command(*"convert robot.urdf --to sdf -o other.sdf".split())
+    assert (done.returncode, (folder.path / "other.sdf").exists()) == (2, False)
+    assert "joint 'upper' has the same name as a link, which Gazebo rejects; rename one of them" in done.stderr
+
+
 def test_gazebo_elements_limits_and_mimic_joints_are_kept(folder: Folder) -> None:
     model = converted(folder, ARM)
     assert model.findtext("plugin/parameters") == "controllers.yaml"

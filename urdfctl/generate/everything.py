@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog
@@ -260,10 +261,14 @@ def _convert(order: Order) -> list[File]:
 
 
 def _sdf_file(order: Order) -> File:
-    """The robot as Gazebo converts it. UserError if its links are unknown."""
+    """The robot as Gazebo converts it. UserError if its links are unknown, or have names of joints."""
     skeleton = order.robot.skeleton
     if skeleton is None:
         raise UserError("an SDF model requires a robot, not a list of joints")
+    names = Counter(re.findall(r'(?m)^    <(?:link|joint|frame) name="([^"]*)"', skeleton.fixed))
+    twice = next((name for name, number in names.items() if number > 1), None)
+    if twice:
+        raise UserError(f"joint '{twice}' has the same name as a link, which Gazebo rejects; rename one of them")
     text = order.templates.render(
         "sdf/robot.sdf",
         command=_one_dash(order.options.command),

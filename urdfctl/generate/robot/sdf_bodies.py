@@ -67,10 +67,11 @@ class _Writer:
             place = _pose(frames[name]) if joint is None or joint.type not in _TYPES else _pose(Pose(), joint.name)
             yield from self._link(name, place)
         for joint, parent, child in self._merged:
-            yield f'    <frame name="{xml_text(joint.name or "")}" attached_to="{xml_text(parent)}">'
+            first, *then = [joint.name or "", child] if joint.name not in self._links else [child]
+            yield f'    <frame name="{xml_text(first)}" attached_to="{xml_text(parent)}">'
             yield f"      {_pose(_origin(joint.tag))}"
             yield "    </frame>"
-            yield f'    <frame name="{xml_text(child)}" attached_to="{xml_text(joint.name or "")}"/>'
+            yield from (f'    <frame name="{xml_text(name)}" attached_to="{xml_text(first)}"/>' for name in then)
         for joint, parent, child in self._kept:
             yield from self._joint(joint, parent, child)
         for gazebo in self._robot.gazebos:
