@@ -204,6 +204,24 @@ def test_expressions_get_the_text_of_their_arguments(folder: Folder, written: st
     assert f'if="{in_xml}"' in migrated(folder, launch, "--launch", "xml")["launch/arm.launch.xml"]
 
 
+REMAPPED = """\
+<launch>
+  <remap from="joint_states" to="arm/joint_states"/>
+  <include file="$(find gazebo_ros)/launch/empty_world.launch"/>
+  <remap from="other" to="arm/other"/>
+</launch>
+"""
+
+
+@pytest.mark.parametrize("has_controllers", [True, False])
+def test_a_remapping_around_the_simulator_is_named_for_its_controllers(folder: Folder, has_controllers: bool) -> None:
+    files = {"launch/arm.launch": REMAPPED, "urdf/arm.xacro": arm(transmission("EffortJointInterface"))}
+    files |= {"config/c.yaml": "ctl:\n  type: effort_controllers/JointEffortController\n"} if has_controllers else {}
+    text = migrated(folder, files, "--simulator", "gz")["launch/arm.launch.py"]
+    assert ("the remapping of 'joint_states' to 'arm/joint_states' reached the controllers" in text) is has_controllers
+    assert "the remapping of 'other'" not in text
+
+
 @pytest.mark.parametrize(
     ("args", "expected"),
     [

@@ -137,6 +137,7 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         descriptions=packages.found(description_names),
         elsewhere=packages.found(described_elsewhere),
         doubled=packages.found(doubled_names),
+        has_controllers=bool(controllers),
     )
 
 

@@ -37,6 +37,7 @@ class LaunchTarget(NamedTuple):
     split: the arguments of the file to which other files give several words.
     doubled: the names of the launch files that get another one, because a file beside them takes theirs.
     elsewhere: whether the description with the plugin of the simulator is in another package.
+    has_controllers: whether the packages have files of controllers.
     """
 
     distro: str
@@ -63,6 +64,7 @@ class LaunchTarget(NamedTuple):
     split: frozenset[str] = frozenset()
     elsewhere: bool = False
     doubled: frozenset[str] = frozenset()
+    has_controllers: bool = False
 
     @property
     def apart(self) -> frozenset[str]:

@@ -50,6 +50,7 @@ from urdfctl.migrate.ros1.set_descriptions import (
     overriding,
     said,
 )
+from urdfctl.migrate.ros1.simulated_remaps import remapped_in_simulator
 from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
@@ -231,6 +232,7 @@ class LaunchReading(Notes):
             yield Action("group", inner=(*map(_variable, variables), *included))
             return
         if packages and packages[0] in _OF_WORLD:
+            self.left += remapped_in_simulator(element) if self.target.has_controllers else ()
             of_world = dict.fromkeys(ARGUMENTS_OF_WORLD)
             yield from simulator_actions(
                 self, dict((*given, *passed_on(element, dict(given), self.defaults, of_world)))
