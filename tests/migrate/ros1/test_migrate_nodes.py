@@ -223,6 +223,19 @@ def test_a_remapping_around_the_simulator_is_named_for_its_controllers(folder: F
 
 
 @pytest.mark.parametrize(
+    ("value", "lost"), [("-s libmine.so", "-s libmine.so"), ("$(arg more)", "--verbose"), ("$(arg none)", ""), ("", "")]
+)
+def test_an_argument_of_gazebo_classic_that_gz_has_not_is_named(folder: Folder, value: str, lost: str) -> None:
+    arguments = '<arg name="more" default="--verbose"/><arg name="none" default=""/>'
+    given = f'<arg name="extra_gazebo_args" value="{value}"/><arg name="physics" value="ode"/>'
+    world = f'<include file="$(find gazebo_ros)/launch/empty_world.launch">{given}</include>'
+    files = {"launch/arm.launch": f"<launch>{arguments}{world}</launch>", "urdf/arm.urdf": arm("")}
+    text = migrated(folder, files, "--simulator", "gz")["launch/arm.launch.py"]
+    assert (f"gz has no argument 'extra_gazebo_args': what '{lost}' did" in text) is bool(lost)
+    assert "gz has no argument 'physics'" not in text
+
+
+@pytest.mark.parametrize(
     ("args", "expected"),
     [
         ("pub /ready std_msgs/Bool true", '"/ready", "std_msgs/msg/Bool", "{data: true}"'),

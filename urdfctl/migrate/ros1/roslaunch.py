@@ -22,6 +22,7 @@ from urdfctl.migrate.ros1.included import IncludedFile, kept_apart, passed_on, s
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
 from urdfctl.migrate.ros1.launches import new_name
+from urdfctl.migrate.ros1.lost_to_simulator import lost_arguments, remapped_in_simulator
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT
 from urdfctl.migrate.ros1.pausing import DECIDED, must_run, running
 from urdfctl.migrate.ros1.roslaunch_nodes import (
@@ -50,7 +51,6 @@ from urdfctl.migrate.ros1.set_descriptions import (
     overriding,
     said,
 )
-from urdfctl.migrate.ros1.simulated_remaps import remapped_in_simulator
 from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
@@ -233,10 +233,10 @@ class LaunchReading(Notes):
             return
         if packages and packages[0] in _OF_WORLD:
             self.left += remapped_in_simulator(element) if self.target.has_controllers else ()
+            self.left += lost_arguments(dict(given), self.defaults) if self.target.started == "gz" else ()
             of_world = dict.fromkeys(ARGUMENTS_OF_WORLD)
-            yield from simulator_actions(
-                self, dict((*given, *passed_on(element, dict(given), self.defaults, of_world)))
-            )
+            passed = passed_on(element, dict(given), self.defaults, of_world)
+            yield from simulator_actions(self, dict((*given, *passed)))
             return
         if self._is_left(file):
             self.left.append(f"start here what replaces MoveIt's '{file[-1].text.rpartition('/')[2]}'")
