@@ -234,3 +234,39 @@ def test_two_launch_files_that_differ_in_their_ending_keep_two_names(folder: Fol
     after = migrated(folder, files)
     assert '"/launch/arm_include.launch.py"' in after["launch/arm.launch.py"]
     assert 'executable="mover"' in after["launch/arm_include.launch.py"]
+
+
+@pytest.mark.parametrize(
+    ("spawned", "published", "is_told"),
+    [("", 'if="$(arg tf)"', True), ('if="$(arg tf)"', 'if="$(arg tf)"', False), ("", "", False)],
+)
+def test_a_robot_that_is_spawned_without_its_publisher_is_named(
+    folder: Folder, spawned: str, published: str, is_told: bool
+) -> None:
+    launch = f"""\
+<launch>
+  <arg name="tf" default="true"/>
+  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/one.xacro"/>
+  <node name="s" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model a" {spawned}/>
+  <group {published}><node name="p" pkg="robot_state_publisher" type="robot_state_publisher"/></group>
+</launch>
+"""
+    files = {"launch/arm.launch": launch, "urdf/one.xacro": arm(transmission("EffortJointInterface"))}
+    text = migrated(folder, files, "--simulator", "gz")["launch/arm.launch.py"]
+    assert ("it waits for its description then" in text) is is_told
+
+
+def test_one_of_two_publishers_is_enough_for_a_robot_that_is_spawned(folder: Folder) -> None:
+    publisher = '<node name="{}" pkg="robot_state_publisher" type="robot_state_publisher" {}="$(arg tf)"/>'
+    launch = f"""\
+<launch>
+  <arg name="tf" default="true"/>
+  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/one.xacro"/>
+  <node name="s" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model a"/>
+  {publisher.format("p", "if")}
+  {publisher.format("q", "unless")}
+</launch>
+"""
+    files = {"launch/arm.launch": launch, "urdf/one.xacro": arm(transmission("EffortJointInterface"))}
+    text = migrated(folder, files, "--simulator", "gz")["launch/arm.launch.py"]
+    assert "it waits for its description then" not in text

@@ -22,6 +22,7 @@ from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
 from urdfctl.migrate.ros1.spawned_names import spawned_names
+from urdfctl.migrate.ros1.waiting_spawns import waits_for_publisher
 from urdfctl.migrate.shared.controller_files import installed_path, sections, type_names
 from urdfctl.migrate.shared.hardware import described_elsewhere, simulated_by, started_by_launch_files
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
@@ -95,6 +96,7 @@ def _migrated(packages: MigratedPackages, path: str, root: Element, target: Laun
     if len(described) > 1:
         shown = ", ".join(f"'{one}'" for one in described)
         left.append(f"each of {shown} has a robot_state_publisher now: keep one, in ROS 1 the last of them counted")
+    left += waits_for_publisher(actions)
     if target.started == "gz":
         gz = gz_for(packages, path)
         left += gz.left(actions)
