@@ -160,3 +160,13 @@ def test_each_robot_has_the_publisher_of_the_launch_files_that_are_started_with_
     after = migrated(folder, files, "--simulator", "gz")
     for side in ("left", "right"):
         assert f'remappings=[("joint_states", "/{side}/joint_states")]' in after[f"launch/{side}.launch.py"]
+
+
+def test_a_new_controller_file_is_for_the_plugins_of_all_namespaces(folder: Folder) -> None:
+    robot = arm(transmission("EffortJointInterface"), PLUGIN.format(space="/arm"))
+    alone = migrated(folder, {"urdf/one.xacro": robot}, "--simulator", "gz")["config/ros2_controllers.yaml"]
+    assert alone.startswith("/arm/controller_manager:\n")
+    other = robot.replace("<robotNamespace>/arm</robotNamespace>", "")
+    files = {"urdf/one.xacro": robot, "urdf/other.xacro": other}
+    after = migrated(folder, files, "--simulator", "gz")["config/ros2_controllers.yaml"]
+    assert after.startswith('"/**/controller_manager":\n')

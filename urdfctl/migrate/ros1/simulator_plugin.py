@@ -99,7 +99,7 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
         edits.append(Edit(span_of(space), indented(inner, indent_of(space)).lstrip()) if inner else removal(space))
     files = controller_files(packages, robots)
     created: tuple[tuple[str, str], ...] = ()
-    if not files and (new := _new_file(element, text)) is not None:
+    if not files and (new := _new_file(packages, element, text)) is not None:
         files, created = [new[0]], (new[1:],)
     edits += _chosen_namespaces(packages, element, step)
     edits.append(_with_parameters(element, files, step, inner if space is None else ""))
@@ -203,16 +203,24 @@ def _fitting(packages: MigratedPackages, robots: list[LoadedTarget]) -> list[str
     return sorted(fitting, key=lambda path: (-len(fitting[path]), path))
 
 
-def _new_file(element: Element, namespace: str) -> tuple[str, str, str] | None:
-    """The address, path and text of a new controller file in the package of a description."""
+def _new_file(packages: MigratedPackages, element: Element, namespace: str) -> tuple[str, str, str] | None:
+    """The address, path and text of a new controller file in the package of a description, for all of its plugins."""
     folder = package_around(os.path.dirname(element.source.path))
     name = package_name(os.path.join(folder, "package.xml")) if folder else None
     path = os.path.join(folder or "", "config", "ros2_controllers.yaml")
     if not folder or not name or exists(path):
         return None
-    space = "/**" if "$" in namespace else f"/{namespace.strip('/')}" if namespace.strip("/") else ""
+    own = (one for one in plugin_elements(packages) if one.source.path.startswith(folder + os.sep))
+    spaces = {_space(one) for one in own if attribute(one, "filename") == CONTROL}
+    is_any = "$" in namespace or len(spaces) > 1
+    space = "/**" if is_any else f"/{namespace.strip('/')}" if namespace.strip("/") else ""
     manager = manager_text(space, {"joint_state_broadcaster": BROADCASTER}, RATE, simulated=True)
     return f"$(find {name})/config/ros2_controllers.yaml", path, manager
+
+
+def _space(plugin: Element) -> str:
+    space = child(plugin, "robotNamespace")
+    return content(space).strip("/") if space is not None else ""
 
 
 def _joints_by_file(packages: MigratedPackages) -> dict[str, set[str]]:
