@@ -230,6 +230,8 @@ def test_a_launch_file_that_includes_those_of_moveit_includes_the_new_ones(folde
     assert '[FindPackageShare("arm_moveit"), "/launch/move_group.launch.py"]' in text
     assert "load_robot_description" not in text
     assert "launch/demo.launch" not in after
+    files["launch/demo.launch"] = demo.replace('value="true"', 'value="false"')
+    assert "rsp.launch.py" not in migrated(folder, files)["launch/demo.launch.py"]
 
 
 def test_a_launch_file_that_is_left_to_a_person_loads_the_new_file_with_controllers(folder: Folder) -> None:

@@ -170,3 +170,15 @@ def test_a_new_controller_file_is_for_the_plugins_of_all_namespaces(folder: Fold
     files = {"urdf/one.xacro": robot, "urdf/other.xacro": other}
     after = migrated(folder, files, "--simulator", "gz")["config/ros2_controllers.yaml"]
     assert after.startswith('"/**/controller_manager":\n')
+
+
+def test_a_description_in_a_namespace_without_a_publisher_is_spawned_there(folder: Folder) -> None:
+    described = f"{DESCRIPTION}{SPAWN}"
+    files = {
+        "arm.urdf.xacro": arm(transmission("EffortJointInterface")),
+        "launch/shown.launch": f"<launch>{DESCRIPTION}{PUBLISHER.format(more='')}</launch>",
+        "launch/moved.launch": f'<launch><group ns="mobile">{described}</group></launch>',
+    }
+    text = migrated(folder, files, "--simulator", "gz")["launch/moved.launch.py"]
+    assert 'PushRosNamespace("mobile")' in text
+    assert 'arguments=["-topic", "robot_description", "-name", "arm"]' in text

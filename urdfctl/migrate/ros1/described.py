@@ -111,16 +111,18 @@ def _started_together(packages: MigratedPackages) -> dict[str, set[str]]:
 
 
 def _published(packages: MigratedPackages) -> dict[str, set[str]]:
-    """The namespaces in which a launch file publishes the description, by its path."""
+    """The namespaces in which a launch file publishes the description, by its path: those of its publishers, or of the
+    parameter where no publisher is started with it."""
     roots = packages.found(launch_roots)
     contexts = _contexts(packages, roots)
     nodes = [(path, one) for path, root in roots.items() for one in elements(root) if _is_publisher(one)]
     names = packages.found(description_names)
-    chosen = nodes or [
-        (path, one) for path, root in roots.items() for one in elements(root) if is_description(one, names)
-    ]
+    publishing = {path for path, _ in nodes}
+    together, idle = packages.found(_started_together), packages.found(idle_publishers)
+    alone = [path for path in roots if not together[path] & publishing and idle.get(path) is None]
+    parameters = [(path, one) for path in alone for one in elements(roots[path]) if is_description(one, names)]
     found: dict[str, set[str]] = {}
-    for path, one in chosen:
+    for path, one in (*nodes, *parameters):
         spaces = {"/".join(part for part in (space, _own_space(one)) if part) for space in contexts[path]}
         found.setdefault(path, set()).update(spaces)
     return found

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.launch.actions import Text, plain
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.moveit_package import MARK, MOVE_GROUP, MoveitPackage, moveit_packages
@@ -45,6 +46,18 @@ LOADED_BY_MOVEIT = (
     "default_warehouse_db.launch",
 )
 """Launch files of ROS 1 that only load parameters, which MoveItConfigsBuilder reads from the files of the package."""
+
+
+def is_loaded_by_moveit(made: str, given: Mapping[str, Text], defaults: Mapping[str, str | None]) -> bool:
+    """Return whether a launch file of MoveIt only loaded parameters where another one includes it.
+
+    made: its old path, or that of the one that takes its place.
+    given: the arguments of the include.
+    defaults: of the arguments of the file.
+    """
+    value = given.get("load_robot_description")
+    loads = plain(value) if value is not None else defaults.get("load_robot_description")
+    return made.endswith(LOADED_BY_MOVEIT) or (made.endswith("/rsp.launch.py") and loads == "false")
 
 
 def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:

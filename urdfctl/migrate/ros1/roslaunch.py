@@ -23,7 +23,7 @@ from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
 from urdfctl.migrate.ros1.launches import new_name
 from urdfctl.migrate.ros1.lost_to_simulator import lost_arguments, remapped_in_simulator
-from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT
+from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, is_loaded_by_moveit
 from urdfctl.migrate.ros1.pausing import DECIDED, must_run, running
 from urdfctl.migrate.ros1.roslaunch_nodes import (
     ARGUMENTS_OF_WORLD,
@@ -242,12 +242,12 @@ class LaunchReading(Notes):
             self.left.append(f"start here what replaces MoveIt's '{file[-1].text.rpartition('/')[2]}'")
             return
         made = self._made_by_moveit(file)
-        if made and made.endswith(LOADED_BY_MOVEIT):
+        its = self.target.included(element.attrs.get("file", ""))
+        if made and is_loaded_by_moveit(made, dict(given), its.arguments):
             return  # MoveItConfigsBuilder reads the parameters that it loaded
         if made:
             action = Action("include", value=(*file[:-1], PartOfText("text", made)))
         else:
-            its = self.target.included(element.attrs.get("file", ""))
             more = passed_on(element, dict(given), self.defaults, its.arguments)
             action = Action("include", value=self._new_path(file), pairs=(*given, *more))
             self._included[action.value or ()] = its
