@@ -3,8 +3,9 @@
     python tests/bench/moveit.py ROBOTS.yaml --trees DIR [--only NAME]... [--samples N]
 
 ROBOTS.yaml lists `robots`, each with a name, its tree (a folder of DIR), and in it the description, its arguments
-(NAME:=VALUE), and the SRDF (`semantic`) that people made for it; `options` are words for gen-moveit. Each is
-generated twice, with other seeds, in the folder `moveit_of_urdfctl` of its tree. Of a robot is said:
+(NAME:=VALUE), and the SRDF (`semantic`) that people made for it, with `semantic_arguments` if they differ;
+`controllers` is a file in the folder of theirs, and `options` are words for gen-moveit. Each is generated twice, with
+other seeds, in the folder `moveit_of_urdfctl` of its tree. Of a robot is said:
 
 - which groups, end effectors and controllers of theirs are found: those that move the same joints;
 - on how many pairs of links, of those on which both runs agree, theirs agrees, and each pair on which it does not;
@@ -32,6 +33,7 @@ import yaml
 _OUTPUT = "moveit_of_urdfctl"
 _SEEDS = (1, 2)
 _MOVING = ("revolute", "continuous", "prismatic")
+_ENDS = ("lower", "upper")
 _LISTED = 40
 Pair = frozenset[str]
 
@@ -48,7 +50,11 @@ class Tree:
     def moves(self, name: str) -> bool:
         """Whether a joint is one that a group moves by itself."""
         joint = self.joints.get(name)
-        return joint is not None and joint.get("type") in _MOVING and joint.find("mimic") is None
+        if joint is None or joint.get("type") not in _MOVING or joint.find("mimic") is not None:
+            return False
+        limit = joint.find("limit")
+        span = {float(limit.get(end, "0")) for end in _ENDS} if limit is not None else set()
+        return joint.get("type") == "continuous" or len(span) == len(_ENDS)
 
     def chain(self, base: str, tip: str) -> Iterator[str]:
         """Yield the joints from one link up to another."""
@@ -149,11 +155,13 @@ class Tool:
         """Return a path as it is written in the folder."""
         return str(path.relative_to(self.folder))
 
-    def expanded(self, path: str) -> str:
-        """Return the text of a file, without xacro if it has any."""
+    def semantic(self) -> str:
+        """Return the text of the SRDF that people made, without xacro if it has any."""
+        path = self.robot["semantic"]
         if not path.endswith(".xacro"):
             return (self.folder / path).read_text()
-        return self.run("expand", path, *self.robot.get("arguments", ())).stdout
+        given = self.robot.get("semantic_arguments", self.robot.get("arguments", ()))
+        return self.run("expand", path, *given).stdout
 
     def generate(self, out: Path, seed: int, samples: int) -> subprocess.CompletedProcess[str]:
         """Write the package."""
@@ -175,7 +183,7 @@ def compared(tool: Tool, out: Path, samples: int) -> dict[str, Any]:
         said = next(one for one in made if one.returncode).stderr.strip().splitlines()
         return {"refused": said[-1] if said else "?", "seconds": round(seconds, 1)}
     tree = Tree(tool.run("expand", robot["description"], *robot.get("arguments", ())).stdout)
-    theirs = semantic_in(tool.expanded(robot["semantic"]), tree)
+    theirs = semantic_in(tool.semantic(), tree)
     ours = [semantic_in(next(one.glob("config/*.srdf")).read_text(), tree) for one in packages]
     config = (tool.folder / robot.get("controllers", robot["semantic"])).parent
     mine = controllers_in(packages[0] / "config", tree)

@@ -52,6 +52,17 @@ def test_a_chain_ends_at_its_hand_and_the_hand_is_its_end_effector(written: Fold
     }
 
 
+def test_a_joint_whose_limits_allow_no_motion_is_within_a_chain_as_a_fixed_one_is(folder: Folder) -> None:
+    still = '<joint name="tool" type="revolute"><limit lower="0" upper="0" effort="1" velocity="1"/><axis xyz="1 0 0"/>'
+    folder.write({"six.urdf": arm().replace('<joint name="tool" type="fixed">', still)})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    root = semantic(folder)
+    assert [chain.attrib for chain in root.findall("group/chain")] == [{"base_link": "base_link", "tip_link": "hand"}]
+    assert [one.get("parent_link") for one in root.findall("end_effector")] == ["hand"]
+    assert [one.get("name") for one in root.findall("passive_joint")] == ["tool"]
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
+
+
 @pytest.mark.parametrize(("second", "opened"), [("revolute", "0"), ("fixed", "0.9")])
 def test_a_jaw_that_turns_alone_is_open_far_from_0_and_fingers_that_turn_together_near_0(
     second: str, opened: str, folder: Folder

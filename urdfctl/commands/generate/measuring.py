@@ -11,7 +11,7 @@ from urdfctl.generate.robot.mjcf_bodies import Surface
 from urdfctl.lint.job import Work
 from urdfctl.model.robot import Robot
 from urdfctl.smoke.engines import TouchingLinks, testable, touching_links
-from urdfctl.smoke.robot import Mechanism, corners_of, triangles_of_collada
+from urdfctl.smoke.robot import Hinge, Mechanism, corners_of, triangles_of_collada
 from urdfctl.source.disk.files import first_bytes
 
 _MOST_BYTES = 20 << 20
@@ -51,6 +51,11 @@ def measure_links(work: Work) -> dict[str, Any]:
 
 def _linkage(mechanism: Mechanism, touching: TouchingLinks) -> Linkage:
     links = [LinkFacts(mechanism.root)]
-    links += [LinkFacts(hinge.child, hinge.parent, hinge.name, hinge.type) for hinge in mechanism.hinges]
+    links += [LinkFacts(hinge.child, hinge.parent, hinge.name, _type_of(hinge)) for hinge in mechanism.hinges]
     rest = tuple(mechanism.start().items())
     return Linkage(tuple(links), touching.pairs, touching.hulls, rest, touching.starting)
+
+
+def _type_of(hinge: Hinge) -> str:
+    """The type of a joint for planning: one whose limits allow no motion is fixed."""
+    return "fixed" if hinge.moves and hinge.type != "continuous" and hinge.span[0] == hinge.span[1] else hinge.type

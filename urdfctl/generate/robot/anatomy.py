@@ -122,8 +122,8 @@ def _is_wheel(tree: _JointTree, joint: JointFacts) -> bool:
     if not joint.radius and not _WHEEL.search(joint.name):
         return False
     carriers = tree.over(joint)
-    below = tree.under(joint.name)
-    if below and len(below) < _ROLLERS:
+    carried = tree.below.get(joint.name, ())
+    if carried and (len(carried) < _ROLLERS or any(tree.below.get(roller.name) for roller in carried)):
         return False
     rockers = [upper for upper in carriers if not (_is_upright(upper) or upper.slides)]
     named = bool(_WHEEL.search(joint.name) or _WHEEL.search(joint.link or ""))
@@ -199,13 +199,15 @@ _O = (0.0, 0.0, 0.0)
 
 
 def _tools(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[Tool]:
-    """Grippers: a joint that others at the end of a chain mimic, or fingers on one link."""
+    """Grippers: a joint that others at the end of a chain mimic, with what they carry, or fingers on one link."""
     names = {joint.name for joint in joints}
     taken: set[str] = set()
     for joint in joints:
-        if joint.name in tree.followers and _ends(tree, joint):
-            taken.add(joint.name)
-            yield Tool((joint,), single=True)
+        hand = _hand_of(tree, joint) if joint.name in tree.followers and joint.name not in taken else []
+        led = tuple(other for other in joints if other in hand)
+        if led:
+            taken.update(member.name for member in led)
+            yield Tool(led, single=len(led) == 1)
     ends = [joint for joint in joints if joint.name not in taken and not tree.under(joint.name)]
     by_place: dict[str | None, list[JointFacts]] = {}
     for joint in ends:
@@ -218,11 +220,20 @@ def _tools(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[Tool]:
             yield Tool(tuple(members), single=len(members) == 1)
 
 
-def _ends(tree: _JointTree, joint: JointFacts) -> bool:
-    """Whether a joint and those that mimic it carry only joints that mimic it, too."""
+def _hand_of(tree: _JointTree, joint: JointFacts) -> list[JointFacts]:
+    """A joint whose followers are at the end of a chain, with the joints that these carry, such as springs of fingers.
+
+    Empty if the joint itself carries others than followers, or one that the followers carry does: they are no fingers.
+    """
     followers = {follower.name for follower in tree.followers[joint.name]}
-    carried = [below for name in (joint.name, *followers) for below in tree.under(name)]
-    return all(below.name in followers for below in carried)
+    carried = {below.name: below for name in (joint.name, *followers) for below in tree.under(name)}
+    inner = [below for below in carried.values() if not below.mimics]
+    within = {joint.name, *(below.name for below in inner)}
+    if any(below.mimic is None or below.mimic[0] not in within for below in carried.values() if below.mimics):
+        return []
+    if any(not below.mimics for each in (joint, *inner) for below in tree.under(each.name)):
+        return []
+    return [joint, *inner]
 
 
 def _chains(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:

@@ -1,0 +1,70 @@
+"""Which joints are wheels, which a hand, and which the chain of an arm."""
+
+from __future__ import annotations
+
+import pytest
+
+from urdfctl.generate.robot.anatomy import Anatomy, anatomy_of
+from urdfctl.generate.robot.facts import JointFacts, RobotFacts
+
+LEVEL = (0.0, 1.0, 0.0)
+HERE = (0.0, 0.0, 0.1)
+
+
+def turning(name: str, above: str | None = None, mimic: str | None = None) -> JointFacts:
+    """Return a joint that turns."""
+    followed = (mimic, 1.0, 0.0) if mimic else None
+    return JointFacts(name, link=f"{name}_link", above=above, mimic=followed, mimics=bool(mimic), lower=0.0, upper=1.0)
+
+
+def endless(name: str, above: str | None = None) -> JointFacts:
+    """Return a level joint that turns without end, with something round on it."""
+    return JointFacts(name, "continuous", link=f"{name}_link", above=above, axis=LEVEL, at=HERE, radius=0.1)
+
+
+def anatomy(*joints: JointFacts) -> Anatomy:
+    """Return the parts of a robot with these joints."""
+    return anatomy_of(RobotFacts("r", joints=joints), joints)
+
+
+def names_of(parts: Anatomy) -> tuple[list[list[str]], list[list[str]]]:
+    """Return the names of the joints in the tools, and in the chains."""
+    tools = [[joint.name for joint in tool.joints] for tool in parts.tools]
+    return tools, [[joint.name for joint in chain] for chain in parts.chains]
+
+
+def test_an_arm_of_joints_that_turn_without_end_has_no_wheels() -> None:
+    row = ("one", "two", "three", "four", "five", "six")
+    parts = anatomy(*(endless(name, above) for name, above in zip(row, (None, *row[:-1]), strict=True)))
+    assert parts.base is None
+    assert names_of(parts) == ([], [[*row]])
+
+
+def test_a_wheel_with_rollers_on_its_rim_is_a_wheel() -> None:
+    wheels = [endless(name)._replace(at=(0.0, y, 0.1)) for name, y in (("left", 0.2), ("right", -0.2))]
+    rollers = [endless(f"{wheel.name}_{n}", wheel.name)._replace(radius=None) for wheel in wheels for n in range(4)]
+    base = anatomy(*wheels, *rollers).base
+    assert base is not None
+    assert [joint.name for joint in base.joints] == ["left", "right"]
+
+
+def test_the_springs_on_fingers_that_follow_a_motor_are_one_hand_with_it() -> None:
+    fingers = [
+        part
+        for side in ("l", "r")
+        for part in (
+            turning(f"{side}_proximal", "wrist", "motor"),
+            turning(f"{side}_spring", f"{side}_proximal"),
+            turning(f"{side}_middle", f"{side}_spring", f"{side}_spring"),
+            turning(f"{side}_distal", f"{side}_middle", "motor"),
+        )
+    ]
+    parts = anatomy(turning("shoulder"), turning("wrist", "shoulder"), turning("motor", "wrist"), *fingers)
+    assert names_of(parts) == ([["motor", "l_spring", "r_spring"]], [["shoulder", "wrist"]])
+    assert not parts.tools[0].single
+
+
+@pytest.mark.parametrize("carried", [(turning("pan", "second"), turning("tilt", "pan")), (turning("pan", "lift"),)])
+def test_what_carries_an_arm_or_a_head_is_no_hand(carried: tuple[JointFacts, ...]) -> None:
+    parts = anatomy(turning("lift"), turning("second", None, "lift"), *carried)
+    assert parts.tools == ()
