@@ -212,7 +212,7 @@ def test_transmissions_are_known_with_their_ends_and_roles() -> None:
 
 def test_what_the_controller_manager_reads_is_known() -> None:
     assert CATALOG.manager_parameters("jazzy")["update_rate"].validators == {"gt": 0}
-    assert CATALOG.manager_parameters("humble")["update_rate"].validators == {}
+    assert CATALOG.manager_parameters("humble")["update_rate"].validators == {"nonzero": True}
     assert CATALOG.controller_keys("jazzy")["type"].required
     assert "is_async" in CATALOG.common_parameters("jazzy")
     assert CATALOG.manager_parameters("noetic") == {}
