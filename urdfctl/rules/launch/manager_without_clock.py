@@ -54,7 +54,9 @@ def manager_without_clock(project: Project) -> Iterator[Finding]:
 
 
 def _may_publish(node: Node) -> bool:
-    return any(_CLOCKS.search(word.text) for word in (node.package, node.executable, *node.words))
+    """Whether its names, or a file that it gets, are like those of a program that publishes the time."""
+    words = (node.package, node.executable, *node.words)
+    return any(_CLOCKS.search(word.text.rpartition("/")[2]) for word in words)
 
 
 def _places(project: Project, launch: Launch) -> Iterator[Place]:
