@@ -71,8 +71,8 @@ def _published(project: Project, launch: Launch) -> dict[str, Place]:
     for spawn in launch.spawns:
         for name, at in spawn.names:
             if _publishes(project, name.rpartition("/")[2]):
-                namespace = spawn.full_name(name).rpartition("/")[0]
-                if not spawn.sure or spawn.namespace is None or UNKNOWN in namespace or _has_arguments(spawn):
+                namespace = spawn.namespace if launch.ros == 1 else spawn.full_name(name).rpartition("/")[0]
+                if namespace is None or not spawn.sure or UNKNOWN in namespace or _has_arguments(spawn):
                     return {}
                 topics[joined(namespace, _TOPIC)] = at
     return topics
