@@ -253,7 +253,7 @@ FILE_ENDINGS = (".rviz", ".vcg", ".world", ".sdf", ".yaml", ".yml", ".urdf", ".x
 class LaunchedFile(NamedTuple):
     """A file that the launch file uses.
 
-    use: `description`, `parameters`, `include` or `argument`.
+    use: `description`, `parameters`, `include`, `text` (ROS 1: its content is a parameter's value) or `argument`.
     has_siblings: whether it should be there: its folder has other files of its kind, or is missing too.
     package: the package that contains it; None if unknown.
     """

@@ -9,7 +9,12 @@ from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.file_names import file_renamed, meant_file
 from urdfctl.rules.launch_samples import BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
 
-_NEEDED = {"description": "robot description", "parameters": "parameter file", "include": "included launch file"}
+_NEEDED = {
+    "description": "robot description",
+    "parameters": "parameter file",
+    "include": "included launch file",
+    "text": "file of a parameter",
+}
 """The uses for which a file must exist, and what messages call such a file."""
 _ARGUMENTS = {
     ".rviz": "RViz configuration",
@@ -29,7 +34,7 @@ _ARGUMENTS = {
     "UC616",
     severity=Severity.ERROR,
     runtime="refuses",
-    authority="roslaunch: 'file does not exist'; launch: 'The following exception occurred ... No such file or directory'; "
+    authority="roslaunch: 'file does not exist'; roslaunch loader.py param_value(): opens textfile and binfile; launch: 'The following exception occurred ... No such file or directory'; "
     "rcl: 'Error opening YAML file'; xacro: 'No such file or directory'; "
     "moveit_configs_utils launches.py generate_demo_launch(): includes launch/rsp.launch.py and others of the package; "
     "ros_gz_bridge bridge_config.cpp readFromYamlFile(): 'Could not parse config: failed to open file'",
@@ -61,6 +66,7 @@ _ARGUMENTS = {
                     <arg name="world_name" value="«$(find arm)/arm.world»"/>
                   </include>
                   <node name="rviz" pkg="rviz" type="rviz" args="«-d $(find arm)/arm.vcg»"/>
+                  <param name="tool" textfile="«$(find arm)/tool.urdf»"/>
                 </launch>
             """,
             "package.xml": "<package><name>arm</name></package>",

@@ -39,6 +39,8 @@ _MOST_REPLACED = 200
 _SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
 """Packages whose launch files start a simulator, but no controllers."""
 _CONDITIONS = ("if", "unless")
+_TEXTS = ("textfile", "binfile")
+"""Attributes of a parameter whose value is the content of a file."""
 _RESOLVED = frozenset("arg env group include machine node param remap rosparam test".split())
 """Elements whose attributes roslaunch resolves."""
 _SERVERS = ("gazebo", "gzserver", "debug", "gdbrun", "perf")
@@ -262,10 +264,13 @@ class _LaunchBuilder:
         (self.descriptions if last == _DESCRIPTION else self.others).append(description)
 
     def _named_file(self, element: Element, scope: Scope, texts: Substitutions) -> None:
-        """Add the file that an argument or a parameter names."""
+        """Add the file that an argument or a parameter names, or whose text is the parameter's value."""
         path = texts.resolve(element.attrs.get("value", ""))
         if path.endswith(FILE_ENDINGS):
             self._reference(element.attrs["value"], element.at["value"], if_known(path), "argument", sure=scope.sure)
+        for source in _TEXTS if element.tagName == "param" else ():
+            if written := element.attrs.get(source):
+                self._reference(written, element.at[source], if_known(texts.resolve(written)), "text", sure=scope.sure)
 
     def _semantic(self, element: Element, name: str, scope: Scope, texts: Substitutions) -> None:
         """Add an SRDF that is set on the parameter server."""
