@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.hardware.limited_joints import held_by
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
@@ -24,15 +25,23 @@ _WRIST = """
 """
 
 
+def _in_gz(effort: str) -> str:
+    """The robot in gz, commanded by position."""
+    position = _WRIST.replace('command_interface name="effort"', 'command_interface name="position"')
+    return position.replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem") % effort
+
+
 @rule(
     "UC161",
     severity=Severity.WARNING,
     runtime="misbehaves",
     authority="joint_limits_interface EffortJointSaturationHandle clamps each command to the URDF's effort; Gazebo Classic "
-    "physics/Joint.cc CheckAndTruncateForce() truncates it to an effort limit that is not negative",
-    bad=[{"robot.urdf": _WRIST % "«0»"}],
+    "physics/Joint.cc CheckAndTruncateForce() truncates it to an effort limit that is not negative; gz: DART "
+    "ServoMotorConstraint::update() takes it as the strength of the servo; gazebo_ros_control default_robot_hw_sim.cpp: fmax",
+    bad=[{"robot.urdf": _WRIST % "«0»"}, {"robot.urdf": _in_gz("«0»")}],
     good=[
         {"robot.urdf": _WRIST % "10"},
+        {"robot.urdf": _WRIST.replace('command_interface name="effort"', 'command_interface name="position"') % "0"},
         {
             "robot.urdf": _WRIST % "0",
             "controllers.yaml": """
@@ -45,24 +54,28 @@ _WRIST = """
     ],
 )
 def effort_limit_zero(project: Project) -> Iterator[Finding]:
-    """Joint that is commanded by effort has an effort limit of 0.
+    """Commanded joint has an effort limit of 0.
 
-    Everything loads, but each effort is limited to 0: the joint never moves, and no message says why. For a joint that
-    is commanded by position or velocity only, the limit is not reported: many well-kept robots have one of 0; nor for a
-    passive joint, which no controller commands.
+    Everything loads, but the joint never moves, and no message says why. An effort that is commanded is limited to 0. gz moves
+    a joint by a servo of this strength, also if its position or velocity is commanded; gazebo_ros_control if its velocity is.
+    It is an error if one of them, or a controller manager from kilted on, runs the robot. Other hardware that is commanded by
+    position or velocity does not use the limit, and many well-kept robots have one of 0; nor is a passive joint reported, which
+    no controller commands.
     """
     robot = robot_in(project)
-    driven = _by_effort(robot) if robot else set()
+    by_effort = _by_effort(robot) if robot else set()
     commanded = _commanded(project)
-    if commanded is not None:
-        driven &= commanded
     for joint in robot.joints if robot else ():
         effort = joint.limit.effort if joint.limit else None
-        if effort and effort.value == 0 and joint.moves and joint.name in driven and not joint.mimic:
-            message = (
-                f"effort limit of {label('joint', joint.name)} is 0, but it is commanded by effort: it never moves"
-            )
-            yield at_value(project, effort.at, message)
+        if not effort or effort.value != 0 or not joint.moves or joint.mimic:
+            continue
+        if commanded is not None and joint.name not in commanded:
+            continue
+        holder = held_by(project, joint.name, "effort")
+        if holder or joint.name in by_effort:
+            reason = f"{holder} never moves the joint" if holder else "it is commanded by effort, and never moves"
+            message = f"effort limit of {label('joint', joint.name)} is 0; {reason}"
+            yield at_value(project, effort.at, message, severity=Severity.ERROR if holder else None)
 
 
 def _by_effort(robot: Robot) -> set[str]:

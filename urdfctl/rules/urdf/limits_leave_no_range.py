@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.hardware.limited_joints import held_by
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.urdf.common import commanded_joints
@@ -53,7 +54,7 @@ def limits_leave_no_range(project: Project) -> Iterator[Finding]:
     """Commanded joint has no range of motion.
 
     A revolute or prismatic joint whose <limit> has neither lower nor upper can only be at 0. Everything loads, but the
-    joint does not move.
+    joint does not move. It is an error if a simulator, or from kilted on the controller manager, keeps the joint there.
     """
     robot = robot_in(project)
     if robot is None:
@@ -69,4 +70,5 @@ def limits_leave_no_range(project: Project) -> Iterator[Finding]:
             problem = "has neither 'lower' nor 'upper'; both default to 0"
             if limit.lower or limit.upper:
                 problem = f"leaves no range of motion: 'lower' and 'upper' are both {lower:g}"
-            yield Finding(limit.at, f"<limit> of commanded {label('joint', joint.name)} {problem}")
+            severity = Severity.ERROR if held_by(project, joint.name, "range") else None
+            yield Finding(limit.at, f"<limit> of commanded {label('joint', joint.name)} {problem}", severity=severity)

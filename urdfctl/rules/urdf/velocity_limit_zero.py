@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.hardware.limited_joints import held_by
 from urdfctl.model.robot import Limit
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
@@ -15,8 +16,8 @@ from urdfctl.rules.written import at_value
     "UC131",
     runtime="misbehaves",
     severity=Severity.WARNING,
-    authority="joint_limits_interface limits every command to the URDF's velocity; "
-    "ros2_control_demos#787: carlikebot's steering did not move in Gazebo",
+    authority="joint_limits_interface and joint_limits joint_range_limiter.cpp limit commands to the URDF's velocity; gz-physics "
+    "dartsim/src/SDFFeatures.cc; ros2_control_demos#787: carlikebot's steering did not move in Gazebo",
     bad=[
         {
             "robot.urdf": """
@@ -55,9 +56,10 @@ from urdfctl.rules.written import at_value
 def velocity_limit_zero(project: Project) -> Iterator[Finding]:
     """Commanded joint has a velocity limit of 0.
 
-    Everything loads, but the joint never moves, and no message says why. An effort limit of 0 is not reported: many
-    well-kept robots have one, and position control does not use it. In a macro library it is unknown which joints are
-    commanded, so joints with an effort and a range are reported.
+    Everything loads, but the joint never moves, and no message says why: gz, gazebo_ros_control, and from kilted on the
+    controller manager, limit each command to this velocity. It is an error if one of them runs the robot. Elsewhere the joint
+    moves, but MoveIt does not plan for it. In a macro library it is unknown which joints are commanded, so joints with an
+    effort and a range are reported.
     """
     robot = robot_in(project)
     if robot is None:
@@ -67,12 +69,13 @@ def velocity_limit_zero(project: Project) -> Iterator[Finding]:
         velocity = joint.limit.velocity if joint.limit else None
         if not velocity or velocity.value != 0 or not joint.moves:
             continue
+        what = f"velocity limit of {label('joint', joint.name)} is 0"
         if joint.name in commanded and not joint.mimic:
-            message = f"velocity limit of commanded {label('joint', joint.name)} is 0, so the joint never moves"
-            yield at_value(project, velocity.at, message)
+            holder = held_by(project, joint.name, "velocity")
+            message = f"{what}; {holder or 'whoever applies it'} never moves the joint"
+            yield at_value(project, velocity.at, message, severity=Severity.ERROR if holder else None)
         elif project.library and joint.limit and _may_move(joint.limit):
-            message = f"velocity limit of {label('joint', joint.name)} is 0; if commanded, the joint never moves"
-            yield at_value(project, velocity.at, message)
+            yield at_value(project, velocity.at, f"{what}; if commanded, the joint never moves")
 
 
 def _may_move(limit: Limit) -> bool:
