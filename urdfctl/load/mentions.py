@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Collection, Iterator
 
+from urdfctl.model.project import Mentioned
 from urdfctl.source.disk.files import start_of
 from urdfctl.source.disk.gate import walk
 from urdfctl.startup.records import NamedTuple
@@ -15,6 +16,7 @@ _ENDINGS = (
     *(".bat", ".ps1", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".h", ".json", ".ipynb", ".service", ".in"),
     *(".em", ".erb", ".dockerfile", ".mk", ".rs", ".js", ".ts", ".toml", ".repos", ".rosinstall", ".gitmodules"),
 )
+_LAUNCH_FILES = (".launch", ".launch.xml", ".launch.py")
 _OF_BUILDS = frozenset({"package.xml", "CMakeLists.txt", "CHANGELOG.rst", "CHANGELOG.md", "LICENSE"})
 """Files that name programs without starting any."""
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", ".git", ".venv", "meshes"})
@@ -41,17 +43,21 @@ class Mentions:
     def __init__(self) -> None:
         self._found: dict[tuple[str, str], _Found] = {}
 
-    def beside(self, workspace: str, read: Collection[str]) -> Callable[[str], bool | None]:
+    def beside(self, workspace: str, read: Collection[str]) -> Mentioned:
         """Return a function that returns whether a text of a workspace, other than those that were read, says what a
-        regular expression matches; None if that cannot be known, because there are too many."""
+        regular expression matches; None if that cannot be known, because there are too many.
 
-        def mentioned(expression: str) -> bool | None:
+        Launch files that match the second expression do not count, unless they name one of those that were read.
+        """
+
+        def mentioned(expression: str, apart: str = "") -> bool | None:
             known = frozenset(map(os.path.realpath, read))
             key = (workspace, expression)
             if key not in self._found:
                 self._found[key] = _search(workspace, expression, known)
             found = self._found[key]
-            is_said = any(os.path.realpath(path) not in known for path in found.paths)
+            others = (path for path in found.paths if os.path.realpath(path) not in known)
+            is_said = any(not apart or not _is_apart(path, apart, known) for path in others)
             return is_said or (None if found.more else False)
 
         return mentioned
@@ -69,6 +75,18 @@ def _search(workspace: str, expression: str, read: Collection[str]) -> _Found:
         if pattern.search(text):
             found.append(path)
     return _Found(tuple(found), more=False)
+
+
+def _is_apart(path: str, expression: str, read: Collection[str]) -> bool:
+    """Whether a launch file matches an expression, and includes none of the files that were read."""
+    if not path.endswith(_LAUNCH_FILES):
+        return False
+    try:
+        text = start_of(path, _MOST_BYTES)
+    except OSError:
+        return False
+    included = any(os.path.basename(one).encode() in text for one in read if one.endswith(_LAUNCH_FILES))
+    return not included and re.search(expression.encode(), text) is not None
 
 
 def _texts(folder: str) -> Iterator[str]:

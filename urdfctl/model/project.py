@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, generation
@@ -105,7 +105,14 @@ class OwnTypes(NamedTuple):
 NO_OWN_TYPES = OwnTypes()
 
 
-def mentions_unknown(_expression: str) -> bool | None:
+class Mentioned(Protocol):
+    """What tells whether another text of the workspace says what an expression matches."""
+
+    def __call__(self, expression: str, apart: str = "", /) -> bool | None:
+        """Return whether one does, see `Project.may_mention`; None if unknown."""
+
+
+def mentions_unknown(_expression: str, _apart: str = "", /) -> bool | None:
     """Return None: nobody looked at what other files say."""
     return None
 
@@ -167,7 +174,7 @@ class Project(NamedTuple):
     absent: tuple[tuple[str, Place], ...] = ()
     moveit: MoveIt | None = None
     todos: tuple[tuple[str, Place], ...] = ()
-    mentioned: Callable[[str], bool | None] = mentions_unknown
+    mentioned: Mentioned = mentions_unknown
 
     @property
     def ros(self) -> int | None:
@@ -175,13 +182,15 @@ class Project(NamedTuple):
         generations = {generation(distro) for distro in self.distros}
         return generations.pop() if len(generations) == 1 else None
 
-    def may_mention(self, expression: str) -> bool:
+    def may_mention(self, expression: str, apart: str = "") -> bool:
         """Return whether another text of the workspace says what an expression matches, unless it is known not to.
 
         A part of the launch file that runs only with other arguments counts as another text.
+
+        apart: what launch files say that do not count: they are not started beside this one.
         """
         skipped = self.launch.skipped if self.launch else ()
-        return any(re.search(expression, text) for text in skipped) or self.mentioned(expression) is not False
+        return any(re.search(expression, text) for text in skipped) or self.mentioned(expression, apart) is not False
 
     @property
     def catalog(self) -> Catalog:

@@ -66,9 +66,12 @@ def simulators_managers(project: Project) -> Iterator[Running]:
 
 
 def managers(project: Project, launch: Launch) -> tuple[Running, ...]:
-    """Return the running controller managers of ROS 2."""
+    """Return the running controller managers of ROS 2.
+
+    The plugin of a simulator is in the description also where the launch file starts none.
+    """
     nodes = (Running(node.namespace, node.name or CONTROLLER_MANAGER, node.at, node) for node in manager_nodes(launch))
-    return (*nodes, *simulators_managers(project))
+    return (*nodes, *(() if launch.runs_without_simulator else simulators_managers(project)))
 
 
 def is_sure(launch: Launch) -> bool:

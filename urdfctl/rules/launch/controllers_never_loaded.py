@@ -9,6 +9,7 @@ from urdfctl.model.launch import Launch, Spawn
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.launch.common import ROS_2, is_sure, manager_nodes
+from urdfctl.rules.launch.steps import started_apart
 from urdfctl.rules.launch_samples import BROADCASTER, CLASSIC_MANIFEST, CLASSIC_PLUGIN, PUBLISHER, SOUND, launched
 from urdfctl.source.span import Place
 
@@ -50,6 +51,7 @@ def _of_ros1(loaded: str, spawned: str) -> dict[str, str]:
     bad=[
         _without_files(PUBLISHER, _BARE, _MARKED),
         _of_ros1("", "«states»"),
+        {**_of_ros1("", "«states»"), "world.launch": _ROS_1 % (_LOADED, "states")},
     ],
     good=[
         SOUND,
@@ -64,8 +66,8 @@ def controllers_never_loaded(project: Project) -> Iterator[Finding]:
     """Controllers are spawned, but no parameters are loaded for them.
 
     The controller manager finds no type for the controllers and refuses to load them. In ROS 2 the node ros2_control_node gets the
-    controller file in its `parameters`; in ROS 1 `<rosparam command="load">` loads it, which another launch file may do:
-    then nothing is reported.
+    controller file in its `parameters`; in ROS 1 `<rosparam command="load">` loads it. Another launch file, a script or a README
+    may do that: then nothing is reported. A launch file that starts a simulator of its own does it for its own robot.
     """
     launch = project.launch
     if launch is None or not is_sure(launch) or launch.loads or launch.inline or launch.given:
@@ -96,11 +98,11 @@ def _of_node(launch: Launch, spawns: list[Spawn]) -> Iterator[Finding]:
 
 def _of_server(project: Project, launch: Launch, spawns: list[Spawn]) -> Iterator[Finding]:
     simulated = any(simulation.sure for simulation in launch.simulations) and control_plugins(project)
-    if simulated and not project.may_mention(_LOADS):
+    if simulated and not project.may_mention(_LOADS, started_apart(launch)):
         message = (
             f'{_spawned(spawns)} spawned, but nothing here loads parameters for them; add <rosparam command="load">'
         )
-        yield Finding(_first(spawns), message, severity=Severity.WARNING)
+        yield Finding(_first(spawns), message)
 
 
 def _spawned(spawns: list[Spawn]) -> str:

@@ -9,7 +9,7 @@ from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.launch.common import ROS_2, manager_nodes
-from urdfctl.rules.launch.steps import SPAWNS_CONTROLLERS, declared_controllers, model_spawners
+from urdfctl.rules.launch.steps import SPAWNS_CONTROLLERS, declared_controllers, model_spawners, started_apart
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
 from urdfctl.source.span import Place
 
@@ -51,6 +51,14 @@ _SPAWNER = '<node name="spawner" pkg="controller_manager" type="spawner" args="s
             "controllers.yaml": _STATES % "«states»",
             "options": "--distro=noetic",
         },
+        {**launched(PUBLISHER, MANAGER, controllers=_MARKED), "mock.launch.xml": f"<launch>{MANAGER}{ARM}</launch>"},
+        {
+            **_OF_ROS_1,
+            "arm.launch": _SIMULATED % "",
+            "world.launch": _SIMULATED % _SPAWNER,
+            "controllers.yaml": _STATES % "«states»",
+            "options": "--distro=noetic",
+        },
     ],
     good=[
         SOUND,
@@ -74,14 +82,19 @@ def controllers_never_spawned(project: Project) -> Iterator[Finding]:
 
     A controller manager starts without controllers. It loads those that a spawner asks for, or a client of its service
     load_controller. No launch file, script or README of the workspace does that: they are
-    not loaded, no joint moves, and no joint states are published.
+    not loaded, no joint moves, and no joint states are published. A launch file that starts a simulator or manager of its
+    own is not started beside this one.
     """
     launch, names = project.launch, list(dict.fromkeys(declared_controllers(project)))
     if launch is None or not launch.complete or launch.spawns or not names:
         return
     manager = _manager(project)
     others = [node for node in launch.nodes if node not in manager_nodes(launch)]
-    if manager is None or not all(map(hosts_no_manager, others)) or project.may_mention(SPAWNS_CONTROLLERS):
+    if (
+        manager is None
+        or not all(map(hosts_no_manager, others))
+        or project.may_mention(SPAWNS_CONTROLLERS, started_apart(launch))
+    ):
         return
     controllers = project.controllers.controllers if project.controllers else ()
     at = next(each.declared_at for each in controllers if each.declared_at is not None and each.type is not None)

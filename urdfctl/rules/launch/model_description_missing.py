@@ -10,7 +10,13 @@ from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.launch.common import ROS_2, state_publishers
-from urdfctl.rules.launch.steps import PUBLISHES_DESCRIPTION, description_topic, model_spawners, option_of
+from urdfctl.rules.launch.steps import (
+    PUBLISHES_DESCRIPTION,
+    description_topic,
+    model_spawners,
+    option_of,
+    started_apart,
+)
 from urdfctl.rules.launch_samples import PUBLISHER
 from urdfctl.source.opaque import UNKNOWN
 
@@ -98,7 +104,8 @@ def _of_topic(project: Project, launch: Launch, node: Node) -> Iterator[Finding]
     if asked in offered or UNKNOWN in asked or any(asked in map(_absolute, _ends(each)) for each in launch.nodes):
         return
     if not offered:
-        if not project.may_mention(PUBLISHES_DESCRIPTION) and not project.may_mention(_named(asked)):
+        apart = started_apart(launch)
+        if not project.may_mention(PUBLISHES_DESCRIPTION, apart) and not project.may_mention(_named(asked), apart):
             yield _finding(node, word, f"nothing here publishes '{asked}'", Severity.WARNING)
     elif not project.may_mention(_named(asked)):
         topic, publisher = next(iter(offered.items()))
@@ -120,7 +127,7 @@ def _of_parameter(project: Project, launch: Launch, node: Node) -> Iterator[Find
     others = [
         name for name in launch.named if re.search("desc|urdf", name.rpartition("/")[2]) and not _reads(launch, name)
     ]
-    is_elsewhere = project.may_mention(_named(asked))
+    is_elsewhere = project.may_mention(_named(asked), started_apart(launch))
     if is_elsewhere and not others:
         return
     what = f"the launch file sets '{others[0]}'" if others else "nothing here sets it"

@@ -8,7 +8,7 @@ from urdfctl.control.hardware.simulator_plugins import control_plugins
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.launch.common import ROS_2
-from urdfctl.rules.launch.steps import SPAWNS_MODEL, model_spawners
+from urdfctl.rules.launch.steps import SPAWNS_MODEL, model_spawners, started_apart
 from urdfctl.rules.launch_samples import CLASSIC_MANIFEST, CLASSIC_PLUGIN
 
 _LAUNCH = """
@@ -67,7 +67,7 @@ def model_never_spawned(project: Project) -> Iterator[Finding]:
     if simulation is None or not plugins or model_spawners(launch) or any(map(_may_spawn, _programs(project))):
         return
     worlds = rf"ros2?_control|model://{robot.name}|name=.{robot.name}\b"
-    if project.may_mention(SPAWNS_MODEL) or project.may_mention(rf"(?s)<world.*(?:{worlds})"):
+    if project.may_mention(SPAWNS_MODEL, started_apart(launch)) or project.may_mention(rf"(?s)<world.*(?:{worlds})"):
         return
     program = "create" if simulation.simulator == "gz" else "spawn_entity.py" if launch.ros == ROS_2 else "spawn_model"
     message = f"the simulator is started, but nothing here spawns the robot in it; start '{program}'"

@@ -9,7 +9,28 @@ from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.launch.common import ROS_2, Running, launch_of, manager_nodes, managers
-from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
+from urdfctl.rules.launch_samples import (
+    BROADCASTER,
+    FILE,
+    MANAGER,
+    PUBLISHER,
+    ROBOT,
+    SOUND,
+    launched,
+    spawner,
+)
+
+_WITH_PLUGIN = (
+    ROBOT
+    + """
+    <gazebo>
+      <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+        <parameters>$(find arm)/controllers.yaml</parameters>
+      </plugin>
+    </gazebo>
+"""
+)
+_ELSEWHERE = MANAGER.replace('exec="ros2_control_node"', 'exec="ros2_control_node" namespace="left"')
 
 
 @rule(
@@ -20,7 +41,12 @@ from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, 
     distros=ROS2,
     whole_robot=True,
     authority="ros2_control spawner.py: 'Could not contact service /left/controller_manager/list_controllers'",
-    bad=[launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"«arm_controller» -c /left/controller_manager {FILE}"))],
+    bad=[
+        launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"«arm_controller» -c /left/controller_manager {FILE}")),
+        launched(
+            PUBLISHER, _ELSEWHERE, BROADCASTER.replace('"joint', '"«joint').replace('r"/>', 'r»"/>'), robot=_WITH_PLUGIN
+        ),
+    ],
     good=[SOUND],
 )
 def spawner_of_other_manager(project: Project) -> Iterator[Finding]:

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.hosts import hosts_no_manager
+from urdfctl.control.hosts import MANAGER, hosts_no_manager
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2, is_spawner, is_sure, launch_of, managers, state_publishers
+from urdfctl.rules.launch.steps import STARTS_SIMULATOR
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
 
+_STARTS_MANAGER = rf"{MANAGER}|generate_demo_launch|bringup|driver|{STARTS_SIMULATOR}"
+"""What says that a text may start a controller manager."""
 _FIRST = BROADCASTER.replace("joint_state_broadcaster", "«joint_state_broadcaster»")
 
 
@@ -31,7 +34,8 @@ def spawner_without_manager(project: Project) -> Iterator[Finding]:
     """Controllers are spawned without a controller manager.
 
     The spawner waits for the manager's services, and waits forever if no timeout is given. The manager is the node
-    ros2_control_node of package controller_manager. In a simulation it is the plugin of gz or Gazebo.
+    ros2_control_node of package controller_manager. In a simulation it is the plugin of gz or Gazebo. It is an error if no other
+    text of the workspace, such as a launch file or a README, says that it starts one.
     """
     launch = launch_of(project, ROS_2)
     if launch is None or project.robot is None or not is_sure(launch) or not state_publishers(launch):
@@ -41,4 +45,5 @@ def spawner_without_manager(project: Project) -> Iterator[Finding]:
     first = next((spawn for spawn in launch.spawns if is_spawner(spawn)), None)
     if first is not None:
         at = first.names[0][1] if first.names else first.at
-        yield Finding(at, "controllers are spawned, but the launch file starts no controller manager")
+        message = "controllers are spawned, but the launch file starts no controller manager"
+        yield Finding(at, message, severity=None if project.may_mention(_STARTS_MANAGER) else Severity.ERROR)

@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from urdfctl.control.hosts import MANAGER
 from urdfctl.model.launch import Launch, Node, Word, joined
 from urdfctl.rule import Project
+from urdfctl.rules.launch.common import manager_nodes
 
 MODEL_SPAWNERS = {
     ("gazebo_ros", "spawn_model"): "-model",
@@ -33,8 +35,20 @@ SPAWNS_MODEL = (
     r"spawn_(?:entity|model|urdf)|Spawn(?:Entity|Model)|urdf_spawner|EntityFactory|gz model|model-file|"
     r"(?:executable|exec|type)\s*=\s*.create\b|gazebo\s+create\b|gz_sim\s+create\b|/create\b|gz_spawn_model"
 )
+_OWN_SIMULATOR = (
+    r"(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo)\W[\s\S]{0,120}?(?:\w+_world|gazebo|gzserver|gz_sim|ign_gazebo)\.launch"
+)
+"""What says that a launch file starts a simulator: nobody starts two of these beside each other."""
 PUBLISHES_DESCRIPTION = r"robot_state_publisher|robot_description"
 _DESCRIPTION = "robot_description"
+
+
+def started_apart(launch: Launch) -> str:
+    """Return what the launch files say that are not started beside this one: each starts a simulator, or a controller
+    manager, of its own, as this one does; empty if it starts neither."""
+    if any(simulation.sure for simulation in launch.simulations):
+        return f"{_OWN_SIMULATOR}|{MANAGER}"
+    return MANAGER if any(node.sure for node in manager_nodes(launch)) else ""
 
 
 def model_spawners(launch: Launch) -> list[Node]:
