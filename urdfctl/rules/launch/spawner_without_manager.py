@@ -11,7 +11,7 @@ from urdfctl.rules.launch.common import ROS_2, is_spawner, is_sure, launch_of, m
 from urdfctl.rules.launch.steps import STARTS_SIMULATOR
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
 
-_STARTS_MANAGER = rf"{MANAGER}|generate_demo_launch|bringup|driver|{STARTS_SIMULATOR}"
+_STARTS_MANAGER = rf"{MANAGER}|generate_demo_launch|_driver\b|{STARTS_SIMULATOR}"
 """What says that a text may start a controller manager."""
 _FIRST = BROADCASTER.replace("joint_state_broadcaster", "«joint_state_broadcaster»")
 

@@ -35,6 +35,8 @@ SPAWNS_MODEL = (
     r"spawn_(?:entity|model|urdf)|Spawn(?:Entity|Model)|urdf_spawner|EntityFactory|gz model|model-file|"
     r"(?:executable|exec|type)\s*=\s*.create\b|gazebo\s+create\b|gz_sim\s+create\b|/create\b|gz_spawn_model"
 )
+_OWN_MANAGER = rf"{MANAGER}|(?:type|exec|executable)\s*=\s*.\w*(?:hardware|driver)"
+"""What says that a launch file starts a controller manager, or a driver that contains one."""
 _OWN_SIMULATOR = (
     r"(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo)\W[\s\S]{0,120}?(?:\w+_world|gazebo|gzserver|gz_sim|ign_gazebo)\.launch"
 )
@@ -47,8 +49,8 @@ def started_apart(launch: Launch) -> str:
     """Return what the launch files say that are not started beside this one: each starts a simulator, or a controller
     manager, of its own, as this one does; empty if it starts neither."""
     if any(simulation.sure for simulation in launch.simulations):
-        return f"{_OWN_SIMULATOR}|{MANAGER}"
-    return MANAGER if any(node.sure for node in manager_nodes(launch)) else ""
+        return f"{_OWN_SIMULATOR}|{_OWN_MANAGER}"
+    return _OWN_MANAGER if any(node.sure for node in manager_nodes(launch)) else ""
 
 
 def model_spawners(launch: Launch) -> list[Node]:
