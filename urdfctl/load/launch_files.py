@@ -31,6 +31,12 @@ if TYPE_CHECKING:
 
 _MOST_BYTES = 1 << 18
 _MOST_LOADS = 200
+_OFTEN_USED = frozenset(
+    "controller_manager gazebo_ros gazebo_ros_control gazebo_ros2_control gz_ros2_control joint_state_publisher "
+    "joint_state_publisher_gui moveit_ros_move_group robot_state_publisher ros_gz_bridge ros_gz_sim rviz rviz2 "
+    "twist_mux xacro".split()
+)
+"""Packages that launch files use, and that are seldom in the workspace."""
 _OF_PYTHON = b"python/"
 _TEMPLATE = rb"\{\{|\{%|<%"
 _parsed = once_per_object(parse)
@@ -69,7 +75,8 @@ def read_launch(
         package = package_around(packages, reader.tree)
         references = tuple(map(_looked_around, launch.references))
         launch = launch._replace(references=references)
-        launch = launch._replace(packages=named, package=package, misspelt=_misspelt(named, packages, path))
+        misspelt = _misspelt((*named, *(node.package for node in launch.nodes if node.sure)), packages, path)
+        launch = launch._replace(packages=named, package=package, misspelt=misspelt)
         reader.look_for_tags(launch.inline)
         reader.problems += _slips_in(arguments, launch, reader)
     return LaunchFile(launch, files, tuple(reader.problems))
@@ -110,7 +117,8 @@ def _has_siblings(reference: LaunchedFile) -> bool:
 
 
 def _misspelt(named: Iterable[Word], packages: Packages, path: str) -> tuple[tuple[Word, str], ...]:
-    """The packages that no package.xml declares and that the workspace has only with another, similar name."""
+    """The packages that no package.xml declares, each with the one that it is with one slip: one of the workspace, or
+    one that many launch files use."""
     found: dict[str, tuple[Word, str]] = {}
     for word in named:
         if UNKNOWN in word.text or word.text in found:
@@ -118,7 +126,8 @@ def _misspelt(named: Iterable[Word], packages: Packages, path: str) -> tuple[tup
         try:
             packages.find(word.text)
         except PackageNotFound as error:
-            meant = nearest(word.text, [name for name in error.known if is_slip(word.text, name)])
+            known = () if word.text in _OFTEN_USED else (*error.known, *_OFTEN_USED)
+            meant = nearest(word.text, [name for name in known if is_slip(word.text, name)])
             if meant and not packages.declares(word.text, path):
                 found[word.text] = (word, meant)
     return tuple(found.values())

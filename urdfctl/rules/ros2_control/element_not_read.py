@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.catalog.distros import ROS2
+from urdfctl.catalog.distros import ROS2, since
 from urdfctl.model.robot import Ros2Control, Tag
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
@@ -12,6 +12,9 @@ from urdfctl.rules.common import respelt
 from urdfctl.rules.ros2_control.common import JAZZY, components
 from urdfctl.rules.ros2_control.facts import ELEMENTS, ELEMENTS_FROM_JAZZY, INTERFACES_OF_ROS1
 from urdfctl.source.opaque import UNKNOWN
+
+_WITH_TEXT = since("humble")
+"""Distros in which hardware gets the text of its component."""
 
 
 @rule(
@@ -78,6 +81,20 @@ from urdfctl.source.opaque import UNKNOWN
                 </ros2_control>
             """,
         },
+        {
+            "options": "--distro=jazzy",
+            "robot.urdf": """
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>arm_driver/ArmHardware</plugin></hardware>
+                  <joint name="elbow">
+                    <command_interface name="position"/>
+                    «<state_interfaces name="position"/>»
+                    <state_interface name="velocity"/>
+                    «<bus_module name="1"/>»
+                  </joint>
+                </ros2_control>
+            """,
+        },
     ],
     good=[
         {
@@ -120,7 +137,9 @@ def element_not_read(project: Project) -> Iterator[Finding]:
     """Ignored element in a component.
 
     The parser ignores the element without a message, and its content has no effect. Some elements are read only since
-    jazzy: `<limits>` in joints and interfaces, `<group>` in `<hardware>`.
+    jazzy: `<limits>` in joints and interfaces, `<group>` in `<hardware>`. From humble on hardware gets the whole text of its
+    component, so a driver that is not in the catalogue may read elements of its own, as that for EtherCAT does: this is
+    only worth knowing.
     """
     for control in components(project):
         for tag, inside in _elements(control):
@@ -131,6 +150,10 @@ def element_not_read(project: Project) -> Iterator[Finding]:
                 if child.name not in later:
                     meant = nearest(child.name, known)
                     hint = f"; did you mean '{meant}'?" if meant else _hint(child.name, inside)
+                    if meant is None and _may_read(project, control):
+                        message = f"<{child.name}> in <{tag.name}> is ignored, unless the hardware reads it itself"
+                        yield Finding(child.at, message, severity=Severity.INFO)
+                        continue
                     message = f"<{child.name}> in <{tag.name}> is ignored{hint}"
                     yield Finding(child.at, message, fix=respelt(child, meant))
                 elif not set(JAZZY) & set(project.distros):
@@ -153,6 +176,13 @@ def _elements(control: Ros2Control) -> Iterator[tuple[Tag, str]]:
             yield from (
                 (end.tag, f"{end.kind} of a transmission") for end in (*transmission.joints, *transmission.actuators)
             )
+
+
+def _may_read(project: Project, control: Ros2Control) -> bool:
+    """Whether hardware that is not in the catalogue may read elements of its own from HardwareInfo::original_xml."""
+    plugin = control.plugin or ""
+    known = any(project.catalog.hardware(plugin.strip(), distro) for distro in ROS2)
+    return not known and any(distro in _WITH_TEXT for distro in project.distros)
 
 
 def _is_role(child: Tag, tag: Tag) -> bool:
