@@ -150,7 +150,7 @@ def element_not_read(project: Project) -> Iterator[Finding]:
                 if child.name not in later:
                     meant = nearest(child.name, known)
                     hint = f"; did you mean '{meant}'?" if meant else _hint(child.name, inside)
-                    if meant is None and _may_read(project, control):
+                    if meant is None and "transmission" not in inside and _may_read(project, control):
                         message = f"<{child.name}> in <{tag.name}> is ignored, unless the hardware reads it itself"
                         yield Finding(child.at, message, severity=Severity.INFO)
                         continue

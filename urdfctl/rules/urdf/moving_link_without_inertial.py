@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from urdfctl.control.hardware.behaviour import lacking_joint
-from urdfctl.control.hardware.simulator_plugins import control_plugins, loaded_plugins, named_joints, sure_simulator
+from urdfctl.control.hardware.simulator_plugins import (
+    control_plugins,
+    has_other_hardware,
+    loaded_plugins,
+    named_joints,
+    started_simulator,
+    sure_simulator,
+)
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import whole_robot_in
@@ -64,9 +71,9 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
 
     No link that is fixed to it has an <inertial> either. Gazebo drops the link, its joint and everything below it;
     older versions do so silently. Its control plugin then does not know the joint. This is an error if the robot certainly
-    runs in Gazebo, and something of what it loses has a shape or is controlled. Real hardware is not affected: this is
-    only worth knowing if the launch file starts no simulator, and nothing of the robot is for Gazebo. MuJoCo takes masses
-    from its own model, or from shapes.
+    runs in Gazebo, and something of what it loses has a shape or is controlled. Real and mocked hardware is not affected:
+    this is only worth knowing if the robot has such hardware, or the launch file starts no simulator, and nothing of the
+    robot is for Gazebo. MuJoCo takes masses from its own model, or from shapes.
     """
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated or project.simulator == "mujoco":
@@ -74,7 +81,7 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
     if all(link.inertials for link in robot.links):
         return
     severity = Severity.ERROR if sure_simulator(project) in ("gz", "gazebo-classic") else None
-    if project.launch is not None and project.launch.runs_without_simulator and not robot.gazebos:
+    if not robot.gazebos and _runs_elsewhere(project):
         severity = Severity.INFO
     lost = [body for body in vanishing(robot) if not any(inertial_of(link) for link in body.links)]
     if lost and not any(link.inertials for link in robot.links):
@@ -90,6 +97,13 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
         is_empty = severity is Severity.ERROR and not _is_missed(body, robot, tree, driven)
         notes = (Note(_REFUSED),) if joint in driven and _is_refused(project) else ()
         yield Finding(body.head.at["name"], message, notes, severity=None if is_empty else severity)
+
+
+def _runs_elsewhere(project: Project) -> bool:
+    """Whether the robot runs without a simulator: its hardware is for none, or the launch file starts none."""
+    if started_simulator(project) is not None:
+        return False
+    return has_other_hardware(project) or (project.launch is not None and project.launch.runs_without_simulator)
 
 
 def _is_refused(project: Project) -> bool:
