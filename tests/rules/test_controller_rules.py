@@ -419,3 +419,16 @@ def test_an_unreadable_file_of_a_plugin_is_taken_for_the_file_of_the_same_name(t
     assert [finding.code for finding in findings(tmp_path, text, robot=beside)] == ["UC431"]
     other = ARM.replace("</robot>", plugin % "/opt/ws/install/arm/share/arm/config/more.yaml")
     assert findings(tmp_path, text, robot=other) == []
+
+
+@pytest.mark.parametrize(("name", "severity"), [("elbw", "error"), ("tilt", "warning")])
+def test_a_driver_may_export_other_joints_but_none_that_is_a_slip_of_its_own(
+    tmp_path: Path, name: str, severity: str
+) -> None:
+    ends = '<parent link="a"/><child link="b"/><limit lower="-1" upper="1" effort="1" velocity="1"/>'
+    robot = f"""<robot name="arm"><link name="a"/><link name="b"/><joint name="elbow" type="revolute">{ends}</joint>
+      <ros2_control name="arm" type="system"><hardware><plugin>arm_driver/ArmHardware</plugin></hardware>
+      <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+      </ros2_control></robot>"""
+    found = findings(tmp_path, MANAGER % FORWARD + FORWARDS % name, robot=robot, start=("arm",))
+    assert [each.severity.value for each in found if each.code == "UC440"] == [severity]

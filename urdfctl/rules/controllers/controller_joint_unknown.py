@@ -153,8 +153,10 @@ def _unknown(
             right, only = left, ", the only joint that no controller names"  # noqa: PLW2901 (what is meant then)
         hint = f"; did you mean '{right}'{only}?" if right else ""
         message = f"controller '{reader.name}' names joint '{joint.name}', which the robot does not have{hint}"
-        fix = replaced(joint.at, joint.name, right, safe=is_sure or names.is_sure(joint.name, right)) if right else None
-        severity = severity_of(project, hardware, meant=bool(right), others=bool(others))
+        is_sure = is_sure or names.is_sure(joint.name, right)  # noqa: PLW2901 (what is known of it then)
+        fix = replaced(joint.at, joint.name, right, safe=is_sure) if right else None
+        slip = is_sure and right in hardware.command
+        severity = severity_of(project, hardware, meant=bool(right), others=bool(others), slip=slip)
         yield Finding(joint.at, message, tuple(links_called(robot, joint.name)), fix, severity)
 
 

@@ -89,13 +89,16 @@ def hardware_in(project: Project, robot: Robot) -> dict[str, OfferedHardware]:
     return {distro: hardware if hardware.known else joints_only for distro, hardware in by_distro.items()}
 
 
-def severity_of(project: Project, hardware: OfferedHardware, *, meant: bool, others: bool) -> Severity:
+def severity_of(
+    project: Project, hardware: OfferedHardware, *, meant: bool, others: bool, slip: bool = False
+) -> Severity:
     """Return the severity of a wrong joint name.
 
     If it is unknown which controllers are started, the controller may be for another robot, unless its file is named
     with this one. This is less likely if the name resembles a joint of the robot (`meant`), or if the robot has
-    `others` of the list.
+    `others` of the list. A driver may export more joints than the description lists, but none whose name is one of
+    theirs with a `slip`.
     """
     if project.started is None and not project.together and not (meant and others):
         return Severity.WARNING if meant or others else Severity.INFO
-    return Severity.ERROR if hardware.known and not hardware.open else Severity.WARNING
+    return Severity.ERROR if slip or (hardware.known and not hardware.open) else Severity.WARNING
