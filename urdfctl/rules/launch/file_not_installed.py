@@ -71,6 +71,11 @@ def _of_plugin(folders: str, mark: tuple[str, str] = ("", "")) -> dict[str, str]
     }
 
 
+def _of_launch_file(folders: str, manifest: str) -> dict[str, str]:
+    """A package that does not install its launch files."""
+    return {**_files(folders), "package.xml": manifest}
+
+
 @rule(
     "UC615",
     severity=Severity.ERROR,
@@ -81,6 +86,7 @@ def _of_plugin(folders: str, mark: tuple[str, str] = ("", "")) -> dict[str, str]
         _files("launch urdf", "$(find-pkg-share arm)/config/controllers.yaml"),
         {**_files("launch urdf config"), **_of_other_package("launch")},
         _of_plugin("launch urdf", ("«", "»")),
+        _of_launch_file("urdf config", _MANIFEST.replace('<package format="3">', '«<package format="3">»')),
     ],
     good=[
         _files("launch urdf config"),
@@ -95,7 +101,7 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
     setup.py lists. The launch fails, although the file is in the source tree. ROS 1 needs install rules only for
     `catkin_make install` and for binary packages; there the rule reports files that an installed launch file uses.
     Without a file that a program gets as an argument, such as RViz's configuration, only that program does not work as
-    intended: a warning.
+    intended: a warning. The launch file itself is found only if it is installed.
     """
     launch = project.launch
     package = launch.package if launch else None
@@ -119,6 +125,15 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
         yield Finding(file.at, _message(left_out, package), notes, severity=worst)
     if launch.ros == ROS_2:
         yield from (finding for path, finding in _of_description(project, package) if path not in told)
+        left_out = package.left_out(launch.path)
+        if left_out is not None and left_out.folder == package.folder and not _is_for_tests(left_out):
+            message = f"{_message(left_out, package)}; 'ros2 launch {package.name}' does not find it"
+            yield Finding(package.at, message)
+
+
+def _is_for_tests(launch_file: LeftOut) -> bool:
+    """Whether a launch file is only run in the source tree."""
+    return any(part.startswith(("test", "example")) for part in launch_file.inner.split("/"))
 
 
 def _of_description(project: Project, package: Package) -> Iterator[tuple[str | None, Finding]]:
