@@ -34,7 +34,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 """The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
-    *("undeclared", "inline", "given", "misspelt", "moveit", "named", "skipped", "waiting"),
+    *("undeclared", "inline", "given", "misspelt", "moveit", "named", "misnamed", "skipped", "waiting"),
 )
 """What launch files add to each other if they are started beside each other."""
 
@@ -60,6 +60,7 @@ class Launch(NamedTuple):
     unread: the included files that cannot be read, if nothing else makes it incomplete.
     beside: the nodes of each of several launch files that are started beside each other.
     named: ROS 1: the full names of the parameters, and namespaces of parameters, that it sets.
+    misnamed: ROS 1: the names of parameters that have a robot description, and are robot_description with a slip.
     skipped: the texts of the parts that run only with other launch arguments.
     waiting: ROS 2: what waits for an event that never comes.
     """
@@ -88,6 +89,7 @@ class Launch(NamedTuple):
     unread: tuple[Word, ...] = ()
     beside: tuple[tuple[Node, ...], ...] = ()
     named: tuple[str, ...] = ()
+    misnamed: tuple[Word, ...] = ()
     skipped: tuple[str, ...] = ()
     waiting: tuple[Waiting, ...] = ()
 

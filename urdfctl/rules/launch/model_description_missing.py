@@ -61,6 +61,7 @@ def _of_ros1(parameter: str, set_before: str = _SET) -> dict[str, str]:
         _of_ros2(PUBLISHER, _GZ % "«robot_desc»"),
         _of_ros2(_GZ % "«robot_description»"),
         _of_ros1("«robot_descripton»"),
+        _of_ros1("robot_description", _SET.replace("robot_description", "«robot_descripton»")),
         _of_ros1("«robot_description»", ""),
         {
             **_of_ros1("«robot_description»", _SET.replace("robot_description", "robot_desc")),
@@ -74,6 +75,7 @@ def _of_ros1(parameter: str, set_before: str = _SET) -> dict[str, str]:
         {**_of_ros2(PUBLISHER, _GZ % "robot_desc"), "publish.py": "node.create_publisher(String, 'robot_desc', 1)\n"},
         {**_of_ros2(_GZ % "robot_description"), "state.launch.xml": f"<launch>{PUBLISHER}</launch>"},
         _of_ros1("robot_description"),
+        _of_ros1("robot_descriptions", _SET.replace("robot_description", "robot_descriptions")),
         _of_ros2(PUBLISHER, _GZ % "robot_model", _FOREIGN),
         {**_of_ros1("robot_description", ""), "README.md": "rosparam set robot_description -t arm.urdf\n"},
     ],
@@ -83,15 +85,24 @@ def model_description_missing(project: Project) -> Iterator[Finding]:
 
     With `-topic`, the program waits for a description that never comes. With `-param` of ROS 1, it ends with a KeyError.
     Either way the robot is not spawned, and its controller manager does not start. It is an error if the launch file
-    publishes the description under another name. If some included file is not here, only a similar name is reported.
+    publishes the description under another name, or sets a parameter that is robot_description with a slip. If some included file is not here, only a similar name is reported.
     """
     launch = project.launch
     if launch is None or not (launch.complete or launch.unread):
         return
+    yield from _misnamed(project, launch)
     for node in model_spawners(launch):
-        if node.sure and node.complete and node.namespace is not None:
+        if node.sure and node.complete and node.namespace is not None and not launch.misnamed:
             found = _of_topic(project, launch, node) if launch.ros == ROS_2 else _of_parameter(project, launch, node)
             yield from found if launch.complete else (each for each in found if each.fix is not None)
+
+
+def _misnamed(project: Project, launch: Launch) -> Iterator[Finding]:
+    """Yield the parameters of ROS 1 that are robot_description with a slip, and that nothing reads."""
+    for word in launch.misnamed:
+        if not _reads(launch, word.text) and not project.may_mention(_named(word.text)):
+            message = f"parameter '{word.text}' has the robot description, but nothing reads it; did you mean 'robot_description'?"
+            yield Finding(word.at, message, fix=replaced(word.at, word.text, "robot_description"))
 
 
 def _of_topic(project: Project, launch: Launch, node: Node) -> Iterator[Finding]:

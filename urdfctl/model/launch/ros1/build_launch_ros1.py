@@ -27,6 +27,7 @@ from urdfctl.model.launch.ros1.nodes import model_in, node_of, spawn_of
 from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_environment
 from urdfctl.model.launch.xacro_command import of_command
 from urdfctl.model.moveit import MoveItFiles
+from urdfctl.names import is_slip
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
 from urdfctl.source.xml.dom import Element
@@ -75,6 +76,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         moveit=tuple(_with_loads(files, builder.loads) for files in builder.moveit),
         unread=tuple(builder.unread),
         named=tuple(dict.fromkeys(builder.named)),
+        misnamed=tuple(builder.misnamed),
         skipped=tuple(dict.fromkeys(builder.skipped)),
     )
 
@@ -109,6 +111,7 @@ class _LaunchBuilder:
         self.arguments: dict[str, str | None] = {}
         self.inline: list[InlineParameters] = []
         self.named: list[str] = []
+        self.misnamed: list[Word] = []
         self.skipped: list[str] = []
         self.unread: list[Word] = []
         """The included files that cannot be read."""
@@ -232,6 +235,8 @@ class _LaunchBuilder:
             return
         if last != _DESCRIPTION and not (last.endswith("_description") and makes_urdf(element)):
             self._named_file(element, scope, texts)
+            if makes_urdf(element) and is_slip(last, _DESCRIPTION) and scope.sure:
+                self.misnamed.append(Word(last, element.at["name"]))
             if "value" in element.attrs:
                 self._contained(name, element.at["value"], scope)
             return
