@@ -110,7 +110,11 @@ SETUP = """
     ("build", "text", "expected"),
     [
         ("CMakeLists.txt", "project(arm)\ninstall(DIRECTORY launch DESTINATION share/arm)", True),
-        ("CMakeLists.txt", "project(arm)\ninstall(FILES controllers.yaml arm.urdf DESTINATION share/arm)", False),
+        (
+            "CMakeLists.txt",
+            "project(arm)\ninstall(FILES controllers.yaml arm.urdf arm.launch.xml DESTINATION share/arm)",
+            False,
+        ),
         ("CMakeLists.txt", "foreach(d launch)\ninstall(DIRECTORY ${d} DESTINATION share/arm)\nendforeach()", True),
         ("CMakeLists.txt", "foreach(d ${all})\ninstall(DIRECTORY ${d} DESTINATION share/arm)\nendforeach()", False),
         ("CMakeLists.txt", "install(DIRECTORY ${FOLDERS} DESTINATION share/arm)", False),
@@ -118,8 +122,12 @@ SETUP = """
         ("CMakeLists.txt", "ament_auto_package(INSTALL_TO_SHARE ${all})", False),
         ("CMakeLists.txt", "set(all rclcpp)\nforeach(d IN ITEMS ${all})\nfind_package(${d})\nendforeach()", True),
         ("setup.py", SETUP.format(""), True),
-        ("setup.py", SETUP.format("(os.path.join('share', package_name), glob('*.yaml') + ['arm.urdf'])"), False),
-        ("setup.py", SETUP.format("(os.path.join('share', package_name), ['controllers.yaml', 'arm.urdf'])"), False),
+        ("setup.py", SETUP.format("(os.path.join('share', package_name), glob('*.*ml') + ['arm.urdf'])"), False),
+        (
+            "setup.py",
+            SETUP.format("(os.path.join('share', package_name), ['controllers.yaml', 'arm.urdf', 'arm.launch.xml'])"),
+            False,
+        ),
         ("setup.py", SETUP.format("(os.path.join('share', package_name), glob('*.*'))"), False),
         ("setup.py", SETUP.format("(os.path.join('share', package_name), found())"), False),
         ("setup.py", SETUP.format("*more"), False),
@@ -151,7 +159,7 @@ def test_a_file_that_only_rviz_misses_makes_a_warning(folder: Folder) -> None:
     manifest = MANIFEST.replace("</package>", "<export><build_type>ament_cmake</build_type></export></package>")
     rviz = '<node pkg="rviz2" exec="rviz2" args="-d $(find-pkg-share arm)/view.rviz"/></launch>'
     to = "DESTINATION share/arm)"
-    install = f"install(DIRECTORY launch {to}\ninstall(FILES controllers.yaml arm.urdf {to}"
+    install = f"install(DIRECTORY launch {to}\ninstall(FILES controllers.yaml arm.urdf arm.launch.xml {to}"
     build = f"project(arm)\n{install}"
     files = {**samples.SOUND, "package.xml": manifest, "CMakeLists.txt": build, "view.rviz": ""}
     [launch] = [name for name in files if ".launch" in name]
@@ -167,6 +175,7 @@ def test_of_a_package_that_installs_nothing_each_file_is_told(folder: Folder) ->
     assert {one[2] for one in found(folder, files, "UC615")} == {
         "'arm.urdf' is not installed: CMakeLists.txt does not list it",
         "'controllers.yaml' is not installed: CMakeLists.txt does not list it",
+        "'arm.launch.xml' is not installed: CMakeLists.txt does not list it; 'ros2 launch arm' does not find it",
     }
 
 
