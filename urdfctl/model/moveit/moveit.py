@@ -22,6 +22,8 @@ class MoveItFiles(NamedTuple):
     as_values: ROS 2: whether the launch file reads the YAML files and passes their content as values.
     runs: whether move_group is started with them.
     as_yaml: ROS 2: whether launch parses the text of the SRDF as YAML, because nothing says that it is a string.
+    undecided: ROS 2: the files with controllers of which the builder can choose none; empty if it finds none, None if
+        it reads one, or that is unknown.
     bare_kinematics: ROS 2: whether the groups in kinematics.yaml are passed without `robot_description_kinematics`.
     """
 
@@ -38,6 +40,7 @@ class MoveItFiles(NamedTuple):
     runs: bool = False
     as_yaml: bool = False
     bare_kinematics: bool = False
+    undecided: tuple[str, ...] | None = None
 
 
 class Chain(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.moveit.samples import planned
+from urdfctl.rules.moveit.samples import built, planned
 
 _MOVEIT = """
     moveit_simple_controller_manager:
@@ -23,17 +23,25 @@ _MOVEIT = """
     runtime="drops",
     because="planning works without controllers",
     authority="moveit_simple_controller_manager.cpp: 'Returned 0 controllers in list', 'No controller_names specified.'; "
-    "trajectory_execution_manager.cpp: 'Unable to identify any set of controllers that can actuate the specified joints'",
-    bad=[planned(moveit_controllers=_MOVEIT.format("«controller_names»", "[]"))],
-    good=[planned(moveit_controllers=_MOVEIT.format("controller_names", "[arm_controller]"))],
+    "trajectory_execution_manager.cpp: 'Unable to identify any set of controllers that can actuate the specified joints'; "
+    "moveit_configs_builder.py trajectory_execution(): 'no matches for config/*_controllers.yaml'",
+    bad=[planned(moveit_controllers=_MOVEIT.format("«controller_names»", "[]")), built("«{}»", {})],
+    good=[
+        planned(moveit_controllers=_MOVEIT.format("controller_names", "[arm_controller]")),
+        built("{}", {"config/moveit_controllers.yaml": _MOVEIT.format("controller_names", "[arm_controller]")}),
+    ],
 )
 def controller_list_empty(project: Project) -> Iterator[Finding]:
     """MoveIt's list of controllers is empty.
 
     MoveIt plans, but knows no controller that could execute the plan. The setup assistant of ROS 1 writes an empty
     controller_list if no controllers were added in it. List each controller with its name, action_ns, type and joints.
+    MoveItConfigsBuilder reads config/*_controllers.yaml, and goes on with a warning if there is none.
     """
     moveit = project.moveit
+    if moveit is not None and moveit.files is not None and moveit.files.undecided == () and moveit.files.runs:
+        message = "config/ has no moveit_controllers.yaml, so MoveIt knows no controller and executes nothing"
+        yield Finding(moveit.files.at, message)
     if moveit is not None and moveit.no_controllers is not None and not moveit.controllers:
         at = moveit.no_controllers
         message = f"{at.span.text} is empty, so MoveIt knows no controller and executes nothing"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.rules.launch_samples import CONTROLLERS
+from urdfctl.rules.launch_samples import CONTROLLERS, ROBOT
 
 MOVEIT = """
     moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
@@ -58,3 +58,27 @@ def planned(old: str = "", new: str = "", **more: str) -> dict[str, str]:
     """Return the arm with its SRDF, in which `old` is replaced by `new`; `more` are YAML files without their ending."""
     semantic = SEMANTIC.replace(old, new) if old else SEMANTIC
     return {"arm.urdf": "", "arm.srdf": semantic, **{f"{name}.yaml": text for name, text in more.items()}}
+
+
+_LAUNCH = """
+    from moveit_configs_utils import MoveItConfigsBuilder
+    from moveit_configs_utils.launches import generate_move_group_launch
+
+    def generate_launch_description():
+        config = MoveItConfigsBuilder("arm", package_name="arm").to_moveit_configs()
+        return generate_move_group_launch(config)
+"""
+
+
+def built(mark: str, more: dict[str, str]) -> dict[str, str]:
+    """Return a package of MoveIt, with the call that starts move_group in the mark; `more` are further files."""
+    call = "generate_move_group_launch(config)"
+    return {
+        "launch/move_group.launch.py": _LAUNCH.replace(call, mark.format(call)),
+        "config/arm.urdf": ROBOT,
+        "config/arm.srdf": SEMANTIC,
+        "config/kinematics.yaml": KINEMATICS,
+        "config/joint_limits.yaml": LIMITS,
+        "package.xml": '<package format="3"><name>arm</name><exec_depend>moveit_configs_utils</exec_depend></package>',
+        **more,
+    }

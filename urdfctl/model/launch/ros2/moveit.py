@@ -115,6 +115,7 @@ class Builder:
             sure=sure,
             as_values=True,
             runs=runs,
+            undecided=self._undecided() if controllers is None else None,
         )
 
     def spawned(self) -> tuple[Word, ...] | None:
@@ -146,6 +147,13 @@ class Builder:
         names = [name.removesuffix(_ENDING) for name in _listed(folder) if name.endswith(_ENDING)]
         chosen = names[0] if len(names) == 1 else next((n for n in (*_CHOICES, self.name) if n in names), None)
         return os.path.join(folder, chosen + _ENDING) if chosen else None
+
+    def _undecided(self) -> tuple[str, ...] | None:
+        """The files with controllers of which the builder can choose none; None if the folder cannot be listed."""
+        names = _listed(os.path.join(self.folder, "config"))
+        if not names or self._given("trajectory_execution") is not None:
+            return None
+        return tuple(sorted(name for name in names if name.endswith(_ENDING)))
 
     def _pipelines(self) -> Iterator[tuple[str, str]]:
         called = self.calls.get("planning_pipelines")
