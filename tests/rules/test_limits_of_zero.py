@@ -77,10 +77,18 @@ def test_a_joint_without_range_is_an_error_where_the_simulator_keeps_it_in_place
     assert _found(tmp_path, mocked, distro="jazzy") == ["UC132 warning"]
 
 
+def test_gazebo_of_ros_1_takes_each_position_of_reversed_limits_for_the_upper_one(tmp_path: Path) -> None:
+    controller = "wrist_controller: {type: position_controllers/JointGroupPositionController, joints: [wrist]}\n"
+    (tmp_path / "controllers.yaml").write_text(controller, encoding="utf-8")
+    reversed_limits = _ARM % ("2", 'effort="1" velocity="1"', _TRANSMISSION % "PositionJointInterface")
+    assert _found(tmp_path, reversed_limits, distro="noetic") == ["UC125 error"]
+    assert _found(tmp_path, reversed_limits.replace("Position", "Velocity"), distro="noetic") == ["UC125 warning"]
+
+
 def _found(folder: Path, text: str, **options: str) -> list[str]:
     """Return code and severity of the findings on limits in a robot."""
     path = folder / "robot.urdf"
     path.write_text(text, encoding="utf-8")
     target = Target(str(path), controllers=tuple(map(str, folder.glob("*.yaml"))))
-    found = robots.findings(target, ("UC131", "UC132", "UC161"), workspace=str(folder), **options)
+    found = robots.findings(target, ("UC125", "UC131", "UC132", "UC161"), workspace=str(folder), **options)
     return [f"{each.code} {each.severity.value}" for each in found]

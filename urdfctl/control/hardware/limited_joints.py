@@ -11,7 +11,7 @@ from urdfctl.control.hardware.simulator_plugins import components, simulator_of
 from urdfctl.diagnostic import Severity
 from urdfctl.model.project import Project
 
-LimitKind = Literal["effort", "velocity", "range"]
+LimitKind = Literal["effort", "velocity", "range", "reversed"]
 _ENFORCING = since("kilted")
 """Distros whose manager has `enforce_command_limits: true` by default (controller_manager_parameters.yaml)."""
 _COMMANDS = ("position", "velocity", "effort")
@@ -30,16 +30,19 @@ _OF_MANAGER: dict[LimitKind, tuple[str, ...]] = {
     "effort": _COMMANDS[2:],
     "velocity": _COMMANDS[:2],
     "range": _COMMANDS[:1],
+    "reversed": (),
 }
 """The commands that the controller manager limits (joint_limits joint_range_limiter.cpp)."""
 _OF_ROS1: dict[LimitKind, tuple[str, ...]] = {
     "effort": ("VelocityJointInterface", "EffortJointInterface"),
     "velocity": ("PositionJointInterface", "VelocityJointInterface"),
     "range": GAZEBO_INTERFACES,
+    "reversed": ("PositionJointInterface",),
 }
 """The interfaces that gazebo_ros_control limits (default_robot_hw_sim.cpp registerJointLimits()).
 
-A joint that is commanded by velocity gets its effort limit as `fmax` (initSim()).
+A joint that is commanded by velocity gets its effort limit as `fmax` (initSim()). Of reversed limits
+joint_limits_interface makes the upper one of each position: saturate() is min(max(value, lower), upper).
 """
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.hardware.limited_joints import held_by
 from urdfctl.model.robot import Number
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
@@ -46,7 +47,8 @@ from urdfctl.rules.written import at_value
 def limits_reversed(project: Project) -> Iterator[Finding]:
     """Lower joint limit above upper limit.
 
-    urdfdom accepts it. Gazebo swaps the two limits. Elsewhere, no position is within them and the joint does not move.
+    urdfdom accepts it. Gazebo swaps the two limits. Elsewhere, no position is within them and the joint does not move. This
+    is an error if gazebo_ros_control runs the joint, which takes each commanded position for the upper limit.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
@@ -61,8 +63,9 @@ def limits_reversed(project: Project) -> Iterator[Finding]:
         default = "" if limit.lower and limit.upper else " (a missing limit is 0)"
         message = f"'lower' of {label('joint', joint.name)} is {lower:g}, but 'upper' is {upper:g}{default}"
         fix = Fix("swap 'lower' and 'upper'", edits) if edits else None
-        finding = at_value(project, limit.lower.at, message, fix=fix) if limit.lower else None
-        yield finding if finding and finding.notes else Finding(limit.at, message, fix=fix)
+        severity = Severity.ERROR if held_by(project, joint.name, "reversed") else None
+        finding = at_value(project, limit.lower.at, message, fix=fix, severity=severity) if limit.lower else None
+        yield finding if finding and finding.notes else Finding(limit.at, message, fix=fix, severity=severity)
 
 
 def _swapped(lower: Number | None, upper: Number | None, project: Project) -> tuple[Edit, ...]:
