@@ -68,3 +68,9 @@ def test_the_springs_on_fingers_that_follow_a_motor_are_one_hand_with_it() -> No
 def test_what_carries_an_arm_or_a_head_is_no_hand(carried: tuple[JointFacts, ...]) -> None:
     parts = anatomy(turning("lift"), turning("second", None, "lift"), *carried)
     assert parts.tools == ()
+
+
+def test_a_joint_beside_a_gripper_does_not_lengthen_the_arm() -> None:
+    arm = (turning("shoulder"), turning("elbow", "shoulder"), turning("wrist", "elbow"))
+    parts = anatomy(*arm, turning("finger", "wrist"), turning("tilt", "wrist"))
+    assert names_of(parts) == ([["finger"]], [["shoulder", "elbow", "wrist"], ["tilt"]])

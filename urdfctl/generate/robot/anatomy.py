@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.generate.options import Roles
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
@@ -60,7 +60,8 @@ def anatomy_of(robot: RobotFacts, joints: Sequence[JointFacts]) -> Anatomy:
     free = [joint for joint in joints if joint.name not in used and not joint.mimics]
     tools = tuple(_tools(tree, free))
     used |= {joint.name for tool in tools for joint in tool.joints}
-    return Anatomy(base, tools, tuple(_chains(tree, [joint for joint in free if joint.name not in used])))
+    mounts = {joint.above for tool in tools for joint in tool.joints}
+    return Anatomy(base, tools, tuple(_chains(tree, [joint for joint in free if joint.name not in used], mounts)))
 
 
 class _JointTree:
@@ -236,8 +237,10 @@ def _hand_of(tree: _JointTree, joint: JointFacts) -> list[JointFacts]:
     return [joint, *inner]
 
 
-def _chains(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:
-    """The remaining joints in chains from the root outwards. A chain ends where it branches."""
+def _chains(
+    tree: _JointTree, joints: Sequence[JointFacts], mounts: Collection[str | None]
+) -> Iterator[tuple[JointFacts, ...]]:
+    """The remaining joints in chains from the root outwards. A chain ends where it branches, or carries a tool."""
     names = {joint.name: joint for joint in joints}
     below: dict[str | None, list[JointFacts]] = {}
     for joint in joints:
@@ -246,7 +249,7 @@ def _chains(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[tuple[Jo
     pending = [[joint] for joint in reversed(below.get(None, []))]
     while pending:
         chain = pending.pop()
-        while len(below.get(chain[-1].name, ())) == 1:
+        while len(below.get(chain[-1].name, ())) == 1 and chain[-1].name not in mounts:
             chain.append(below[chain[-1].name][0])
         branches = below.get(chain[-1].name, [])
         if len(branches) >= _FINGERS and all(_FINGER.search(joint.name + (joint.link or "")) for joint in branches):
