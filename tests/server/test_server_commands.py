@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 from editor import Editor, in_editor, path_of, types
 from folder import CHECKOUT, Folder
+from planned_arm import arm
 
 from urdfctl.server.app import make_server
 from urdfctl.smoke.engines.engine import installed
@@ -205,11 +206,48 @@ def test_the_commands_are_above_the_robot_that_they_are_about(folder: Folder) ->
 
     lenses, _, _ = used(folder.path, "arm.xacro", use)
     assert {lens.range.start.line for lens in lenses} == {1}
-    commands = ["graph", "view in 3-D", "smoke test", "migrate"]
+    commands = ["graph", "view in 3-D", "smoke test", "plan with MoveIt", "migrate"]
     titles = [*commands, "2 variants", *commands, "shown: arm prefix:=left_"]
     assert [lens.command.title for lens in lenses] == titles
     uri = (folder.path / "arm.xacro").resolve().as_uri()
     assert [list(lens.command.arguments) for lens in lenses] == [[uri]] * len(lenses)
+
+
+# -- planning --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("package", "output"), [("", "six_moveit"), ("robots/six", "robots/six_description_moveit")])
+def test_a_package_that_plans_is_written_beside_that_of_the_robot_and_again_when_asked(
+    folder: Folder, package: str, output: str
+) -> None:
+    pytest.importorskip("mujoco")
+    manifest = "<package format='3'><name>six_description</name><version>1.0.0</version></package>"
+    name = f"{package}/six.urdf".lstrip("/")
+    folder.write({".git/HEAD": "", name: arm(), **({f"{package}/package.xml": manifest} if package else {})})
+
+    async def use(editor: Editor, _: Pages) -> object:
+        first = await call(editor, "moveit", name, "jazzy")
+        return first, await call(editor, "moveit", name, "jazzy")
+
+    (first, second), pages, messages = used(folder.path, name, use, "Write it again")
+    assert first["folder"] == second["folder"] == str(folder.path / output)
+    assert (folder.path / output / "config/six.srdf").exists()
+    assert f"files written to '{folder.path / output}'" in first["summary"]
+    assert second["summary"] == f"'{output}' is up to date"
+    assert messages[-2:] == [f"urdfctl: {first['summary']}", f"urdfctl: {second['summary']}"]
+    assert pages.questions[0].startswith(f"'{output}' exists.")
+
+
+def test_why_no_package_that_plans_is_written_is_told(folder: Folder) -> None:
+    folder.write({".git/HEAD": "", "arm.xacro": ARM.replace('lower="-1" upper="1"', "")})
+
+    async def use(editor: Editor, _: Pages) -> object:
+        return await call(editor, "moveit", "arm.xacro", "jazzy")
+
+    result, _, messages = used(folder.path, "arm.xacro", use)
+    assert result is None
+    assert messages == ["urdfctl: joint 'elbow' has no position limits, which planning needs"]
+    assert not (folder.path / "arm_moveit").exists()
 
 
 # -- smoke tests -----------------------------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ from urdfctl.server.analysis import workspace
 
 WHERE = [types.Position(0, 0), types.Position(0, 30), types.Position(3, 7), types.Position(10_000, 10_000)]
 COMMANDS: dict[str, list[str]] = {
-    **{f"urdfctl.{name}": [] for name in ("graph", "view", "smoke", "chooseVariant")},
+    **{f"urdfctl.{name}": [] for name in ("graph", "view", "smoke", "moveit", "chooseVariant")},
     "urdfctl.migrate": ["jazzy"],
 }
 ARM = """<robot name="arm">

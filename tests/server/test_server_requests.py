@@ -26,7 +26,7 @@ from raw_editor import (
     ws,
 )
 
-COMMANDS = ["urdfctl.graph", "urdfctl.view", "urdfctl.smoke", "urdfctl.migrate", "urdfctl.chooseVariant"]
+COMMANDS = [f"urdfctl.{name}" for name in ("graph", "view", "smoke", "moveit", "migrate", "chooseVariant")]
 TOO_FAR = (-1, 2**31, 10**30)
 WRONG: list[object] = [None, 1.5, *TOO_FAR, "a text", True, [], {}, [None], {"uri": 1}]
 

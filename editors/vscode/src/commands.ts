@@ -12,6 +12,7 @@ export const FILE_COMMANDS: readonly FileCommand[] = [
   { command: "urdfctl.graph", label: "$(type-hierarchy) Draw the wiring", needsSaving: false },
   { command: "urdfctl.view", label: "$(eye) Show the robot in 3-D", needsSaving: false },
   { command: "urdfctl.smoke", label: "$(beaker) Run a smoke test", needsSaving: true },
+  { command: "urdfctl.moveit", label: "$(rocket) Write a package that plans with MoveIt", needsSaving: true },
   { command: "urdfctl.migrate", label: "$(arrow-up) Migrate the package to another distro", needsSaving: true },
   { command: "urdfctl.chooseVariant", label: "$(list-selection) Choose the variant to show", needsSaving: false },
 ];

@@ -23,6 +23,7 @@ from urdfctl.server.analysis.workspace import Workspace
 from urdfctl.server.commands.migrating import edit_of_patch, paths_of_patch
 from urdfctl.server.commands.pages import graph_page, view_page
 from urdfctl.server.commands.patches import PatchedFile, read_patch
+from urdfctl.server.commands.planning import output_for, summary_of, words_for_planning
 from urdfctl.server.commands.processes import Ended, run_command
 from urdfctl.server.commands.smoking import tested, words_for
 from urdfctl.server.protocol.dialogue import pick, progress, say, show_page
@@ -30,11 +31,12 @@ from urdfctl.server.protocol.uris import path_of
 from urdfctl.server.protocol.window import Window
 
 GRAPH, VIEW, SMOKE = "urdfctl.graph", "urdfctl.view", "urdfctl.smoke"
-MIGRATE, CHOOSE_VARIANT = "urdfctl.migrate", "urdfctl.chooseVariant"
+MIGRATE, PLAN, CHOOSE_VARIANT = "urdfctl.migrate", "urdfctl.moveit", "urdfctl.chooseVariant"
 VARIANTS = "urdfctl/variants"
 """The request for the variants of the robots that read a file."""
 _NO_URI = "the URI of a file is missing"
 _ALL = "all variants"
+_AGAIN = "Write it again"
 _APPLY, _SHOW = "Change the files", "Show the changes"
 
 About = Callable[[Window, Workspace, str], Awaitable[Any]]
@@ -45,6 +47,7 @@ def answer_commands(server: Window) -> None:
     """Register the commands."""
     _show(server)
     _change(server)
+    _plan(server)
     _choose(server)
 
 
@@ -81,6 +84,17 @@ def _change(server: Window) -> None:
             return await _migrate(window, workspace, path, distro)
 
         return await _about(window, words, change)
+
+
+def _plan(server: Window) -> None:
+    @server.command(PLAN)
+    async def plan(window: Window, *words: Any) -> Any:
+        distro = str(words[1]) if words[1:] else None
+
+        async def write(window: Window, workspace: Workspace, path: str) -> dict[str, Any] | None:
+            return await _write_plans(window, workspace, path, distro)
+
+        return await _about(window, words, write)
 
 
 def _choose(server: Window) -> None:
@@ -220,6 +234,34 @@ async def _apply(window: Window, files: list[PatchedFile], folder: str, title: s
     edit = edit_of_patch(files, folder, title, is_annotated=is_annotated)
     done = await window.workspace_apply_edit_async(types.ApplyWorkspaceEditParams(edit, title))
     return done.applied
+
+
+# -- planning --------------------------------------------------------------------------------------------------------
+
+
+async def _write_plans(window: Window, workspace: Workspace, path: str, distro: str | None) -> dict[str, Any] | None:
+    """Write a package that plans with MoveIt for the robot that says most about a file, as it is on disk."""
+    if window.unsaved():
+        say(window, "the package is made from the saved files; there are unsaved changes", types.MessageType.Warning)
+    target = workspace.target_with(path)
+    output = output_for(target, workspace.folder)
+    shown = os.path.relpath(output, workspace.folder)
+    is_there = os.path.exists(output)
+    if is_there:
+        told = f"'{visible(shown)}' exists. What you changed in its SRDF is kept, other changes are not."
+        if await pick(window, told, [_AGAIN]) is None:
+            return None
+    words = words_for_planning(target, output, distro or workspace.settings.distro, is_there=is_there)
+    ended, cancelled = await _run(window, words, workspace.folder, f"urdfctl: plan with MoveIt in {shown}")
+    if cancelled:
+        say(window, "no package was written: it was cancelled")
+        return None
+    if ended.status:
+        raise UserError(ended.reason)
+    window.log("\n".join(ended.problems))
+    summary = summary_of(ended.problems) or f"'{visible(shown)}' is up to date"
+    say(window, summary)
+    return {"summary": summary, "folder": output}
 
 
 # -- variants --------------------------------------------------------------------------------------------------------

@@ -7,11 +7,11 @@ from collections.abc import Iterable, Iterator
 
 from lsprotocol import types
 
-from urdfctl.server.commands.calls import CHOOSE_VARIANT, GRAPH, MIGRATE, SMOKE, VIEW
+from urdfctl.server.commands.calls import CHOOSE_VARIANT, GRAPH, MIGRATE, PLAN, SMOKE, VIEW
 from urdfctl.server.protocol.uris import path_of
 from urdfctl.server.protocol.window import Window
 
-_TITLES = {GRAPH: "graph", VIEW: "view in 3-D", SMOKE: "smoke test", MIGRATE: "migrate"}
+_TITLES = {GRAPH: "graph", VIEW: "view in 3-D", SMOKE: "smoke test", PLAN: "plan with MoveIt", MIGRATE: "migrate"}
 _ROOT = re.compile(r"<(robot|launch)\b")
 
 
