@@ -4,8 +4,8 @@
 
 ROBOTS.yaml lists `robots`, each with a name, its tree (a folder of DIR), and in it the description, its arguments
 (NAME:=VALUE), and the SRDF (`semantic`) that people made for it, with `semantic_arguments` if they differ;
-`controllers` is a file in the folder of theirs, and `options` are words for gen-moveit. Each is generated twice, with
-other seeds, in the folder `moveit_of_urdfctl` of its tree. Of a robot is said:
+`controllers` is their file for controllers, or the folder of it, and `options` are words for gen-moveit. Each is
+generated twice, with other seeds, in the folder `moveit_of_urdfctl` of its tree. Of a robot is said:
 
 - which groups, end effectors and controllers of theirs are found: those that move the same joints;
 - on how many pairs of links, of those on which both runs agree, theirs agrees, and each pair on which it does not;
@@ -113,9 +113,9 @@ def _joints(group: ET.Element, named: Mapping[str, ET.Element], tree: Tree) -> I
 
 
 def controllers_in(folder: Path, tree: Tree) -> dict[str, frozenset[str]]:
-    """Return the joints of the controllers that MoveIt gets from the files of a folder."""
+    """Return the joints of the controllers that MoveIt gets from the files of a folder, or from one file."""
     found: dict[str, frozenset[str]] = {}
-    for path in sorted(folder.rglob("*.yaml")):
+    for path in [folder] if folder.is_file() else sorted(folder.rglob("*.yaml")):
         try:
             document = yaml.safe_load(path.read_text())
         except (yaml.YAMLError, OSError, UnicodeDecodeError):
@@ -185,7 +185,7 @@ def compared(tool: Tool, out: Path, samples: int) -> dict[str, Any]:
     tree = Tree(tool.run("expand", robot["description"], *robot.get("arguments", ())).stdout)
     theirs = semantic_in(tool.semantic(), tree)
     ours = [semantic_in(next(one.glob("config/*.srdf")).read_text(), tree) for one in packages]
-    config = (tool.folder / robot.get("controllers", robot["semantic"])).parent
+    config = tool.folder / robot.get("controllers", Path(robot["semantic"]).parent)
     mine = controllers_in(packages[0] / "config", tree)
     return {
         "seconds": round(seconds, 1),
