@@ -42,6 +42,10 @@ _GZ, _CLASSIC, _MOCK = (
         ('effort="1" velocity="0"', _MOCK, "position", "kilted", "UC131 error"),
         ('effort="1" velocity="0"', _MOCK, "position", "jazzy", "UC131 warning"),
         ('effort="0" velocity="1"', _MOCK, "position", "kilted", None),
+        ('effort="0" velocity="1"', _MOCK, "effort", "kilted", "UC161 error"),
+        ('effort="0" velocity="1"', _MOCK, 'effort"/><command_interface name="position', "kilted", None),
+        ('effort="0" velocity="1"', _GZ, 'effort"/><command_interface name="position', "jazzy", "UC161 error"),
+        ('effort="1" velocity="0"', _GZ, 'velocity"/><command_interface name="effort', "jazzy", "UC131 warning"),
     ],
 )
 def test_a_limit_of_zero_is_an_error_where_the_runtime_applies_it_to_the_command(

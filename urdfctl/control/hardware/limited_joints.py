@@ -47,16 +47,19 @@ joint_limits_interface makes the upper one of each position: saturate() is min(m
 
 
 def held_by(project: Project, joint: str | None, limit: LimitKind) -> str | None:
-    """Return who certainly never moves a joint with such a limit, as messages say it; None if nobody is known to."""
+    """Return who certainly never moves a joint with such a limit, as messages say it; None if nobody is known to.
+
+    A joint that also has a command without that limit can be moved by it.
+    """
     for control in components(project):
         simulator = simulator_of(project, control) or ""
         for part in control.parts:
             if part.kind != "joint" or part.name != joint:
                 continue
-            commands = {command.name for command in part.commands}
-            if not commands.isdisjoint(_OF_SIMULATORS.get(simulator, {}).get(limit, ())):
+            commands = {command.name for command in part.commands} & {*_COMMANDS}
+            if commands and commands <= {*_OF_SIMULATORS.get(simulator, {}).get(limit, ())}:
                 return "gz" if simulator == "gz" else "Gazebo"
-            if _manager_limits(project) and not commands.isdisjoint(_OF_MANAGER[limit]):
+            if commands and commands <= {*_OF_MANAGER[limit]} and _manager_limits(project):
                 return "the controller manager"
     return "gazebo_ros_control" if _held_in_ros1(project, joint, _OF_ROS1[limit]) else None
 
