@@ -81,6 +81,12 @@ def test_edits_that_a_finding_asks_for_are_asked_for_and_leave_it_gone(folder: F
     assert "UC125" not in [one.code for one in verdict.linted.outcome.diagnostics]
 
 
+def test_what_is_only_worth_knowing_may_come_in_the_place_of_a_warning_and_is_told(folder: Folder) -> None:
+    verdict = tried(folder, MACRO, [*BOTH, ('xacro">\n', "", '<xacro:arg name="spare" default="1"/>\n')])
+    assert [one for one in verdict.objections if "would cause" in one] == []
+    assert any("a warning is fixed; left is UC019: argument 'spare'" in one for one in verdict.remarks), verdict.remarks
+
+
 def test_edits_that_nothing_asks_for_are_not(folder: Folder) -> None:
     assert tried(folder, MACRO, [("", "world", "earth")]).asked_for == frozenset()
 

@@ -99,9 +99,10 @@ class _Trial:
     def _of_findings(self) -> Iterator[str]:
         """The edits must not cause a new finding, and must remove the findings that they fix.
 
-        If all of those are errors, less severe findings may come in their place, which is remarked.
+        Findings that are less severe than all of those may come in their place, which is remarked.
         """
-        fixes_errors = all(diagnostic.severity is Severity.ERROR for diagnostic, _ in self.fixed)
+        mildest = min((one.severity for one, _ in self.fixed), key=lambda one: one.weight, default=Severity.INFO)
+        fixed = f"{'an' if mildest is Severity.ERROR else 'a'} {mildest.value} is fixed"
         before = Counter(self._key(diagnostic) for diagnostic in self.before.result.outcome.diagnostics)
         expected_gone = Counter(self._key(diagnostic) for diagnostic, _ in self.fixed)
         left = before - expected_gone
@@ -110,9 +111,9 @@ class _Trial:
             left[key] -= 1
             if left[key] < 0:
                 stays = key in expected_gone and left[key] >= -expected_gone[key]
-                if not stays and fixes_errors and diagnostic.severity is not Severity.ERROR:
+                if not stays and diagnostic.severity.weight < mildest.weight:
                     where = f"{diagnostic.at.file}:{diagnostic.at.line}:{diagnostic.at.column}"
-                    self.remarks.add(f"{where}: an error is fixed; left is {diagnostic.code}: {diagnostic.message}")
+                    self.remarks.add(f"{where}: {fixed}; left is {diagnostic.code}: {diagnostic.message}")
                     continue
                 new = f"the fix would cause {diagnostic.code} ({diagnostic.message})"
                 yield "the fix would not remove the finding" if stays else new
