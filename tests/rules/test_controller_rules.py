@@ -140,6 +140,21 @@ def test_a_misspelt_type_is_recognised(tmp_path: Path, slip: str, right: str) ->
 
 
 @pytest.mark.parametrize(
+    ("wrong", "sure"),
+    [
+        ("joint_trajectory_controller/Trajectory", True),
+        ("joint_trajectory_controler/JointTrajectoryController", True),
+        ("JointTrajectoryController", False),
+        ("position_controllers/JointGroupVelocityController", False),
+    ],
+)
+def test_the_only_type_of_the_package_that_is_named_is_surely_meant(tmp_path: Path, wrong: str, *, sure: bool) -> None:
+    [fix] = [one.fix for one in findings(tmp_path, MANAGER % wrong + RIGHT) if one.code == "UC421"]
+    assert fix is not None
+    assert fix.safe is sure
+
+
+@pytest.mark.parametrize(
     "own",
     [
         "our_controllers/JointTrajectoryController",

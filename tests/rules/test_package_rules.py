@@ -451,3 +451,5 @@ def test_the_package_of_the_hardware_belongs_into_the_manifest_too(folder: Folde
     assert found(folder, {**files, "package.xml": declared}, "UC614", distro="jazzy") == []
     mocked = {**samples.SOUND, "package.xml": MANIFEST}
     assert found(folder, mocked, "UC614", distro="jazzy") == []
+    renamed = {**files, "arm.urdf": simulated.replace("gz_ros2_control/GazeboSim", "ign_ros2_control/Ignition")}
+    assert found(folder, renamed, "UC614", distro="jazzy") == []

@@ -12,7 +12,7 @@ from urdfctl.catalog.entries import Replacement
 from urdfctl.control.parameters.readers import controllers_in, is_of_ros2, type_of
 from urdfctl.model.controllers import Controller, Value
 from urdfctl.model.project import Project
-from urdfctl.names import is_alike, nearest
+from urdfctl.names import is_alike, is_slip, nearest
 from urdfctl.startup.per_object import once_for_the_last
 from urdfctl.startup.records import NamedTuple
 
@@ -69,6 +69,14 @@ def meant_by(project: Project, unknown: TypedController) -> str | None:
     if own is not None:
         return _of_same_class(project.catalog, unknown, own) or own
     return _meant_in(project.catalog, unknown.ros, unknown.type.strip(" '\"").replace("::", "/"))
+
+
+def is_surely_meant(project: Project, unknown: TypedController, meant: str) -> bool:
+    """Return whether an unknown type surely means a known one: a slip, or the only type of the package it names."""
+    package = unknown.type.partition("/")[0]
+    only = _only_one_of(package, list(_known(project.catalog)[unknown.ros - 1]))
+    named_alike = any(own.partition("/")[0] == package for own in project.own.controllers)
+    return is_slip(unknown.type, meant) or (only == meant and not named_alike)
 
 
 def _of_same_class(catalog: Catalog, unknown: TypedController, own: str) -> str | None:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.parameters.controller_types import TypedController, meant_by, typed
-from urdfctl.names import is_slip
+from urdfctl.control.parameters.controller_types import TypedController, is_surely_meant, meant_by, typed
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
 
@@ -72,7 +71,9 @@ def controller_type_unknown(project: Project) -> Iterator[Finding]:
         meant = meant_by(project, controller)
         if meant is not None:
             message = f"controller type '{controller.type}' is unknown; did you mean '{meant}'?"
-            yield Finding(at, message, fix=replaced(at, controller.type, meant, safe=is_slip(controller.type, meant)))
+            yield Finding(
+                at, message, fix=replaced(at, controller.type, meant, safe=is_surely_meant(project, controller, meant))
+            )
 
 
 def _other_kind(project: Project, controller: TypedController) -> str | None:

@@ -152,9 +152,9 @@ def _of_controller(project: Project, name: str) -> str:
 
 
 def _of_hardware(project: Project, name: str) -> str:
-    """Return the package of a hardware plugin; empty if it is unknown, or comes with the controller manager."""
+    """Return the package of a hardware plugin; empty if it is unknown, has a new name, or comes with the manager."""
     known = (project.catalog.hardware(name, distro) for distro in project.distros)
-    package = next((entry.package for entry in known if entry), "")
+    package = next((entry.package for entry in known if entry and not entry.deprecated), "")
     return "" if package == "hardware_interface" else package
 
 
