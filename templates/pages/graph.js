@@ -48,7 +48,19 @@ for (const box of document.querySelectorAll(".wired:not([data-ready])")) {
     drawing.setAttribute("height", natural.height * scale);
     area.scrollTo(middle[0] * scale - area.clientWidth / 2, middle[1] * scale - area.clientHeight / 2);
   };
-  const fit = () => { isFitted = true; zoom(Math.min(1, (area.clientWidth - 2) / natural.width)); };
+  const fitting = () => Math.min(1, (area.clientWidth - 2) / natural.width);
+  const fit = () => { isFitted = true; zoom(fitting()); };
+  const legible = .75, narrow = 600;
+  const begin = () => {  // on a telephone the whole graph would be too small to read: it begins where something is wrong
+    if (area.clientWidth > narrow || fitting() >= legible) { fit(); return; }
+    isFitted = false;
+    zoom(legible);
+    area.scrollTo(0, 0);
+    const wrong = nodes.find(node => node.classList.contains("broken"));
+    if (!wrong) return;
+    const at = wrong.getBoundingClientRect(), around = area.getBoundingClientRect();
+    area.scrollTo(at.left - around.left - (area.clientWidth - at.width) / 2, at.top - around.top - (area.clientHeight - at.height) / 2);
+  };
   const zoomBy = factor => { isFitted = false; zoom(scale * factor); };
   const zooms = { in: () => zoomBy(1.3), out: () => zoomBy(1 / 1.3), fit };
   for (const button of box.querySelectorAll("[data-zoom]")) button.addEventListener("click", zooms[button.dataset.zoom]);
@@ -60,8 +72,8 @@ for (const box of document.querySelectorAll(".wired:not([data-ready])")) {
   area.addEventListener("pointermove", event => {
     if (event.buttons === 1 && event.pointerType === "mouse") area.scrollBy(-event.movementX, -event.movementY);
   });
-  fit();
-  area.scrollTo(0, 0);
+  begin();
+  if (isFitted) area.scrollTo(0, 0);
   let width = area.clientWidth;
   window.ResizeObserver && new ResizeObserver(() => {
     if (isFitted && area.clientWidth !== width) fit();
