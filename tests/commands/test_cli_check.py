@@ -49,6 +49,14 @@ def test_a_controller_that_fails_by_a_consequence_of_what_lint_reports_is_no_fin
     assert [one["code"] for one in found if one["severity"] == "error"] == ["UC312"]
 
 
+def test_what_both_measure_in_the_same_words_is_reported_once(picker: Path) -> None:
+    replace(picker / "urdf/parts.xacro", '<origin rpy="${pi / 2} 0 0"/>', '<origin rpy="90 0 0"/>')
+    found = json.loads(command("check", *NO_ENGINE, "--format", "json").stdout)["findings"]
+    turned = [one for one in found if "most likely degrees" in one["message"]]
+    assert {one["code"] for one in turned} == {"UC168"}
+    assert turned[0]["fix"]["edits"][0]["text"] == "${radians(90)} 0 0"
+
+
 def test_what_only_smoke_finds_fails_the_run(picker: Path) -> None:
     replace(picker / "config/joint_limits.yaml", "max_effort: 40.0", "max_effort: 0.4")
     replace(picker / "config/joint_limits.yaml", "max_effort: 40.0", "max_effort: 0.4")

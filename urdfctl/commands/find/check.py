@@ -73,10 +73,16 @@ def run_check(options: LintAndSmokeOptions) -> int:
 def _new(findings: Sequence[Diagnostic], run: LintRun) -> list[Diagnostic]:
     """What the smoke test found and lint did not: a controller also fails by what lint reports at the same place."""
     told = defaultdict[tuple[str, int], list[Diagnostic]](list)
+    said = set[str]()
     for result in run.results:
         for one in result.outcome.diagnostics:
             told[one.at.file, one.at.line].append(one)
-    return [one for one in findings if not any(_is_told(one, other) for other in told[one.at.file, one.at.line])]
+            said.add(one.message)
+    return [
+        one
+        for one in findings
+        if one.message not in said and not any(_is_told(one, other) for other in told[one.at.file, one.at.line])
+    ]
 
 
 def _is_told(smoked: Diagnostic, linted: Diagnostic) -> bool:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from urdfctl.fault import Severity, fault
+from urdfctl.model.degrees import rotation_in_words
 from urdfctl.rules.smoke.common import REACHER, REACHER_CONTROLLER, marked
 
 
@@ -50,9 +53,9 @@ from urdfctl.rules.smoke.common import REACHER, REACHER_CONTROLLER, marked
         {"robot.urdf": REACHER.replace('rpy="0 0.3 0"', 'rpy="0 7.854 0"'), "controllers.yaml": REACHER_CONTROLLER},
     ],
 )
-def angles_in_degrees(part: str, rpy: str, meant: str) -> str:
+def angles_in_degrees(part: str, angles: Sequence[float]) -> str:
     """Rotation that is most likely in degrees.
 
-    The part is turned several times around, and points into a direction that nobody meant.
+    The part is turned several times around, and points into a direction that nobody meant. Lint finds the same as UC168.
     """
-    return f"{part} is turned by rpy {rpy} rad, more than a turn: most likely degrees; in rad it is {meant}"
+    return rotation_in_words(part, angles)

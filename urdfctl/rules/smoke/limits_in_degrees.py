@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.fault import Severity, fault
+from urdfctl.model.degrees import limits_in_words
 from urdfctl.rules.smoke.common import REACHER, REACHER_CONTROLLER, marked
 
 
@@ -22,13 +23,11 @@ from urdfctl.rules.smoke.common import REACHER, REACHER_CONTROLLER, marked
     ],
     good=[{"robot.urdf": REACHER, "controllers.yaml": REACHER_CONTROLLER}],
 )
-def limits_in_degrees(joint: str, lower: float, upper: float, turns: float, least: float, most: float) -> str:
+def limits_in_degrees(joint: str, lower: float, upper: float) -> str:
     """Limits of a joint that are most likely in degrees.
 
     The joint is taken to turn several times around: planners and commands go through its mechanical end. A joint that
-    really turns several times, like a winch, has limits like these: suppress the finding there.
+    really turns several times, like a winch, has limits like these: suppress the finding there. Lint finds the same as
+    UC167.
     """
-    return (
-        f"joint '{joint}' has limits of {lower:g} to {upper:g} rad, up to {turns:.2g} turns: most likely degrees; "
-        f"in rad they are {least:.4g} to {most:.4g}"
-    )
+    return limits_in_words(joint, lower, upper)

@@ -32,6 +32,7 @@ from urdfctl.rules.urdf.joint_without_limit import joint_without_limit
 from urdfctl.rules.urdf.joint_without_name import joint_without_name
 from urdfctl.rules.urdf.joint_without_parent_or_child import joint_without_parent_or_child
 from urdfctl.rules.urdf.joint_without_type import joint_without_type
+from urdfctl.rules.urdf.limit_in_degrees import limit_in_degrees
 from urdfctl.rules.urdf.limit_incomplete import limit_incomplete
 from urdfctl.rules.urdf.limit_negative import limit_negative
 from urdfctl.rules.urdf.limits_leave_no_range import limits_leave_no_range
@@ -62,6 +63,7 @@ from urdfctl.rules.urdf.robot_without_links import robot_without_links
 from urdfctl.rules.urdf.robot_without_name import robot_without_name
 from urdfctl.rules.urdf.root_element_not_robot import root_element_not_robot
 from urdfctl.rules.urdf.root_link_with_inertial import root_link_with_inertial
+from urdfctl.rules.urdf.rotation_in_degrees import rotation_in_degrees
 from urdfctl.rules.urdf.safety_stops_joint import safety_stops_joint
 from urdfctl.rules.urdf.safety_without_k_velocity import safety_without_k_velocity
 from urdfctl.rules.urdf.several_root_links import several_root_links
@@ -137,4 +139,6 @@ FAULTS: tuple[Fault, ...] = (
     limit_negative,
     safety_stops_joint,
     mimic_joint_stands_still,
+    limit_in_degrees,
+    rotation_in_degrees,
 )

@@ -6,6 +6,7 @@ import math
 import statistics
 from collections.abc import Iterator, Mapping, Sequence
 
+from urdfctl.model.degrees import are_limits_in_degrees, is_rotation_in_degrees
 from urdfctl.model.geometry import Vector, minus
 from urdfctl.model.robot import Robot, Tag
 from urdfctl.rules.smoke.angles_in_degrees import angles_in_degrees
@@ -18,12 +19,6 @@ from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.robot import Hinge, Mechanism, Shapes, numbers_of
 from urdfctl.startup.records import NamedTuple
 
-MOST_TURN = 4 * math.pi
-"""No joint with limits turns farther than this to one side, in rad, but a winch or a wheel."""
-MOST_DEGREES = 720.0
-"""A limit beyond this, in rad, stands for no limit."""
-NEAR_FRACTION = 0.005
-"""A rotation that is as near as this to an eighth of a half turn, in rad, is one in radians."""
 DENSEST = 25_000.0
 """The density that no material has, in kg/m³: osmium has 22 600."""
 HOLLOW = 20.0
@@ -145,22 +140,10 @@ def _limits(mechanism: Mechanism) -> Iterator[Trouble]:
     """The limits of revolute joints in degrees."""
     for hinge in mechanism.hinges:
         limits = [limit for limit in (hinge.lower, hinge.upper) if limit is not None]
-        most = max(map(abs, limits), default=0.0)
-        if hinge.type != "revolute" or not MOST_TURN < most <= MOST_DEGREES or not all(map(_is_even, limits)):
+        if not are_limits_in_degrees(hinge.type, limits):
             continue
-        low, high = limits[0], limits[-1]
-        fields = {"joint": hinge.name, "lower": low, "upper": high, "turns": most / 2 / math.pi}
-        meant = {"least": _radians(low), "most": _radians(high)}
-        yield trouble_of(limits_in_degrees, f"joint:{hinge.name}", None, (), **fields, **meant)
-
-
-def _is_even(limit: float) -> bool:
-    """Whether a limit is a number that people give in degrees: in halves."""
-    return math.isfinite(limit) and (2 * limit).is_integer()
-
-
-def _radians(given: float) -> float:
-    return math.radians(given) if abs(given) > math.pi / 2 else given
+        fields = {"joint": hinge.name, "lower": limits[0], "upper": limits[-1]}
+        yield trouble_of(limits_in_degrees, f"joint:{hinge.name}", None, (), **fields)
 
 
 def _rotations(robot: Robot) -> Iterator[Trouble]:
@@ -175,16 +158,8 @@ def _rotations(robot: Robot) -> Iterator[Trouble]:
 def _rotation(tag: Tag, subject: str, what: str) -> Iterator[Trouble]:
     origin = next(tag.named("origin"), None)
     given = numbers_of(origin.attributes.get("rpy", "")) if origin else (0.0, 0.0, 0.0)
-    if any(_in_degrees(angle) for angle in given):
-        shown = " ".join(f"{angle:g}" for angle in given)
-        meant = " ".join(f"{math.radians(angle):.4g}" for angle in given)
-        yield trouble_of(angles_in_degrees, subject, None, (), part=what, rpy=shown, meant=meant)
-
-
-def _in_degrees(angle: float) -> bool:
-    eighth = math.pi / 8
-    by_eighths = abs(angle - eighth * round(angle / eighth)) < NEAR_FRACTION if math.isfinite(angle) else True
-    return 2 * math.pi < abs(angle) <= MOST_DEGREES and not by_eighths
+    if is_rotation_in_degrees(given):
+        yield trouble_of(angles_in_degrees, subject, None, (), part=what, angles=given)
 
 
 # -- lengths and masses ----------------------------------------------------------------------------------------------
