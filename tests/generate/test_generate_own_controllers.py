@@ -15,6 +15,7 @@ pytest.importorskip("mujoco")
 PLUGIN = "the simulator's plugin in the robot"
 REMEDY = "leave it out by an argument of the robot"
 OTHERWISE = "name a description without the plugin, or leave it out by an argument"
+THE_TYPE = "the type of the robot's own controller"
 SIMULATED = "gz_ros2_control/GazeboSimSystem"
 OWN_FILE = """controller_manager:
   ros__parameters:
@@ -93,6 +94,11 @@ def test_a_robot_with_mock_hardware_is_started_without_the_simulator_that_its_pl
         ),
         (
             "",
+            OWN_FILE.replace("joint_trajectory_controller/J", "own/J"),
+            f"jazzy has no 'own/JointTrajectoryController', {THE_TYPE} 'joint_trajectory_controller'",
+        ),
+        (
+            "",
             OWN_FILE.replace("[pan,", "[pam,"),
             "the robot's own controller 'joint_trajectory_controller' names joint 'pam', which the robot lacks",
         ),
@@ -110,3 +116,11 @@ def test_own_controllers_that_moveit_cannot_use_are_one_line_and_nothing_is_writ
     ran = command("gen-moveit", "six.urdf", *JAZZY)
     assert (ran.returncode, ran.stderr.splitlines()[-1]) == (2, f"urdfctl: {said}")
     assert not Path("out").exists()
+
+
+def test_of_own_controllers_for_the_same_joints_the_first_of_a_known_type_is_used(folder: Folder) -> None:
+    own = OWN_FILE.replace("joint_trajectory_controller/J", "own/J", 1)
+    folder.write({"six.urdf": with_own_controllers(folder, SIMULATED, controllers=own)})
+    assert command("gen-moveit", "six.urdf", *JAZZY, "--force").returncode == 0
+    listed = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["moveit_simple_controller_manager"]
+    assert listed["controller_names"] == ["scaled_controller"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.entries import ControllerType
@@ -35,24 +35,22 @@ def planned_controllers(
             f"the simulator's plugin in the robot runs its controllers in namespace '{spaces[0]}', and MoveIt's "
             "configuration has no namespace: leave it out by an argument of the robot"
         )
-    chosen = list(_chosen(robot))
-    return tuple(_made(own, kind, robot, options) for own in chosen if (kind := _type(own, options, catalog)))
+    known = {own.type: catalog.controller(own.type, options.distro) for own in robot.own}
+    planned = [own for own in robot.own if _last(own.type) in ACTIONS]
+    if not any(known[own.type] for own in planned):
+        lost = planned[0]
+        raise UserError(f"{options.distro} has no '{lost.type}', the type of the robot's own controller '{lost.name}'")
+    chosen = _chosen([own for own in robot.own if known[own.type]])
+    return tuple(_made(own, kind, robot, options) for own in chosen if (kind := known[own.type]))
 
 
-def _chosen(robot: RobotFacts) -> Iterator[OwnController]:
-    yield from (own for own in robot.own if _last(own.type) == _REPORTS)
+def _chosen(known: Sequence[OwnController]) -> Iterator[OwnController]:
+    yield from (own for own in known if _last(own.type) == _REPORTS)
     taken: set[str] = set()
-    for own in robot.own:
+    for own in known:
         if _last(own.type) in ACTIONS and own.joints and taken.isdisjoint(own.joints):
             taken.update(own.joints)
             yield own
-
-
-def _type(own: OwnController, options: GeneratorOptions, catalog: Catalog) -> ControllerType | None:
-    found = catalog.controller(own.type, options.distro)
-    if found is None and _last(own.type) in ACTIONS:
-        raise UserError(f"{options.distro} has no '{own.type}', the type of the robot's own controller '{own.name}'")
-    return found
 
 
 def _made(
