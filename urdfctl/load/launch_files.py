@@ -269,8 +269,7 @@ class _LaunchFileReader:
             skip=self._skipped.append,
         )
         script = read_python(source, around)
-        if script.problem is not None:
-            self.problems.append(script.problem)
+        self.problems += script.problems
         return script.term
 
     def yaml(self, path: str) -> Term | None:

@@ -49,6 +49,7 @@ class ProblemKind(Enum):
     PYTHON_TAG = "python tag"
     PYTHON_SYNTAX = "python syntax"
     PYTHON_NAME = "python name"
+    ACTION_UNUSED = "action unused"
     MERGE_CONFLICT = "merge conflict"
 
 

@@ -43,7 +43,7 @@ def launch(body: str, arguments: Mapping[str, str] | None = None, **files: str) 
         if path not in texts:
             return None
         script = read_python(SourceText(path, texts[path].encode()), Surroundings(find, {"HERE": "x"}))
-        assert script.problem is None, script.problem
+        assert not script.problems, script.problems
         return script.term
 
     sources = Ros2Sources(read, lambda path: (path, True), find, {"HERE": "x"})

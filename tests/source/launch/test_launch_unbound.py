@@ -14,7 +14,8 @@ ENTRY = "generate_launch_description"
 
 def name(body: str, before: str = "") -> str | None:
     text = f"{before}\ndef {ENTRY}():\n{indent(body, '    ')}\n"
-    found = unbound_name(ast.parse(text), ENTRY)
+    tree = ast.parse(text)
+    found = unbound_name(tree, ast.walk(tree), ENTRY)
     return found.id if found else None
 
 

@@ -15,6 +15,7 @@ from urdfctl.rules.reading.file_not_found import file_not_found
 from urdfctl.rules.reading.file_unreadable import file_unreadable
 from urdfctl.rules.reading.forbidden_expression import forbidden_expression
 from urdfctl.rules.reading.indentation_lost import indentation_lost
+from urdfctl.rules.reading.launch_action_unused import launch_action_unused
 from urdfctl.rules.reading.launch_file_not_python import launch_file_not_python
 from urdfctl.rules.reading.launch_name_undefined import launch_name_undefined
 from urdfctl.rules.reading.macro_call_mismatch import macro_call_mismatch
@@ -78,5 +79,6 @@ FAULTS: tuple[Fault, ...] = (
     text_not_expanded,
     merge_conflict_left,
     launch_name_undefined,
+    launch_action_unused,
     suppression_unused,
 )

@@ -42,6 +42,7 @@ _OF_PROBLEMS = {
     ProblemKind.YAML_TAB: "yaml_tab",
     ProblemKind.PYTHON_SYNTAX: "launch_file_not_python",
     ProblemKind.PYTHON_NAME: "launch_name_undefined",
+    ProblemKind.ACTION_UNUSED: "launch_action_unused",
     ProblemKind.PYTHON_TAG: "python_tag",
     ProblemKind.MERGE_CONFLICT: "merge_conflict_left",
 }

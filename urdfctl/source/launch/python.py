@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import ast
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from urdfctl.source.launch.expressions import Evaluation
@@ -17,6 +17,7 @@ from urdfctl.source.launch.modules import Modules
 from urdfctl.source.launch.operations import added, listed, shown, truth
 from urdfctl.source.launch.terms import Constant, Function, ImportedName, Items, Perhaps, Term, UnknownTerm, one_of
 from urdfctl.source.launch.unbound import unbound_name
+from urdfctl.source.launch.unused import unused_actions
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceSpan, SourceText
@@ -52,19 +53,17 @@ class Script(NamedTuple):
     """The result of reading a launch file in Python.
 
     term: its launch description; None if the file is not a launch file.
-    problem: why the file cannot be read; None if it can.
+    problems: why the file cannot be read, or what in it has no effect.
     """
 
     term: Term | None
-    problem: Problem | None = None
+    problems: tuple[Problem, ...] = ()
 
 
 def read_python(source: SourceText, surroundings: Surroundings) -> Script:
     """Return the launch description of a file in Python."""
     if len(source.data) > MOST_BYTES:
-        return Script(
-            None, Problem(ProblemKind.BUDGET, Place(source, 0, end=0), "the launch file is larger than 1 MiB")
-        )
+        return _broken(ProblemKind.BUDGET, Place(source, 0, end=0), "the launch file is larger than 1 MiB")
     try:
         tree = _parsed(source)
     except SyntaxError as error:
@@ -72,27 +71,37 @@ def read_python(source: SourceText, surroundings: Surroundings) -> Script:
 
         conflict = merge_conflict(source)
         if conflict is not None:
-            return Script(None, conflict)
+            return Script(None, (conflict,))
         offset = source.offset(error.lineno or 1, error.offset or 1)
         at = Place(source, offset, end=offset)
-        return Script(None, Problem(ProblemKind.PYTHON_SYNTAX, at, _told(source, error)))
+        return _broken(ProblemKind.PYTHON_SYNTAX, at, _told(source, error))
     except (ValueError, RecursionError, MemoryError) as error:
         message = "nested too deeply" if isinstance(error, (RecursionError, MemoryError)) else str(error)
         at = Place(source, 0, end=0)
-        return Script(None, Problem(ProblemKind.PYTHON_SYNTAX, at, f"Python syntax error: {message}"))
+        return _broken(ProblemKind.PYTHON_SYNTAX, at, f"Python syntax error: {message}")
     module = Frame({}, None)
     run = Run(source, surroundings)
     run.block(tree.body, module)
     entry = module.names.get(_ENTRY)
     if not isinstance(entry, Function):
         return Script(None)
-    name = unbound_name(tree, _ENTRY)
-    return Script(entry.call((), {}, None), _unbound(name, run.at(name)) if name is not None else None)
+    return Script(entry.call((), {}, None), tuple(_mistakes(tree, source, run.at)))
 
 
-def _unbound(name: ast.Name, at: Place) -> Problem:
-    message = f"name '{name.id}' is not defined; launch stops with a NameError"
-    return Problem(ProblemKind.PYTHON_NAME, at, message, name.id)
+def _broken(kind: ProblemKind, at: Place, message: str) -> Script:
+    return Script(None, (Problem(kind, at, message),))
+
+
+def _mistakes(tree: ast.Module, source: SourceText, at: Callable[[ast.expr], Place]) -> Iterator[Problem]:
+    """What Python does not find when the file is started, and what the file creates in vain."""
+    nodes = [*ast.walk(tree)]
+    name = unbound_name(tree, nodes, _ENTRY)
+    if name is not None:
+        message = f"name '{name.id}' is not defined; launch stops with a NameError"
+        yield Problem(ProblemKind.PYTHON_NAME, at(name), message, name.id)
+    for unused in unused_actions(nodes, source.data.decode("utf-8", "replace")):
+        message = f"'{unused.id}' is created, but not started; add it to the LaunchDescription"
+        yield Problem(ProblemKind.ACTION_UNUSED, at(unused), message, unused.id)
 
 
 def _told(source: SourceText, error: SyntaxError) -> str:

@@ -14,16 +14,17 @@ _LATER = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp,
 """Expressions of which not all is evaluated, or which define names."""
 
 
-def unbound_name(tree: ast.Module, entry: str) -> ast.Name | None:
+def unbound_name(tree: ast.Module, nodes: Iterable[ast.AST], entry: str) -> ast.Name | None:
     """Return the first name that Python does not find when a launch file is started; None if it finds all that it
     certainly looks up.
 
     A name that the file defines anywhere counts as defined.
 
+    nodes: all of the file's.
     entry: the name of the function that is called.
     """
     known = set(_GIVEN)
-    for node in ast.walk(tree):
+    for node in nodes:
         names = _defined(node)
         if names is None:
             return None
