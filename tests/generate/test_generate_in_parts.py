@@ -72,6 +72,31 @@ def test_a_caster_that_nothing_commands_needs_no_transmission_beside_those_of_th
     assert "the robot already has transmissions for all of these joints" in refused.stderr
 
 
+def test_wheels_that_a_macro_calls_mecanum_get_the_controller_of_such_a_base(folder: Folder) -> None:
+    moment = '<inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>'
+    calls = "".join(
+        f'<xacro:mecanum_wheel name="{end}_{side}" x="{x}" y="{y}"/>'
+        for end, x in (("front", 0.1), ("back", -0.1))
+        for side, y in (("left", 0.1), ("right", -0.1))
+    )
+    robot = f"""<robot name="cart" xmlns:xacro="http://www.ros.org/wiki/xacro">
+      <xacro:macro name="mecanum_wheel" params="name x y">
+        <link name="${{name}}_link">
+          <inertial><mass value="0.3"/>{moment}</inertial>
+          <collision><origin rpy="1.5708 0 0"/><geometry><cylinder radius="0.05" length="0.04"/></geometry></collision>
+        </link>
+        <joint name="${{name}}_wheel" type="continuous">
+          <parent link="base"/><child link="${{name}}_link"/><origin xyz="${{x}} ${{y}} 0"/><axis xyz="0 1 0"/>
+        </joint>
+      </xacro:macro>
+      <link name="base"/>{calls}
+    </robot>"""
+    for macro, kind in (("mecanum_wheel", "mecanum_drive"), ("round_wheel", "diff_drive")):
+        folder.write({"cart.xacro": robot.replace("mecanum_wheel", macro)})
+        made = command("gen-controllers", "cart.xacro", *JAZZY[1:])
+        assert f"type: {kind}_controller/" in made.stdout, made.stderr
+
+
 def test_interfaces_are_written_although_no_controller_can_be_proposed(folder: Folder) -> None:
     three = "".join(
         f"""<link name="w{n}"><collision><geometry><sphere radius="0.1"/></geometry></collision></link>

@@ -166,7 +166,7 @@ def _kind_of_base(
         if len(left) != len(right) or not left:
             return None, Roles(traction=_left_first(wheels))
         rollers = any(len(tree.under(wheel.name)) >= _ROLLERS for wheel in wheels)
-        words = (name, *(wheel.name for wheel in wheels), *(wheel.link or "" for wheel in wheels))
+        words = (name, *(word for wheel in wheels for word in (wheel.name, wheel.link or "", wheel.macro)))
         mecanum = len(wheels) == 4 and (rollers or any(map(_MECANUM.search, words)))  # noqa: PLR2004
         return ("mecanum" if mecanum else "diff_drive"), sides
     known = {(2, 2): "ackermann", (1, 2): "tricycle_steering", (1, 1): "bicycle"}

@@ -34,8 +34,8 @@ class JointFacts(NamedTuple):
     pose, None if it is unknown. `damping` and `friction` are its own, in N m s/rad and N m, or N s/m and N.
 
     `link` is the child link, `above` the next joint towards the root that moves, and `mimic` the joint that it follows,
-    with multiplier and offset. `interface`, `gains`, `reduction`, `controller` and `controller_type` come from a joint
-    list.
+    with multiplier and offset. `macro` is the xacro macro that made it. `interface`, `gains`, `reduction`, `controller`
+    and `controller_type` come from a joint list.
     """
 
     name: str
@@ -61,6 +61,7 @@ class JointFacts(NamedTuple):
     damping: float = 0.0
     friction: float = 0.0
     middle: Vector | None = None
+    macro: str = ""
 
     @property
     def can_move(self) -> bool:

@@ -177,6 +177,7 @@ def _joint(name: str, joint: Joint, measurement: Measured | None) -> JointFacts:
         link=joint.child.name if joint.child else None,
         damping=_dynamics(joint, "damping"),
         friction=_dynamics(joint, "friction"),
+        macro=next((call.name for call in joint.at.call.chain() if call.kind == "macro"), "") if joint.at.call else "",
     )
 
 
