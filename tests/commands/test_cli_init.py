@@ -58,6 +58,7 @@ def test_a_configuration_that_is_there_stays_and_gets_the_baseline(folder: Folde
     folder.write({"r.urdf": ROBOT.format(""), "urdfctl.toml": 'distro = "jazzy"\nexclude = ["old"]\n'})
     ran = command("init", "--workflow", "--baseline")
     assert ran.returncode == 0
+    assert "these are the findings for" not in ran.stderr
     assert "'urdfctl.toml' stays; --force writes it anew" in ran.stderr
     text = (folder.path / "urdfctl.toml").read_text()
     assert text == 'baseline = "urdfctl-baseline.json"\ndistro = "jazzy"\nexclude = ["old"]\n'
@@ -157,6 +158,7 @@ def test_a_baseline_hides_what_is_found_today_and_nothing_else(folder: Folder) -
     assert (folder.path / "urdfctl.toml").read_text().startswith('baseline = "urdfctl-baseline.json"\n')
     assert json.loads((folder.path / "urdfctl-baseline.json").read_text())["findings"]
     said = command("init", "--distro", "jazzy", "--baseline", "--force").stderr
+    assert "these are the findings for jazzy: without a distro, lint counts what others find, too" in said
     assert said.endswith("urdfctl: next: urdfctl check . --engine none --write-baseline urdfctl-baseline.json\n")
     assert command("check", ".", "--engine", "none").returncode == 0
     folder.write({"r.urdf": ROBOT.format('<joint name="k" type="sideways"/><joint name="k2" type="upwards"/>')})

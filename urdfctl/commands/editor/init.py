@@ -108,7 +108,7 @@ def _init(options: InitOptions, answer: CommandAnswer) -> int:
     named = config.baseline if kept is not None else None
     baseline = os.path.normpath(named or os.path.join(folder, _BASELINE))
     if options.baseline:
-        _write_baseline(options, baseline, answer)
+        _write_baseline(options, baseline, answer, distro if kept is None else None)
         if named is None:
             write_file(target, f'baseline = "{_BASELINE}"\n{text}', force=True)
     source = origin()
@@ -142,8 +142,11 @@ def _as_in_workflow(options: InitOptions) -> str:
     return "" if options.workflow and installed() else " --engine none"
 
 
-def _write_baseline(options: InitOptions, path: str, answer: CommandAnswer) -> None:
-    """Write what lint finds to the file that the configuration names, which lint, smoke, check and editors read."""
+def _write_baseline(options: InitOptions, path: str, answer: CommandAnswer, named: str | None) -> None:
+    """Write what lint finds to the file that the configuration names, which lint, smoke, check and editors read.
+
+    named: the distro that the configuration names from now on.
+    """
     config = configured([options.folder], options)
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
     run = lint(LintRequest((options.folder,), config, settings))
@@ -151,6 +154,8 @@ def _write_baseline(options: InitOptions, path: str, answer: CommandAnswer) -> N
         merge(outcomes_of(run.results), Selection()), {file for result in run.results for file in result.files}
     )
     answer.file(path, FileState.WRITTEN)
+    if named:
+        answer.message(f"these are the findings for {named}: without a distro, lint counts what others find, too")
     answer.message(f"what '{path}' lists is hidden; the smoke test's findings are not in it yet: see below")
 
 
