@@ -124,3 +124,23 @@ def test_of_own_controllers_for_the_same_joints_the_first_of_a_known_type_is_use
     assert command("gen-moveit", "six.urdf", *JAZZY, "--force").returncode == 0
     listed = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["moveit_simple_controller_manager"]
     assert listed["controller_names"] == ["scaled_controller"]
+
+
+@pytest.mark.parametrize(
+    ("space", "words", "status", "said"),
+    [
+        ("/one", (), 0, "written for MoveIt's fake controllers, without a simulator"),
+        ("/one", ("--simulator", "gazebo-classic"), 2, "runs its controllers in namespace 'one'"),
+        ("/", ("--simulator", "gazebo-classic"), 0, ""),
+    ],
+)
+def test_in_noetic_a_simulator_that_runs_its_controllers_in_a_namespace_is_left_alone(
+    space: str, words: tuple[str, ...], status: int, said: str, folder: Folder
+) -> None:
+    plugin = f"""<gazebo><plugin filename="libgazebo_ros_control.so" name="control">
+      <robotNamespace>{space}</robotNamespace></plugin></gazebo></robot>"""
+    folder.write({"six.urdf": arm().replace("</robot>", plugin)})
+    ran = command("gen-moveit", "six.urdf", "--distro", "noetic", "--samples", "10", "-o", "out", *words)
+    assert ran.returncode == status, ran.stderr
+    assert said in ran.stderr
+    assert Path("out").exists() is not bool(status)

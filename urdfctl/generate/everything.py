@@ -21,7 +21,7 @@ from urdfctl.generate.files.descriptions import (
     transmissions,
     wanted_interfaces,
 )
-from urdfctl.generate.files.hardware import has_host, loads_others, takes_namespace
+from urdfctl.generate.files.hardware import has_host, loads_others, takes_namespace, unplanned
 from urdfctl.generate.files.mjcf import MODEL, commanded, mjcf_file
 from urdfctl.generate.files.moveit import moveit_file
 from urdfctl.generate.files.moveit_package import moveit_dependencies, moveit_files
@@ -173,7 +173,7 @@ def _all(order: Order) -> list[File]:
     if options.simulator == "mujoco" and robot.skeleton:
         options = options._replace(model_path=f"$(find {options.package})/{MODEL}")
     order = order._replace(options=options)
-    others = "" if options.own else loads_others(robot, options, order.catalog)
+    others = (unplanned if options.moveit else loads_others)(robot, options, order.catalog)
     if others and options.moveit:
         raise UserError(others)
     if others and order.told is not None:

@@ -9,7 +9,7 @@ from urdfctl.commands.generate.measuring import measure_links
 from urdfctl.commands.generate.options import GenerateOptions
 from urdfctl.commands.words import split_arguments
 from urdfctl.config.settings import Settings
-from urdfctl.generate.files.hardware import hosted_file, loads_others, simulates
+from urdfctl.generate.files.hardware import hosted_file, simulates, unplanned
 from urdfctl.generate.files.planned_controllers import has_planned
 from urdfctl.generate.options import GeneratorOptions
 from urdfctl.generate.robot.facts import RobotFacts
@@ -42,9 +42,9 @@ def started(
 ) -> tuple[GeneratorOptions, list[str]]:
     """Return the options with which a robot is started, and what to say of it: of one that a planner starts.
 
-    A simulator's plugin that loads controllers of its own is not started if no hardware of the robot needs the
-    simulator: the demo of MoveIt needs none, and a robot without hardware gets mock hardware. Otherwise a planner uses
-    the plugin's controllers, unless the user asks for other ones.
+    A simulator's plugin that loads controllers of its own, or runs them in a namespace, is not started if no hardware
+    of the robot needs the simulator: the demo of MoveIt needs none, and a robot without hardware gets mock hardware.
+    Otherwise a planner uses the plugin's controllers, unless the user asks for other ones.
 
     requested: returns the options for a simulator.
     is_set: whether an option or the configuration sets the simulator.
@@ -52,11 +52,17 @@ def started(
     options = requested(simulator)
     if robot is None or not plans(asked):
         return options, []
-    others = loads_others(robot, options, catalog)
+    others = unplanned(robot, options, catalog)
     if others and not (is_set or simulates(robot, options.distro, catalog)):
-        hardware = "the hardware in the robot" if robot.plugins else "mock hardware"
-        return requested(_WITHOUT), [f"written for {hardware}, without a simulator: {others}"]
-    if others and has_planned(robot) and not (asked.types or asked.controller):
+        return requested(_WITHOUT), [f"written for {_hardware(robot, options)}, without a simulator: {others}"]
+    own = options._replace(own=True)
+    if others and has_planned(robot) and not (asked.types or asked.controller or unplanned(robot, own, catalog)):
         told = f"MoveIt uses the controllers of '{hosted_file(robot)}', which the simulator's plugin in the robot loads"
-        return options._replace(own=True), [told]
+        return own, [told]
     return options, []
+
+
+def _hardware(robot: RobotFacts, options: GeneratorOptions) -> str:
+    if options.ros == 1:
+        return "MoveIt's fake controllers"
+    return "the hardware in the robot" if robot.plugins else "mock hardware"

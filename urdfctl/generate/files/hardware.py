@@ -50,6 +50,17 @@ def loads_others(robot: RobotFacts, options: GeneratorOptions, catalog: Catalog)
     )
 
 
+def unplanned(robot: RobotFacts, options: GeneratorOptions, catalog: Catalog) -> str:
+    """Return why MoveIt cannot use the controllers that the plugin of a robot runs, or an empty text."""
+    hosted = options.simulator in ("gz", "gazebo-classic") and has_host(robot, options, catalog)
+    if hosted and robot.space and "namespace" not in robot.arguments:
+        return (
+            f"the simulator's plugin in the robot runs its controllers in namespace '{robot.space}', and MoveIt's "
+            "configuration has no namespace: leave it out by an argument of the robot"
+        )
+    return "" if options.own else loads_others(robot, options, catalog)
+
+
 def hosted_file(robot: RobotFacts) -> str:
     """Return the path of the controllers that the plugin of a robot loads, for a message."""
     file = robot.hosted[0]

@@ -26,15 +26,9 @@ def planned_controllers(
 ) -> tuple[GeneratedController, ...]:
     """Return those of a robot's own controllers that are started for a planner, the broadcaster of its joints first.
 
-    Of several for one joint, the first one is started. UserError if the plugin runs them in a namespace, or if one
-    names a joint that the robot does not have.
+    Of several for one joint, the first one is started. UserError if one names a joint that the robot does not have, or
+    if the distro has none of their types.
     """
-    spaces = [own.namespace for own in robot.own if own.namespace]
-    if spaces:
-        raise UserError(
-            f"the simulator's plugin in the robot runs its controllers in namespace '{spaces[0]}', and MoveIt's "
-            "configuration has no namespace: leave it out by an argument of the robot"
-        )
     known = {own.type: catalog.controller(own.type, options.distro) for own in robot.own}
     planned = [own for own in robot.own if _last(own.type) in ACTIONS]
     if not any(known[own.type] for own in planned):

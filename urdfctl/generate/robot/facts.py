@@ -134,13 +134,12 @@ class Linkage(NamedTuple):
 
 
 class OwnController(NamedTuple):
-    """A controller in a file that a robot's plugin loads: its joints, commanded interfaces, and namespace."""
+    """A controller in a file that a robot's plugin loads, with its joints and commanded interfaces."""
 
     name: str
     type: str
     joints: tuple[str, ...] = ()
     interfaces: tuple[str, ...] = ()
-    namespace: str = ""
 
 
 class RobotFacts(NamedTuple):
@@ -156,7 +155,8 @@ class RobotFacts(NamedTuple):
     gen-ros2-control wrote, with their parts, and the joints of transmissions that gen-transmissions wrote. `lowest` is
     the height of the lowest point in the frame of the root, in m, with all joints at zero. `mesh_packages` contain its
     meshes. `linkage` is there if a motion planner is configured, and `own` are the controllers in the files that its
-    plugins load. `plugins` are the hardware plugins of its `<ros2_control>` tags.
+    plugins load. `plugins` are the hardware plugins of its `<ros2_control>` tags, and `space` is the namespace in which
+    a plugin of a simulator runs the controller manager, empty at the root.
     """
 
     name: str | None = None
@@ -184,6 +184,7 @@ class RobotFacts(NamedTuple):
     linkage: Linkage | None = None
     own: tuple[OwnController, ...] = ()
     plugins: tuple[str, ...] = ()
+    space: str = ""
 
     def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
         """Return the joints, sensors or gpios of its `<ros2_control>` tags."""
@@ -208,8 +209,7 @@ class RobotFacts(NamedTuple):
             files, inside = (tuple((*mesh,) for mesh in each) for each in (meshes, surfaces))
             values["skeleton"] = Skeleton(fixed, free, files, tuple(notes), inside)
         values["own"] = tuple(
-            OwnController(name, kind, tuple(joints), tuple(commanded), space)
-            for name, kind, joints, commanded, space in plain["own"]
+            OwnController(name, kind, tuple(joints), tuple(commanded)) for name, kind, joints, commanded in plain["own"]
         )
         values["linkage"] = Linkage.from_json(plain["linkage"]) if plain.get("linkage") else None
         return cls(**values)

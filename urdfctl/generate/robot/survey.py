@@ -43,6 +43,7 @@ def facts_of(robot: Robot, corners: Corners = no_corners) -> RobotFacts:
         plugins=tuple(control.plugin for control in robot.ros2_controls if control.plugin),
         hosts=tuple(plugin.filename for plugin in robot.plugins if plugin.filename),
         hosted=tuple(dict.fromkeys(_hosted(robot))),
+        space=next(_spaces(robot), ""),
         sensor_links=_sensor_links(robot),
         generated=tuple(_generated(robot)),
         lowest=lowest_of(robot),
@@ -56,6 +57,15 @@ def _hosted(robot: Robot) -> Iterator[str]:
         for setting in plugin.tag.named("parameters") if "control" in (plugin.filename or "") else ():
             if setting.text.strip():
                 yield setting.text.strip()
+
+
+def _spaces(robot: Robot) -> Iterator[str]:
+    """The namespaces, but the root, that plugins of ROS 1 and ROS 2 give their controller managers."""
+    for plugin in robot.plugins:
+        if "control" in (plugin.filename or ""):
+            inner = (tag for ros in plugin.tag.named("ros") for tag in ros.named("namespace"))
+            for tag in (*plugin.tag.named("robotNamespace"), *inner):
+                yield from filter(None, [tag.text.strip().strip("/")])
 
 
 def _with_rims(robot: Robot, joints: list[JointFacts], corners: Corners) -> Iterator[JointFacts]:
