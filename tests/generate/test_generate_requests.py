@@ -81,6 +81,25 @@ def refused(folder: Folder, text: str, *words: str, distro: str = "jazzy") -> st
     return ran.stderr.removeprefix("urdfctl: ").strip()
 
 
+def test_a_car_whose_steering_has_positions_and_whose_wheels_have_velocities_is_still_a_car(folder: Folder) -> None:
+    interfaces = {
+        "rear_left": "velocity",
+        "rear_right": "velocity",
+        "steer_left": "position",
+        "steer_right": "position",
+    }
+    joints = "".join(
+        f'<joint name="{name}"><command_interface name="{one}"/><state_interface name="position"/>'
+        f'<state_interface name="velocity"/></joint>'
+        for name, one in interfaces.items()
+    )
+    hardware = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
+    component = f'<ros2_control name="hw" type="system">{hardware}{joints}</ros2_control>'
+    found = written(folder, robot(*CAR, component))
+    assert "base_controller" in found
+    assert "wheel_controller" not in found
+
+
 def test_each_controller_gets_the_joints_that_it_names(folder: Folder) -> None:
     found = written(
         folder,

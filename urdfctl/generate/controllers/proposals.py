@@ -77,7 +77,9 @@ def _shown_one(request: Request) -> str:
 def _of_base(base: Base, options: GeneratorOptions, offered: Mapping[str, tuple[str, ...]]) -> Iterator[Request]:
     if base.kind == "passive":
         return
-    other = _other_than("velocity", base.joints, offered)
+    steering = {joint.name for joint in base.joints} & set(base.roles.steering)
+    driven = [joint for joint in base.joints if joint.name not in steering]
+    other = _other_than("velocity", driven, offered)
     if other:  # in ROS 1, velocity controllers also command efforts
         kind = "velocity" if options.ros == 1 and other == "effort" else other
         yield Request("wheel_controller", kind, tuple(joint.name for joint in base.joints))
