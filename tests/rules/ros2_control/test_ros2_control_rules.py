@@ -109,6 +109,17 @@ def test_what_contradicts_the_urdf_is_an_error_since_jazzy_and_otherwise_a_warni
     }
 
 
+@pytest.mark.parametrize(
+    ("plugin", "severity"),
+    [("gazebo_ros2_control/GazeboSystem", "error"), ("mock_components/GenericSystem", "warning")],
+)
+def test_a_simulator_skips_a_fixed_joint_that_is_commanded(robot: Robot, plugin: str, severity: str) -> None:
+    fixed = '<link name="tip"/><joint name="tip" type="fixed"><parent link="fore"/><child link="tip"/></joint>'
+    hardware = f"<hardware><plugin>{plugin}</plugin></hardware>"
+    part = component(f'{hardware}<joint name="tip"><command_interface name="position"/></joint>')
+    assert f"{severity} UC313" in told(robot, fixed + part, "humble")
+
+
 ONLY_FROM_JAZZY = {
     "Activated mimic joints cannot have command interfaces": (
         "UC314",

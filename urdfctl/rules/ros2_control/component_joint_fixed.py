@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.hardware.simulator_plugins import IN_GAZEBO, simulator_of
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known, robot_in, severity_where
 from urdfctl.rules.ros2_control.common import JAZZY, component, parts
@@ -16,7 +17,8 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, parts
     runtime="refuses",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Joint 'flange' is of type 'fixed'. Fixed "
-    'joints do not make sense in ros2_control."',
+    'joints do not make sense in ros2_control."; gazebo_ros2_control gazebo_system.cpp: "Skipping joint in the URDF named '
+    "'flange' which is not in the gazebo model.\"",
     options=["--distro=jazzy"],
     bad=[
         {
@@ -48,7 +50,7 @@ def component_joint_fixed(project: Project) -> Iterator[Finding]:
     """Fixed joint in a ros2_control component.
 
     Since jazzy, the controller manager rejects the description. In earlier distros nothing can move the joint, and
-    simulators do not have it at all.
+    simulators do not have it at all: they skip it, and each controller that commands it fails.
     """
     robot = robot_in(project)
     joints = {joint.name: joint for joint in reversed(robot.joints)} if robot else {}
@@ -60,4 +62,6 @@ def component_joint_fixed(project: Project) -> Iterator[Finding]:
                 "Remove it, or change the joint's type"
             )
             note = Note("the joint's type is set here", in_urdf.at["type"])
-            yield Finding(joint.at["name"], message, (note,), severity=severity_where(project, JAZZY))
+            skipped = bool(joint.commands) and simulator_of(project, control) in IN_GAZEBO
+            severity = Severity.ERROR if skipped else severity_where(project, JAZZY)
+            yield Finding(joint.at["name"], message, (note,), severity=severity)
