@@ -15,6 +15,7 @@ from urdfctl.source.launch.expressions import Evaluation
 from urdfctl.source.launch.frames import Frame, extend, merged
 from urdfctl.source.launch.modules import Modules
 from urdfctl.source.launch.operations import added, listed, shown, truth
+from urdfctl.source.launch.refused import misnamed_entry, refusal
 from urdfctl.source.launch.terms import Constant, Function, ImportedName, Items, Perhaps, Term, UnknownTerm, one_of
 from urdfctl.source.launch.unbound import unbound_name
 from urdfctl.source.launch.unused import unused_actions
@@ -26,6 +27,8 @@ from urdfctl.startup.records import NamedTuple
 MOST_BYTES = 1 << 20
 _NONE: Mapping[str, Term] = MappingProxyType({})
 _ENTRY = "generate_launch_description"
+_MOST_JUDGED = 1 << 15
+"""Bytes of a launch file whose calls are judged one by one; more are not written by hand."""
 
 
 class Surroundings(NamedTuple):
@@ -84,7 +87,8 @@ def read_python(source: SourceText, surroundings: Surroundings) -> Script:
     run.block(tree.body, module)
     entry = module.names.get(_ENTRY)
     if not isinstance(entry, Function):
-        return Script(None)
+        slip = misnamed_entry(tree, _ENTRY) if entry is None else None
+        return _broken(ProblemKind.PYTHON_CALL, run.at(slip[0]), slip[1]) if slip else Script(None)
     return Script(entry.call((), {}, None), tuple(_mistakes(tree, source, run.at)))
 
 
@@ -92,13 +96,15 @@ def _broken(kind: ProblemKind, at: Place, message: str) -> Script:
     return Script(None, (Problem(kind, at, message),))
 
 
-def _mistakes(tree: ast.Module, source: SourceText, at: Callable[[ast.expr], Place]) -> Iterator[Problem]:
-    """What Python does not find when the file is started, and what the file creates in vain."""
+def _mistakes(tree: ast.Module, source: SourceText, at: Callable[[ast.expr | ast.stmt], Place]) -> Iterator[Problem]:
+    """What Python does not find or refuses when the file is started, and what the file creates in vain."""
     nodes = [*ast.walk(tree)]
     name = unbound_name(tree, nodes, _ENTRY)
     if name is not None:
         message = f"name '{name.id}' is not defined; launch stops with a NameError"
         yield Problem(ProblemKind.PYTHON_NAME, at(name), message, name.id)
+    elif len(source.data) <= _MOST_JUDGED and (refused := refusal(tree, nodes, _ENTRY)):
+        yield Problem(ProblemKind.PYTHON_CALL, at(refused[0]), refused[1])
     for unused in unused_actions(nodes, source.data.decode("utf-8", "replace")):
         message = f"'{unused.id}' is created, but not started; add it to the LaunchDescription"
         yield Problem(ProblemKind.ACTION_UNUSED, at(unused), message, unused.id)

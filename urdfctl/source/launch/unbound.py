@@ -1,4 +1,4 @@
-"""Names in a launch file in Python that nothing in the file defines, where they are certainly evaluated."""
+"""What a launch file in Python certainly evaluates, and the names in it that nothing in the file defines."""
 
 from __future__ import annotations
 
@@ -29,10 +29,18 @@ def unbound_name(tree: ast.Module, nodes: Iterable[ast.AST], entry: str) -> ast.
         if names is None:
             return None
         known.update(names)
+    names_read = (part for part in evaluated(tree, entry) if isinstance(part, ast.Name))
+    return next((name for name in names_read if name.id not in known), None)
+
+
+def evaluated(tree: ast.Module, entry: str) -> Iterator[ast.expr]:
+    """Yield the expressions that are certainly evaluated when a launch file is started.
+
+    entry: the name of the function that is called.
+    """
     function = next((one for one in tree.body if isinstance(one, ast.FunctionDef) and one.name == entry), None)
     body = function.body if function and not function.decorator_list else ()
-    looked_up = chain(_evaluated(tree.body), _evaluated(body))
-    return next((name for name in looked_up if name.id not in known), None)
+    return chain(_evaluated(tree.body), _evaluated(body))
 
 
 def _defined(node: ast.AST) -> Iterable[str] | None:
@@ -51,17 +59,17 @@ def _defined(node: ast.AST) -> Iterable[str] | None:
     return (name,) if isinstance(name, str) else ()
 
 
-def _evaluated(statements: Iterable[ast.stmt]) -> Iterator[ast.Name]:
-    """Yield the names that are looked up if statements run one after the other, as far as that is certain."""
+def _evaluated(statements: Iterable[ast.stmt]) -> Iterator[ast.expr]:
+    """Yield what is evaluated if statements run one after the other, as far as that is certain."""
     for statement in statements:
         if isinstance(statement, (ast.Assign, ast.AnnAssign, ast.AugAssign, ast.Expr, ast.Return)):
-            yield from _looked_up(statement.value)
+            yield from _parts(statement.value)
         elif isinstance(statement, ast.If):
-            yield from _looked_up(statement.test)
+            yield from _parts(statement.test)
         elif isinstance(statement, ast.For):
-            yield from _looked_up(statement.iter)
+            yield from _parts(statement.iter)
         elif isinstance(statement, ast.With):
-            yield from (name for item in statement.items for name in _looked_up(item.context_expr))
+            yield from (part for item in statement.items for part in _parts(item.context_expr))
         if not isinstance(statement, (*_SIMPLE, *_COMPOUND)) or _may_leave(statement):
             return
 
@@ -80,18 +88,17 @@ def _may_leave(statement: ast.stmt) -> bool:
     return any(isinstance(node, (ast.Return, ast.Raise)) for node in ast.walk(statement))
 
 
-def _looked_up(expression: ast.expr | None) -> Iterator[ast.Name]:
-    """Yield the names in an expression that are looked up whatever they are."""
+def _parts(expression: ast.expr | None) -> Iterator[ast.expr]:
+    """Yield an expression and the expressions in it that are evaluated whatever they are."""
     if expression is None or isinstance(expression, _LATER):
         return
-    if isinstance(expression, ast.Name):
-        yield expression
-    elif isinstance(expression, ast.IfExp):
-        yield from _looked_up(expression.test)
+    yield expression
+    if isinstance(expression, ast.IfExp):
+        yield from _parts(expression.test)
     elif isinstance(expression, ast.BoolOp):
-        yield from _looked_up(expression.values[0])
+        yield from _parts(expression.values[0])
     else:
         for child in ast.iter_child_nodes(expression):
             inner = child.value if isinstance(child, ast.keyword) else child
             if isinstance(inner, ast.expr):
-                yield from _looked_up(inner)
+                yield from _parts(inner)
