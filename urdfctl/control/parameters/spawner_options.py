@@ -1,4 +1,4 @@
-"""The options of ros2_control's spawner, by distro."""
+"""The options of ros2_control's spawner by distro, and those of the programs that spawn models."""
 
 from __future__ import annotations
 
@@ -37,3 +37,14 @@ INSTEAD = {
     "-t": "set the type in the parameter file",
     "--controller-type": "set the type in the parameter file",
 }
+_POSE = ("x", "y", "z", "R", "P", "Y")
+_BY_GFLAGS = ("help", "version", "helpfull", "helpshort", "flagfile", "fromenv", "tryfromenv", "undefok")
+_OF_CREATE = ("world", "file", "param", "string", "topic", "name", "allow_renaming", "noallow_renaming", *_POSE)
+OF_MODEL_SPAWNERS = {
+    "create": (*_OF_CREATE, *_BY_GFLAGS),
+    "spawn_entity.py": (
+        *("file", "topic", "database", "stdin", "entity", "reference_frame", "gazebo_namespace", "robot_namespace"),
+        *("timeout", "unpause", "wait", "spawn_service_timeout", "package_to_model", "b", "h", "help", *_POSE),
+    ),
+}
+"""What can be written behind a hyphen, by program: ros_gz_sim src/create.cpp, gazebo_ros scripts/spawn_entity.py."""
