@@ -34,7 +34,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 """The nodes that decide which description is that of the robot, the parameter server of ROS 1 among them."""
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
-    *("undeclared", "inline", "given", "misspelt", "moveit", "named", "misnamed", "skipped", "waiting"),
+    *("undeclared", "inline", "given", "misspelt", "moveit", "named", "misnamed", "skipped", "waiting", "slips"),
 )
 """What launch files add to each other if they are started beside each other."""
 
@@ -63,6 +63,7 @@ class Launch(NamedTuple):
     misnamed: ROS 1: the names of parameters that have a robot description, and are robot_description with a slip.
     skipped: the texts of the parts that run only with other launch arguments.
     waiting: ROS 2: what waits for an event that never comes.
+    slips: ROS 2: arguments for included files that these do not declare, each with the one that was probably meant.
     """
 
     path: str
@@ -92,6 +93,7 @@ class Launch(NamedTuple):
     misnamed: tuple[Word, ...] = ()
     skipped: tuple[str, ...] = ()
     waiting: tuple[Waiting, ...] = ()
+    slips: tuple[tuple[Word, str], ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.catalog.distros import ROS1
 from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import replaced
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, launched
 
+_DECIDES_WHAT_RUNS = ("gz_args", "ign_args")
+"""What the simulator starts with: without it there is no world, or it stands still."""
 _INNER = '<launch><arg name="gui" default="true"/></launch>'
 
 
@@ -24,19 +27,39 @@ def _files(name: str) -> dict[str, str]:
     }
 
 
+_GZ = """
+      <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"><arg name="{}" value="-r empty.sdf"/></include>"""
+_PART = """
+      <include file="$(find-pkg-share arm)/part.launch.xml"><arg name="{}" value="0.1"/></include>"""
+_DECLARING = {
+    "part.launch.xml": '<launch><arg name="height" default="0"/><let name="z" value="$(var height)"/></launch>'
+}
+
+
+def _included(name: str) -> dict[str, str]:
+    return launched(PUBLISHER, MANAGER, BROADCASTER, ARM, _PART.format(name)) | _DECLARING
+
+
 @rule(
     "UC618",
     severity=Severity.ERROR,
     runtime="refuses",
-    distros=ROS1,
-    authority="roslaunch loader.py post_process_include_args(): 'unused args [gui] for include of [/arm/inner.launch]'",
-    bad=[_files("«gvi»")],
-    good=[_files("gui")],
+    authority="roslaunch loader.py post_process_include_args(): 'unused args [gui] for include of [/arm/inner.launch]'; launch "
+    "include_launch_description.py sets every argument, also one that nothing declares; ros_gz_sim gz_sim.launch.py",
+    bad=[_files("«gvi»"), _included("«heigth»"), launched(PUBLISHER, _GZ.format("«gz_arg»"))],
+    good=[_files("gui"), _included("height"), _included("color")],
 )
 def include_argument_unknown(project: Project) -> Iterator[Finding]:
     """Unknown argument for an included launch file.
 
-    roslaunch in ROS 1 then rejects the whole launch file. ROS 2 accepts such arguments.
+    roslaunch in ROS 1 then rejects the whole launch file. ROS 2 accepts such arguments without a word: only one with nearly
+    the name of an argument that the file declares, and that is not given, is told. What was meant keeps its default. A
+    simulator without its arguments has no world, or stands still.
     """
-    for word in project.launch.strays if project.launch else ():
+    launch = project.launch
+    for word in launch.strays if launch else ():
         yield Finding(word.at, f"included launch file has no argument '{word.text}'")
+    for word, meant in launch.slips if launch else ():
+        message = f"included launch file has no argument '{word.text}', and ignores it; did you mean '{meant}'?"
+        severity = None if meant in _DECIDES_WHAT_RUNS else Severity.WARNING
+        yield Finding(word.at, message, fix=replaced(word.at, word.text, meant), severity=severity)

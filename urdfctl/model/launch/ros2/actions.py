@@ -1,6 +1,8 @@
-"""The actions of launch files by their names: what each is to a robot and its controllers."""
+"""The actions of launch files by their names: what each is to a robot and its controllers, and whether it runs."""
 
 from __future__ import annotations
+
+from urdfctl.startup.records import NamedTuple
 
 WITHOUT_CONTROLLERS = frozenset(
     "nav2_bringup slam_toolbox ros_gz_bridge foxglove_bridge rosbridge_server realsense2_camera rplidar_ros joy "
@@ -32,3 +34,18 @@ SPAWNING = frozenset(
     ).split()
 )
 """Functions of controller_manager.launch_utils that make a spawner."""
+
+
+class State(NamedTuple):
+    """The state for an action.
+
+    sure: False if an unknown condition decides whether it runs.
+    held: False if it runs only with other launch arguments.
+    after: controllers whose spawner exits before it runs.
+    depth: depth of nested actions and includes.
+    """
+
+    sure: bool = True
+    held: bool = True
+    after: tuple[str, ...] = ()
+    depth: int = 0

@@ -14,7 +14,9 @@ from urdfctl.model.launch.ros2.actions import (
     PROCESSES,
     SPAWNING,
     WITHOUT_CONTROLLERS,
+    State,
 )
+from urdfctl.model.launch.ros2.arguments import Arguments
 from urdfctl.model.launch.ros2.containers import nodes_in_container
 from urdfctl.model.launch.ros2.descriptions import content_of
 from urdfctl.model.launch.ros2.facts import LaunchFacts
@@ -32,7 +34,7 @@ from urdfctl.model.launch.ros2.simulators import (
 )
 from urdfctl.model.launch.ros2.sources import Ros2Sources
 from urdfctl.model.launch.ros2.texts import ActionScope, Texts, table_of
-from urdfctl.model.launch.ros2.undeclared import Undeclared
+from urdfctl.model.launch.ros2.undeclared import OF_SIMULATORS, Undeclared
 from urdfctl.model.launch.ros2.waiting import Handlers
 from urdfctl.source.launch.terms import (
     Called,
@@ -46,26 +48,10 @@ from urdfctl.source.launch.terms import (
 )
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
-from urdfctl.startup.records import NamedTuple
 
 _MOST_DEPTH = 16
 _MOST_INCLUDES = 200
 _MOST_ACTIONS = 5000
-
-
-class _State(NamedTuple):
-    """The state for an action.
-
-    sure: False if an unknown condition decides whether it runs.
-    held: False if it runs only with other launch arguments.
-    after: controllers whose spawner exits before it runs.
-    depth: depth of nested actions and includes.
-    """
-
-    sure: bool = True
-    held: bool = True
-    after: tuple[str, ...] = ()
-    depth: int = 0
 
 
 def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources) -> Launch | None:
@@ -75,7 +61,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         return None
     walk = _Walk(sources)
     scope = ActionScope(path, arguments)
-    walk.action(term, scope, _State())
+    walk.action(term, scope, State())
     undeclared = tuple(dict.fromkeys(walk.undeclared.words))
     facts = walk.facts
     waiting = walk.handlers.waiting(walk.nodes(scope), complete=walk.complete)
@@ -92,8 +78,9 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         simulations=tuple(walk.simulations),
         references=tuple(facts.references.values()),
         undeclared=undeclared,
-        arguments=tuple(walk.arguments.items()),
-        choices=tuple(walk.choices.items()),
+        arguments=tuple(walk.arguments.own.items()),
+        choices=tuple(walk.arguments.choices.items()),
+        slips=tuple(dict.fromkeys(walk.arguments.slips)),
         moveit=tuple(facts.moveit),
         given=tuple(facts.given),
         unread=tuple(walk.unread) if walk.complete else (),
@@ -112,8 +99,7 @@ class _Walk:
         self.simulations: list[Simulation] = []
         self.words_of_programs: list[str] = []
         """The words of processes, which may write the files that they name."""
-        self.arguments: dict[str, str | None] = {}
-        self.choices: dict[str, tuple[str, ...]] = {}
+        self.arguments = Arguments()
         self.complete = True
         self.skipped: list[str] = []
         self.handlers = Handlers()
@@ -134,7 +120,7 @@ class _Walk:
 
     # -- actions -----------------------------------------------------------------------------------------------------
 
-    def action(self, term: Term | None, scope: ActionScope, state: _State) -> None:
+    def action(self, term: Term | None, scope: ActionScope, state: State) -> None:
         """Follow an action or a list of actions."""
         self._actions += 1
         if self._actions > _MOST_ACTIONS or state.depth > _MOST_DEPTH * 4:
@@ -151,7 +137,7 @@ class _Walk:
         elif not (term is None or isinstance(term, Constant)):
             self.complete = False
 
-    def _apart(self, terms: Sequence[Term], scope: ActionScope, state: _State) -> None:
+    def _apart(self, terms: Sequence[Term], scope: ActionScope, state: State) -> None:
         """Follow actions each of which may run or not: what they set is known among themselves, and not after them."""
         scopes = [scope.copy() for _ in terms]
         for term, inner in zip(terms, scopes, strict=True):
@@ -159,7 +145,7 @@ class _Walk:
         for inner in scopes:
             scope.blur(inner)
 
-    def _called(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def _called(self, term: Called, scope: ActionScope, state: State) -> None:
         used = len(self.undeclared)
         held = self.texts(scope).condition(term.keywords.get("condition"))
         if state.sure:  # so that the condition is evaluated in any case
@@ -179,7 +165,7 @@ class _Walk:
             self.undeclared.keep(used)
         self.handlers.may_start(term.keywords.get("on_exit"))
 
-    def _act(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def _act(self, term: Called, scope: ActionScope, state: State) -> None:
         """Follow an action whose condition may be true."""
         self.handlers.acts(term)
         if term.short in _ACTIONS:
@@ -198,33 +184,31 @@ class _Walk:
         elif term.short not in HARMLESS and state.held:
             self.complete = False
 
-    def description(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def description(self, term: Called, scope: ActionScope, state: State) -> None:
         """Follow the actions of a launch description, including those added later."""
         self.action(term.given("initial_entities", 0), scope, state)
         for added in term.added:
             self.action(added, scope, state)
 
-    def declared(self, term: Called, scope: ActionScope, _: _State) -> None:
+    def declared(self, term: Called, scope: ActionScope, _: State) -> None:
         """Declare a launch argument: set its default if no value was given."""
         texts = self.texts(scope)
         name = texts.of(term.given("name", 0))
         default = term.given("default_value", 1)
         if default is None and term.short == "DeclareBooleanLaunchArg":  # moveit_configs_utils, launch_utils.py
             default = Constant("False", term.at)
-        if self._includes == 0:
-            self.arguments.setdefault(name, None if default is None else texts.of(default))
-            choices = term.given("choices")
-            if isinstance(choices, Items):
-                self.choices.setdefault(name, tuple(map(texts.of, choices.values)))
+        choices = term.given("choices")
+        allowed = [*map(texts.of, choices.values)] if isinstance(choices, Items) else None
+        value = None if default is None else texts.of(default)
+        self.arguments.declare(name, value, allowed, is_own=self._includes == 0)
         if UNKNOWN in name or name in scope.settings:
             return
         if default is None and "default_value" in term.keywords:
             return
-        value = texts.of(default) if default is not None else UNKNOWN
-        scope.settings[name] = value or self.sources.blank()
+        scope.settings[name] = UNKNOWN if value is None else value or self.sources.blank()
         self._described(name, default, scope)
 
-    def set(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def set(self, term: Called, scope: ActionScope, state: State) -> None:
         """Set a launch configuration (`let` in XML)."""
         texts = self.texts(scope)
         name = texts.of(term.given("name", 0))
@@ -242,7 +226,7 @@ class _Walk:
         if content is not None:
             scope.contents[name] = content
 
-    def group(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def group(self, term: Called, scope: ActionScope, state: State) -> None:
         """Follow a group. Its settings end with it, unless it is not scoped."""
         texts = self.texts(scope)
         inner = scope if texts.truth(term.keywords.get("scoped")) is False else scope.copy()
@@ -251,13 +235,13 @@ class _Walk:
             inner.settings.update((name, texts.of(value)) for name, value in settings.entries.items())
         self.action(term.given("actions", 0), inner, state)
 
-    def namespace(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def namespace(self, term: Called, scope: ActionScope, state: State) -> None:
         """Change the namespace of the following nodes (PushRosNamespace)."""
         if state.held:
             pushed = self.texts(scope).of(term.given("namespace", 0))
             scope.namespace = joined(scope.namespace, pushed)
 
-    def opaque(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def opaque(self, term: Called, scope: ActionScope, state: State) -> None:
         """Follow an OpaqueFunction: call the function with the launch context, and follow the actions it returns."""
         function = term.given("function", 0)
         if not isinstance(function, Function):
@@ -274,11 +258,11 @@ class _Walk:
             self.undeclared.stop()
         self.action(actions, scope, state)
 
-    def timer(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def timer(self, term: Called, scope: ActionScope, state: State) -> None:
         """Follow the actions of a timer."""
         self.action(term.given("actions"), scope, state)
 
-    def handler(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def handler(self, term: Called, scope: ActionScope, state: State) -> None:
         """Follow the actions of an event handler for the start or the exit of a process."""
         event = term.given("event_handler", 0)
         if not isinstance(event, Called) or event.short not in HANDLERS:
@@ -298,11 +282,11 @@ class _Walk:
         elif state.sure:
             self.handlers.handles(event, target, facts.spawns[spawns:], facts.nodes[nodes:])
 
-    def composed(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def composed(self, term: Called, scope: ActionScope, state: State) -> None:
         """Follow the nodes that are loaded into a container, in one process, as nodes on their own."""
         self.action(nodes_in_container(term, self.texts(scope)), scope, state)
 
-    def moveit(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def moveit(self, term: Called, scope: ActionScope, state: State) -> None:
         """Add what a function of moveit_configs_utils.launches starts, and what is added to its description."""
         self.nodes(scope).moveit(term, sure=state.sure, held=state.held)
         self.undeclared.stop()
@@ -311,7 +295,7 @@ class _Walk:
 
     # -- included files ----------------------------------------------------------------------------------------------
 
-    def include(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def include(self, term: Called, scope: ActionScope, state: State) -> None:
         """Follow an included launch file. Its settings stay in effect after it."""
         texts = self.texts(scope)
         source = term.given("launch_description_source", 0)
@@ -335,14 +319,22 @@ class _Walk:
             scope.settings[name] = texts.of(value)
             self._described(name, value, scope)
         if not is_simulator and package_outside(path) not in WITHOUT_CONTROLLERS:
-            at = source.at if source is not None else term.at
+            at, before, unread = (
+                source.at if source is not None else term.at,
+                len(self.arguments.declared),
+                len(self.unread),
+            )
             self._follow(path, Word(path, at), scope, state)
+            if state.sure and self.complete and len(self.unread) == unread:
+                self.arguments.give(given, self.arguments.declared[before:])
         elif is_simulator:
             self.undeclared.simulate()
+            if state.sure:
+                self.arguments.give(given, OF_SIMULATORS)
         else:
             self.undeclared.stop()
 
-    def _follow(self, path: str, written: Word, scope: ActionScope, state: _State) -> None:
+    def _follow(self, path: str, written: Word, scope: ActionScope, state: State) -> None:
         self._includes += 1
         included = None
         if UNKNOWN not in path:
@@ -364,11 +356,11 @@ class _Walk:
         if simulation is not None:
             self.simulations.append(simulation)
 
-    def component(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def component(self, term: Called, scope: ActionScope, state: State) -> None:
         """Follow an action of ros_gz that starts a node."""
         self._act(node_of_component(term), scope, state)
 
-    def _process(self, term: Called, scope: ActionScope, state: _State) -> None:
+    def _process(self, term: Called, scope: ActionScope, state: State) -> None:
         words = self.nodes(scope).command(term, sure=state.sure, held=state.held, after=state.after)
         texts = [word.text for word in words]
         if not texts or not state.held:
@@ -379,7 +371,7 @@ class _Walk:
             self.complete = False
 
 
-_ACTIONS: dict[str, Callable[[_Walk, Called, ActionScope, _State], None]] = {
+_ACTIONS: dict[str, Callable[[_Walk, Called, ActionScope, State], None]] = {
     "LaunchDescription": _Walk.description,
     "DeclareLaunchArgument": _Walk.declared,
     "DeclareBooleanLaunchArg": _Walk.declared,

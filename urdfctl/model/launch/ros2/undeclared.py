@@ -6,7 +6,7 @@ from urdfctl.model.launch import Word
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
-_OF_SIMULATORS = frozenset(
+OF_SIMULATORS = frozenset(
     "gz_args gz_version ign_args ign_version debugger on_exit_shutdown world gui verbose pause server "
     "extra_gazebo_args params_file gdb init factory force_system physics profile record lockstep "
     "server_required gui_required".split()
@@ -40,7 +40,7 @@ class Undeclared:
 
     def simulate(self) -> None:
         """Take as set what the launch file of a simulator declares."""
-        self._set = _OF_SIMULATORS
+        self._set = OF_SIMULATORS
 
     def stop(self) -> None:
         """Note nothing from now on: something that cannot be read may set any name."""
