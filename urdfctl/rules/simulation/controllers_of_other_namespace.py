@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.hardware.simulator_plugins import control_plugins, namespace_of
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.model.robot import Tag
+from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 
 
@@ -79,7 +80,15 @@ def controllers_of_other_namespace(project: Project) -> Iterator[Finding]:
         f"but they are configured in '{theirs or '/'}'"
     )
     notes = [Note(f"controller '{controller.name}' is configured here", controller.declared_at)]
-    yield Finding(setting.at, message, tuple(notes))
+    only = len({namespace for _, namespace in placed}) == 1
+    yield Finding(setting.at, message, tuple(notes), _namespace(setting, theirs or "/") if only else None)
+
+
+def _namespace(setting: Tag, name: str) -> Fix:
+    """Write the namespace in which all controllers are configured; without edits where it is calculated."""
+    content = setting.at.content.span
+    edits = (Edit(content, name),) if content.text.strip() == setting.text.strip() else ()
+    return Fix(f"write '{name}'", edits)
 
 
 def _may_be_in(ours: str, theirs: str, loaded: bool) -> bool:  # noqa: FBT001 (private)
