@@ -278,25 +278,26 @@ def _check_tasks(robots: Sequence[CheckedRobot], request: SmokeRequest) -> None:
 def _reported(robots: Sequence[PlannedRobot], results: Sequence[RobotResult]) -> Iterator[int]:
     """Yield the indices of the results to report. Each robot with its controllers is reported once, in whatever order
     launch files start them, unless they are rejected for another reason then. A description in a folder is not reported
-    as it is if a launch file starts it with controllers; a robot without controllers only if no launch file gives it
-    any. If nothing has controllers, launch files that include what is not here are reported too, each set of missing
-    packages once."""
+    as it is if launch files start it with controllers, with another outcome; a robot without controllers only if no
+    launch file gives it any. If nothing has controllers, launch files that include what is not here are reported too,
+    each set of missing packages once."""
     among = [
         robot if planned_robot.entry.is_reported(robot.linted) else None
         for planned_robot, robot in zip(robots, results, strict=True)
     ]
     driven = {robot.linted.path for robot in among if robot and robot.controllers}
-    launched = {robot.linted.path for robot in among if robot and robot.controllers and robot.linted.launch}
+    launched = [robot for robot in among if robot and robot.controllers and robot.linted.launch]
+    outcomes, started = set(map(_outcome, launched)), {robot.linted.path for robot in launched}
     seen = set()
     for index, robot in enumerate(among):
-        if robot is None or (
-            robot.linted.path in launched and not robot.linted.launch and is_with_defaults(robots[index].entry)
-        ):
+        if robot is None:
             continue
-        verdicts = frozenset((result.name, result.verdict, result.reason) for result in robot.controllers)
-        key = robot.linted.path, robot.linted.controllers, verdicts
-        if key not in seen and (robot.controllers or robot.linted.path not in driven):
-            seen.add(key)
+        outcome, path = _outcome(robot), robot.linted.path
+        is_bare = not robot.linted.launch and is_with_defaults(robots[index].entry)
+        if is_bare and path in started and outcome not in outcomes:
+            continue
+        if outcome not in seen and (robot.controllers or path not in driven):
+            seen.add(outcome)
             yield index
     if not driven:
         told: dict[tuple[str, ...], int] = {}
@@ -304,6 +305,12 @@ def _reported(robots: Sequence[PlannedRobot], results: Sequence[RobotResult]) ->
             if robot.lacking and among[index] is None:
                 told.setdefault(robot.lacking, index)
         yield from told.values()
+
+
+def _outcome(robot: RobotResult) -> tuple[object, ...]:
+    """A robot with its controller files, and what comes of each controller."""
+    verdicts = frozenset((result.name, result.verdict, result.reason) for result in robot.controllers)
+    return robot.linted.path, robot.linted.controllers, verdicts
 
 
 # -- move, in an engine's worker -------------------------------------------------------------------------------------
