@@ -70,6 +70,7 @@ LINKS = (
     _UNDEFINED,
     CausalLink("UC023", ("UC002",), below_its_path),
     CausalLink("UC028", ("UC004", "UC007"), in_its_line),
+    CausalLink("UC036", ("UC465",), of_its_robot),
     CausalLink("UC117", ("UC315",), of_its_name),
     CausalLink("UC136", ("UC137",), at_its_place),
     CausalLink("UC151", ("UC149",), at_its_place),
