@@ -145,6 +145,28 @@ def test_a_drive_publishes_the_transform_of_its_odometry_as_before(folder: Folde
     assert ("<tf_topic>/tf</tf_topic>" in shown) is published
 
 
+@pytest.mark.parametrize(
+    ("old", "has_odometry"),
+    [
+        (
+            "<odometryTopic>odom</odometryTopic><odometryFrame>odom</odometryFrame><odometryRate>20.0</odometryRate>",
+            True,
+        ),
+        (
+            "<publish_odom>true</publish_odom><odometry_frame>odom</odometry_frame><publish_rate>20.0</publish_rate>",
+            True,
+        ),
+        ("<publish_odom>false</publish_odom><odometry_frame>odom</odometry_frame>", False),
+        ("<odometry_frame>odom</odometry_frame>", False),
+    ],
+)
+def test_a_planar_move_keeps_its_odometry(folder: Folder, old: str, has_odometry: bool) -> None:
+    shown = after(folder, plugin("gazebo_ros_planar_move", old), *TO_GZ)
+    assert "gz-sim-velocity-control-system" in shown
+    assert ("<odom_topic>odom</odom_topic>" in shown) is has_odometry
+    assert ("<odom_publish_frequency>20.0</odom_publish_frequency>" in shown) is has_odometry
+
+
 def test_topics_are_in_the_namespace_of_their_plugin(folder: Folder) -> None:
     old = f"{WHEELS[1]}\n<robotNamespace>rover</robotNamespace>\n<commandTopic>drive</commandTopic>\n"
     old += "<odometryTopic>/odom</odometryTopic>"

@@ -20,6 +20,7 @@ class System(NamedTuple):
     kept: elements that gz reads as they are.
     has_tf: whether it publishes the transform of its odometry on a topic of its own.
     has_axles: whether it needs the measures of the vehicle, which Classic measures itself.
+    odometry: the system that publishes its odometry, if it does not do so itself.
     """
 
     filename: str
@@ -29,6 +30,7 @@ class System(NamedTuple):
     kept: tuple[str, ...] = ()
     has_tf: bool = False
     has_axles: bool = False
+    odometry: System | None = None
 
 
 _ODOMETRY = {
@@ -72,6 +74,20 @@ _ACKERMANN = {
     "max_speed": "max_velocity minus:min_velocity",
     **_ODOMETRY,
 }
+_OF_PLANAR_MOVE = System(
+    "gz-sim-odometry-publisher-system",
+    "gz::sim::systems::OdometryPublisher",
+    {
+        "odometryFrame": "odom_frame",
+        "odometry_frame": "odom_frame",
+        "robotBaseFrame": "robot_base_frame",
+        "robot_base_frame": "robot_base_frame",
+        "odometryRate": "odom_publish_frequency",
+        "publish_rate": "odom_publish_frequency",
+    },
+    {"odometryTopic": ("odom_topic", "odom"), "odometry_topic": ("odom_topic", "odom")},
+    has_tf=True,
+)
 SYSTEMS: Mapping[str, System] = {
     "gazebo_ros_diff_drive": _DIFF_DRIVE,
     "gazebo_ros_skid_steer_drive": _DIFF_DRIVE,
@@ -89,6 +105,7 @@ SYSTEMS: Mapping[str, System] = {
         "gz::sim::systems::VelocityControl",
         {},
         {"commandTopic": ("topic", "cmd_vel"), "command_topic": ("topic", "cmd_vel")},
+        odometry=_OF_PLANAR_MOVE,
     ),
     "gazebo_ros_joint_state_publisher": System(
         "gz-sim-joint-state-publisher-system",
@@ -140,19 +157,28 @@ def library_of(filename: str) -> str:
     return filename.rpartition("/")[2].removeprefix("lib").removesuffix(".so")
 
 
+def _publishes_odometry(element: Element) -> bool:
+    """Whether Classic's planar move publishes odometry: always in ROS 1, and in ROS 2 if it is told to
+    (gazebo_ros_planar_move.cpp)."""
+    told = child(element, "publish_odom")
+    return _is_of_ros1(element) if told is None else content(told).lower() in {"true", "1"}
+
+
 def plain_frame(name: str) -> str:
     """Return the name of a frame without the slash before it, with which tf2 refuses it (buffer_core.cpp)."""
     return name.lstrip("/")
 
 
 def system_text(element: Element, system: System, step: str, more: Sequence[str] = ()) -> str:
-    """Return the `<plugin>` of gz for one of Classic. `more` are further lines in it."""
+    """Return the `<plugin>` of gz for one of Classic, and one for its odometry. `more` are further lines in the first."""
     lines = [f'<plugin filename="{system.filename}" name="{system.name}">']
     lines += (f"{step}{line}" for line in _settings(element, system))
     lines += (f"{step}{line}" for line in more)
     kept = (one for one in element.elements() if one.tagName in system.kept)
     lines += (line for one in kept for line in indented(flush(one), step).splitlines())
-    return "\n".join([*lines, "</plugin>\n"])
+    text = "\n".join([*lines, "</plugin>\n"])
+    odometry = system.odometry if _publishes_odometry(element) else None
+    return text + system_text(element, odometry, step) if odometry is not None else text
 
 
 def flush(element: Element) -> str:
@@ -214,7 +240,8 @@ def comments_above(element: Element) -> list[str]:
 
 def dropped_settings(element: Element, system: System) -> list[str]:
     """Return the settings of Classic that a system of gz does not have, except those that say what is so anyway."""
-    known = (*system.settings, *system.topics, *system.kept, *_ELSEWHERE)
+    odometry = (*system.odometry.settings, *system.odometry.topics) if system.odometry is not None else ()
+    known = (*system.settings, *system.topics, *system.kept, *odometry, *_ELSEWHERE)
     return [one.tagName for one in element.elements() if one.tagName not in known and ":" not in one.tagName]
 
 
@@ -229,8 +256,11 @@ def _publishes_tf(element: Element) -> bool:
     """Whether Classic publishes the transform of the odometry: in ROS 1 unless it must not, in ROS 2 if it must."""
     found = (child(element, name) for name in ("publish_odom_tf", "publishOdomTF", "publishTf", "broadcastTF"))
     given = next((content(one).lower() for one in found if one is not None), "")
-    is_of_ros1 = any(one.tagName != one.tagName.lower() for one in element.elements())
-    return given not in {"false", "0"} if is_of_ros1 else given in {"true", "1"}
+    return given not in {"false", "0"} if _is_of_ros1(element) else given in {"true", "1"}
+
+
+def _is_of_ros1(plugin: Element) -> bool:
+    return any(one.tagName != one.tagName.lower() for one in plugin.elements())
 
 
 def _is_last(old: str, system: System) -> bool:
