@@ -105,6 +105,12 @@ _LOST = (
         endings=(".yaml", ".yml"),
     ),
     _Code(
+        r"(?m)^[^#\n]*?(?<![\w./-])(?:roslaunch|rosrun|rosservice|rostopic|rosparam|rosnode|catkin_make)\s",
+        "runs commands of ROS 1, which were not migrated: write them with ros2 or colcon",
+        "docs.ros.org, Migrating from ROS 1: ros2 launch, ros2 run, ros2 topic, ros2 service, ros2 param; colcon",
+        endings=("", ".sh", ".bash"),
+    ),
+    _Code(
         r"<launch\b",
         "is a test of rostest, which was not migrated: write it with launch_testing",
         "docs.ros.org, launch_testing: tests that start processes",

@@ -198,6 +198,16 @@ def test_tests_of_rostest_and_programs_without_an_ending_are_listed(folder: Fold
     assert "`nodes/mover:3`: is a node of rospy" in report
 
 
+def test_scripts_that_run_commands_of_ros_1_are_listed(folder: Folder) -> None:
+    scripts = {
+        "start.sh": "#!/bin/sh\nsleep 2; roslaunch arm arm.launch\n",
+        "go.sh": "#!/bin/sh\n# roslaunch before\nls\n",
+    }
+    report = migrated(folder, {**scripts, "urdf/one.xacro": arm("")})["MIGRATION.md"]
+    assert "`start.sh:2`: runs commands of ROS 1" in report
+    assert "go.sh" not in report
+
+
 def test_a_launch_file_may_have_any_name_that_ends_with_xml(folder: Folder) -> None:
     upload = '<include file="$(find arm)/launch/upload.xml"/>'
     files = {

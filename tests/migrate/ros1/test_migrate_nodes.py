@@ -204,6 +204,14 @@ def test_expressions_get_the_text_of_their_arguments(folder: Folder, written: st
     assert f'if="{in_xml}"' in migrated(folder, launch, "--launch", "xml")["launch/arm.launch.xml"]
 
 
+def test_a_parameter_that_has_another_name_in_ros_2_is_named(folder: Folder) -> None:
+    joy = '<node pkg="joy" type="joy_node" name="joy"><param name="dev" value="/dev/input/js0"/></node>'
+    text = migrated(folder, {"launch/arm.launch": f"<launch>{joy}</launch>"})["launch/arm.launch.py"]
+    assert "node 'joy' ignores parameter 'dev' in ROS 2: give it device_id (0 for js0) or device_name" in text
+    other = joy.replace("joy", "arm").replace("arm_node", "mover")
+    assert "ignores" not in migrated(folder, {"launch/arm.launch": f"<launch>{other}</launch>"})["launch/arm.launch.py"]
+
+
 REMAPPED = """\
 <launch>
   <remap from="joint_states" to="arm/joint_states"/>

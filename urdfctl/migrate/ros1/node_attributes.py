@@ -8,6 +8,10 @@ from collections.abc import Iterator, Mapping
 from urdfctl.source.xml.dom import Element
 
 _NUMBER = re.compile(r"\d+(\.\d*)?")
+_RENAMED = {
+    "joy_node": {"dev": "device_id (0 for js0) or device_name", "coalesce_interval": "coalesce_interval_ms"},
+}
+"""By program: parameters that ROS 2 ignores, and what it reads instead (joy README, ros2 branch)."""
 
 
 def flags_of(attrs: Mapping[str, str]) -> Iterator[tuple[str, str]]:
@@ -46,6 +50,16 @@ def lost_attributes(element: Element) -> Iterator[str]:
     for name in ("respawn", "required"):
         if "$(" in attrs.get(name, ""):
             yield f'{node} had {name}="{attrs[name]}": make two nodes of it, each with its condition'
+
+
+def renamed_parameters(element: Element) -> Iterator[str]:
+    """Yield what a person must do because a node of ROS 2 has another parameter for one that is set in a node."""
+    renamed = _RENAMED.get(element.attrs.get("type", ""), {})
+    for one in element.elements():
+        name = one.attrs.get("name", "").strip("~/")
+        if one.tagName == "param" and name in renamed:
+            node = element.attrs.get("name") or element.attrs["type"]
+            yield f"node '{node}' ignores parameter '{name}' in ROS 2: give it {renamed[name]}"
 
 
 def lost_commands(element: Element) -> Iterator[str]:

@@ -24,7 +24,7 @@ from urdfctl.migrate.ros1.description_commands import description_command
 from urdfctl.migrate.ros1.doubles import as_double
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
-from urdfctl.migrate.ros1.node_attributes import flags_of, lost_attributes, lost_commands
+from urdfctl.migrate.ros1.node_attributes import flags_of, lost_attributes, lost_commands, renamed_parameters
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of, parameters_of, unread_parameters_of
 from urdfctl.migrate.ros1.spawned_names import full_name
 from urdfctl.source.xml.dom import Element
@@ -112,7 +112,7 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
     """Yield the actions for a node. What is left to a person is added to the reading."""
     package, program = element.attrs.get("pkg", ""), element.attrs.get("type", "")
     words = split_words(element.attrs.get("args", ""))
-    reading.left += lost_attributes(element)
+    reading.left += [*lost_attributes(element), *renamed_parameters(element)]
     if package in ("gazebo_ros", "controller_manager"):
         reading.left += lost_commands(element)
     if package == "controller_manager" and program == "unspawner":
