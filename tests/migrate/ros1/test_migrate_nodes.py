@@ -194,6 +194,17 @@ LaunchConfiguration("n"), " > 3"])""",
 EnvironmentVariable("SIDE", default_value="left"), "'"])""",
             "$(eval &quot;'$(find-pkg-share arm)' + '$(env SIDE 'left')'&quot;)",
         ),
+        (
+            "optenv('FILE', find('arm') + '/a.yaml')",
+            """PythonExpression(["('", EnvironmentVariable("FILE", default_value=""), "' or ('", \
+FindPackageShare("arm"), "' + '/a.yaml'))"])""",
+            "$(eval &quot;('$(env FILE '')' or ('$(find-pkg-share arm)' + '/a.yaml'))&quot;)",
+        ),
+        (
+            "max(1, len(str(arg('prefix'))))",
+            """PythonExpression(["max(1, len(str('", LaunchConfiguration("prefix"), "')))"])""",
+            "$(eval &quot;max(1, len(str('$(var prefix)')))&quot;)",
+        ),
     ],
 )
 def test_expressions_get_the_text_of_their_arguments(folder: Folder, written: str, in_python: str, in_xml: str) -> None:

@@ -80,7 +80,16 @@ def plain(text: Text) -> str:
     return "".join(part.text for part in text if part.kind == "text")
 
 
-_SUBSTITUTION = r"\$\((arg|find|env|optenv|dirname|anon|eval)\s*([^()]*(?:\([^()]*\)[^()]*)*)\)"
+def _in_parentheses(levels: int) -> str:
+    """Return the pattern of a text in which parentheses close what they open, up to so many levels."""
+    pattern = "[^()]*"
+    for _ in range(levels):
+        pattern = rf"[^()]*(?:\({pattern}\)[^()]*)*"
+    return pattern
+
+
+IN_PARENTHESES = _in_parentheses(4)
+_SUBSTITUTION = rf"\$\((arg|find|env|optenv|dirname|anon|eval)\s*({IN_PARENTHESES})\)"
 
 
 def parsed(text: str) -> Text:

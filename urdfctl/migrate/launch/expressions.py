@@ -69,6 +69,13 @@ def _by_call(expression: str) -> list[str | Used]:
 
 def _places(node: ast.AST, around: ast.AST | None) -> Iterator[_Place]:
     """Yield the parts below a node that have another form in ROS 2."""
+    default = _default_of_variable(node)
+    if default is not None and isinstance(node, ast.Call) and node.end_col_offset is not None:
+        name = str(node.args[0].value) if isinstance(node.args[0], ast.Constant) else ""
+        yield _Place(node.col_offset, default.col_offset, Used("('", name, "' or (", "env", ""))
+        yield from _places(default, None)
+        yield _Place(node.end_col_offset - 1, node.end_col_offset, "))")
+        return
     new = _replaced(node, around)
     if new is not None and isinstance(node, ast.expr) and node.end_col_offset is not None:
         yield _Place(node.col_offset, node.end_col_offset, new)
@@ -77,6 +84,15 @@ def _places(node: ast.AST, around: ast.AST | None) -> Iterator[_Place]:
         is_called = isinstance(node, ast.Call) and child is node.func and isinstance(child, ast.Name)
         if not is_called:
             yield from _places(child, node)
+
+
+def _default_of_variable(node: ast.AST) -> ast.expr | None:
+    """The default of a variable of the environment, `optenv(name, default)`, that is an expression; else None."""
+    is_call = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "optenv"
+    name, *others = [*(node.args if isinstance(node, ast.Call) and is_call else []), None]
+    default = others[0] if others else None
+    is_expression = isinstance(name, ast.Constant) and not isinstance(default, ast.Constant)
+    return default if is_expression else None
 
 
 def _replaced(node: ast.AST, around: ast.AST | None) -> str | Used | None:

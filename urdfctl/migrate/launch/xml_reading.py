@@ -8,13 +8,21 @@ from itertools import takewhile
 
 from urdfctl.generate.text.scalars import xml_text
 from urdfctl.migrate.edits.markup import root_of
-from urdfctl.migrate.launch.actions import Action, ActionCondition, PartOfText, Text, divided, words_of
+from urdfctl.migrate.launch.actions import (
+    IN_PARENTHESES,
+    Action,
+    ActionCondition,
+    PartOfText,
+    Text,
+    divided,
+    words_of,
+)
 from urdfctl.migrate.launch.written import WrittenLaunch, as_xml
 from urdfctl.source.span import SourceText
 from urdfctl.source.todo import MARK
 from urdfctl.source.xml.dom import COMMENT, Element, XmlNode, XmlText
 
-_SUBSTITUTION = r"\$\((var|find-pkg-share|env|dirname|eval)\s*([^()]*(?:\([^()]*\)[^()]*)*)\)"
+_SUBSTITUTION = rf"\$\((var|find-pkg-share|env|dirname|eval)\s*({IN_PARENTHESES})\)"
 _KINDS = {"arg": "argument", "let": "let", "set_parameter": "set_parameter", "include": "include", "node": "node"}
 _FLAGS = ("output", "respawn", "launch-prefix", "shell")
 
