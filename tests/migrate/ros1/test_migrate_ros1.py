@@ -133,6 +133,34 @@ def test_the_wheels_of_a_drive_are_not_held_by_the_simulator(folder: Folder) -> 
     assert "command_interface" not in after["urdf/arm.xacro"]
 
 
+@pytest.mark.parametrize(("name", "is_other"), [("rover", True), ("arm", False)])
+def test_the_controllers_of_another_robot_do_not_hold_the_wheels_of_a_drive(
+    folder: Folder, name: str, *, is_other: bool
+) -> None:
+    settings = "<leftJoint>shoulder</leftJoint><rightJoint>elbow</rightJoint>"
+    drive = f'  <gazebo><plugin name="d" filename="libgazebo_ros_diff_drive.so">{settings}</plugin></gazebo>\n'
+    text = arm(transmission("VelocityJointInterface"), PLUGIN)
+    launch = """<launch>
+  <param name="robot_description" command="$(find xacro)/xacro $(find other)/urdf/other.xacro"/>
+  <rosparam command="load" file="$(find other)/config/other.yaml"/>
+  <node name="s" pkg="controller_manager" type="spawner" args="shoulder_controller"/>
+</launch>"""
+    controller = "shoulder_controller:\n  type: velocity_controllers/JointVelocityController\n  joint: shoulder\n"
+    wrong = "both:\n  type: velocity_controllers/JointGroupVelocityController\n  joints: [elbow, finger]\n"
+    files = {
+        "arm/package.xml": MANIFEST,
+        "arm/urdf/arm.xacro": text.replace("</robot>", f"{drive}</robot>"),
+        "other/package.xml": MANIFEST.replace("<name>arm</name>", "<name>other</name>"),
+        "other/urdf/other.xacro": text.replace('<robot name="arm"', f'<robot name="{name}"'),
+        "other/launch/other.launch": launch,
+        "other/config/other.yaml": controller,
+        "other/config/wrong.yaml": wrong,
+    }
+    after = migrated(folder, files)
+    assert 'command_interface name="velocity"' in after["other/urdf/other.xacro"]
+    assert ("command_interface" not in after["arm/urdf/arm.xacro"]) is is_other
+
+
 def test_an_interface_of_its_own_is_left_to_a_person(folder: Folder) -> None:
     text = arm(transmission("my_interfaces/TorqueInterface"))
     after = migrated(folder, {"urdf/arm.xacro": text})

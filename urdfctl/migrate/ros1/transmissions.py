@@ -61,7 +61,7 @@ def _left(packages: MigratedPackages, element: Element, reason: str) -> Proposal
 
 def _converted(packages: MigratedPackages, uses: Uses, passive: Passive, element: Element) -> Converted:
     its_uses = uses.by_element.get(key_of_element(element), [])
-    joints = {joint: text for use in its_uses for joint, text in passive.of(use.robot).items()}
+    joints = passive.shared({use.robot for use in its_uses})
     simulated = simulated_by(packages) != "none"
     return converted(element, its_uses, joints, simulated=simulated, step=step_of(element.source))
 
