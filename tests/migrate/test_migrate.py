@@ -267,7 +267,7 @@ def replacing(*pairs: tuple[str, str], only_with: str = "", apart: bool = True) 
     return propose
 
 
-BREAKING = replacing(('"position"', '"positon"'))
+BREAKING = replacing(('<joint name="elbow"><', '<joint name="gone"><'))
 RENAMING = replacing(("ign_ros2_control/IgnitionSystem", "gz_ros2_control/GazeboSimSystem"))
 
 
@@ -306,8 +306,8 @@ def test_what_lint_finds_in_a_file_that_must_change_is_reported_and_does_not_kee
     Folder(tmp_path).write(FILES)
     result = result_of(tmp_path, ("breaking", BREAKING), is_needed=True)
     [change] = result.changes
-    assert b"positon" in (change.after or b"")
-    found = [line for line in result.lines if "'positon'" in line.message]
+    assert b'"gone"' in (change.after or b"")
+    found = [line for line in result.lines if "'gone'" in line.message]
     assert found
     assert {line.kind for line in found} == {EntryKind.FOR_YOU}
 
@@ -329,7 +329,7 @@ def test_the_steps_that_must_be_left_out_of_many_files_are_found_at_once(tmp_pat
 
 def test_a_step_that_was_left_out_is_reported_although_it_proposes_nothing_later(tmp_path: Path) -> None:
     Folder(tmp_path).write(FILES)
-    breaking = replacing(('"position"', '"positon"'), only_with="ign_ros2_control/Ignition")
+    breaking = replacing(('<joint name="elbow"><', '<joint name="gone"><'), only_with="ign_ros2_control/Ignition")
     result = result_of(tmp_path, ("breaking", breaking), ("renaming", RENAMING))
     assert [change.after for change in result.changes] == [MIGRATED.encode()]
     assert "not changed by step 'breaking'" in result.lines[0].message
