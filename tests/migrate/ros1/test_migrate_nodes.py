@@ -215,6 +215,13 @@ def test_expressions_get_the_text_of_their_arguments(folder: Folder, written: st
     assert f'if="{in_xml}"' in migrated(folder, launch, "--launch", "xml")["launch/arm.launch.xml"]
 
 
+@pytest.mark.parametrize("written", ["$(find arm)/config/a.yaml", "$(find arm)config/a.yaml"])
+def test_a_path_in_a_package_does_not_need_a_slash_in_roslaunch(folder: Folder, written: str) -> None:
+    node = f'<node name="a" pkg="arm" type="a" args="-f {written} $(find arm) end"/>'
+    text = migrated(folder, {"launch/arm.launch": f"<launch>{node}</launch>"})["launch/arm.launch.py"]
+    assert '[FindPackageShare("arm"), "/config/a.yaml"], FindPackageShare("arm"), "end", ]' in " ".join(text.split())
+
+
 def test_a_parameter_that_has_another_name_in_ros_2_is_named(folder: Folder) -> None:
     joy = '<node pkg="joy" type="joy_node" name="joy"><param name="dev" value="/dev/input/js0"/></node>'
     text = migrated(folder, {"launch/arm.launch": f"<launch>{joy}</launch>"})["launch/arm.launch.py"]

@@ -93,8 +93,18 @@ _SUBSTITUTION = rf"\$\((arg|find|env|optenv|dirname|anon|eval)\s*({IN_PARENTHESE
 
 
 def parsed(text: str) -> Text:
-    """Return a text of roslaunch with its substitutions."""
-    return divided(" ".join(text.split()), _SUBSTITUTION, _part)
+    """Return a text of roslaunch with its substitutions.
+
+    What follows `$(find)` is a path in the package, also without a slash (roslib substitution_args.py: _find).
+    """
+    parts = divided(" ".join(text.split()), _SUBSTITUTION, _part)
+    before = ("", *(part.kind for part in parts))
+    return tuple(
+        part._replace(text=f"/{part.text}")
+        if kind == "find" and part.kind == "text" and part.text[0].isalnum()
+        else part
+        for kind, part in zip(before, parts, strict=False)
+    )
 
 
 def _part(found: re.Match[str]) -> PartOfText:
