@@ -11,7 +11,7 @@ from urdfctl.load.near_files import file_near
 from urdfctl.model.launch import InlineParameters, Launch, LaunchedFile, Word
 from urdfctl.model.launch.package import package_around
 from urdfctl.model.launch.ros1 import is_of_ros2, launch_of
-from urdfctl.model.launch.scope import Sources
+from urdfctl.model.launch.scope import Malformed, Sources
 from urdfctl.names import is_slip, nearest
 from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.disk.gate import exists, is_file, names_in
@@ -182,6 +182,12 @@ class _LaunchFileReader:
         if not any(problem.message == TOO_LONG for problem in self.problems):
             self.problems.append(Problem(ProblemKind.BUDGET, at, TOO_LONG))
 
+    def _malformed(self, part: Malformed) -> None:
+        """Report a part of a launch file that roslaunch refuses the file for, or ignores."""
+        problem = Problem(ProblemKind.LAUNCH_FORM, part.at, part.message, guessed=not part.refused)
+        if not any(problem.message == other.message and part.at.is_same(other.at) for other in self.problems):
+            self.problems.append(problem)
+
     def ros1(self, arguments: Mapping[str, str]) -> Launch | None:
         """Return the facts of a ROS 1 launch file."""
         sources = Sources(
@@ -191,6 +197,7 @@ class _LaunchFileReader:
             environ=self.environ,
             blank=self._of_blank,
             too_long=self._too_long,
+            malformed=self._malformed,
         )
         return launch_of(self.path, arguments, sources)
 

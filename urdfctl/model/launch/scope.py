@@ -16,6 +16,17 @@ from urdfctl.source.xml.dom import Document
 from urdfctl.startup.records import NamedTuple
 
 
+class Malformed(NamedTuple):
+    """An element or attribute that roslaunch does not take.
+
+    refused: whether the whole launch file is refused; otherwise the part is ignored.
+    """
+
+    at: Place
+    message: str
+    refused: bool = True
+
+
 class Sources(NamedTuple):
     """Access to files, packages and the environment for a launch file.
 
@@ -25,6 +36,7 @@ class Sources(NamedTuple):
     environ: the environment variables.
     blank: returns the value of arguments with an empty default, in this file and the included ones.
     too_long: is told a place at which a text becomes too long.
+    malformed: is told what roslaunch does not take of an element.
     """
 
     read: Callable[[str], Document | None]
@@ -33,6 +45,7 @@ class Sources(NamedTuple):
     environ: Mapping[str, str]
     blank: Callable[[], str] = str
     too_long: Callable[[Place], None] = lambda _: None
+    malformed: Callable[[Malformed], None] = lambda _: None
 
 
 class Scope(NamedTuple):

@@ -17,6 +17,7 @@ from urdfctl.rules.reading.forbidden_expression import forbidden_expression
 from urdfctl.rules.reading.indentation_lost import indentation_lost
 from urdfctl.rules.reading.launch_action_unused import launch_action_unused
 from urdfctl.rules.reading.launch_call_refused import launch_call_refused
+from urdfctl.rules.reading.launch_element_malformed import launch_element_malformed
 from urdfctl.rules.reading.launch_file_not_python import launch_file_not_python
 from urdfctl.rules.reading.launch_name_undefined import launch_name_undefined
 from urdfctl.rules.reading.macro_call_mismatch import macro_call_mismatch
@@ -82,5 +83,6 @@ FAULTS: tuple[Fault, ...] = (
     launch_name_undefined,
     launch_action_unused,
     launch_call_refused,
+    launch_element_malformed,
     suppression_unused,
 )

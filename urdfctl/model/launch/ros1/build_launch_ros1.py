@@ -23,6 +23,7 @@ from urdfctl.model.launch.parts import (
     joined,
 )
 from urdfctl.model.launch.ros1.elements import declared_in, held_of, is_of_ros2, makes_urdf, undeclared_in, world_of
+from urdfctl.model.launch.ros1.forms import declared_twice, malformed
 from urdfctl.model.launch.ros1.nodes import model_in, node_of, spawn_of
 from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_environment
 from urdfctl.model.launch.xacro_command import of_command
@@ -56,7 +57,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         return None
     builder = _LaunchBuilder(sources)
     declared = declared_in(root).union(arguments)
-    builder.walk(root, Scope(path, "", ChainMap(dict(arguments)), sure=True, declared=declared))
+    builder.file(root, Scope(path, "", ChainMap(dict(arguments)), sure=True, declared=declared))
     return Launch(
         path,
         1,
@@ -119,6 +120,12 @@ class _LaunchBuilder:
         self._remapped = False
         self._of_environment: set[str] = set()
 
+    def file(self, root: Element, scope: Scope) -> None:
+        """Follow a launch file, or one that is included."""
+        for mistake in declared_twice(root) if scope.sure else ():
+            self.sources.malformed(mistake)
+        self.walk(root, scope)
+
     def walk(self, parent: Element, scope: Scope) -> None:
         for element in parent.elements():
             texts = self._texts(scope, element)
@@ -126,7 +133,7 @@ class _LaunchBuilder:
             inner = scope._replace(sure=scope.sure and held is True, held=scope.held and held is not False)
             if not inner.held:
                 self.skipped.append(element.at.span.text)
-            self._undeclared(element, scope, inner)
+            self._judge(element, scope, inner)
             self._packages(element)
             namespace = texts.resolve(element.attrs.get("ns", "")).strip()
             if element.tagName == "arg":
@@ -146,8 +153,11 @@ class _LaunchBuilder:
             elif element.tagName == "remap" and not inner.in_node:
                 self._remapped = True
 
-    def _undeclared(self, element: Element, scope: Scope, inner: Scope) -> None:
-        """Add the arguments that an element uses and that nothing declares; those of conditions are always used."""
+    def _judge(self, element: Element, scope: Scope, inner: Scope) -> None:
+        """Tell what roslaunch does not take of an element. Add the arguments that it uses and that nothing declares:
+        those of conditions are always used."""
+        for mistake in malformed(element) if inner.sure else ():
+            self.sources.malformed(mistake)
         if element.tagName not in _RESOLVED:
             return
         conditions = [name for name in element.attrs if name in _CONDITIONS]
@@ -155,7 +165,7 @@ class _LaunchBuilder:
         used = (conditions if scope.sure else []) + (others if inner.sure else [])
         self.undeclared += undeclared_in(element, scope.declared, used)
         for child in element.elements() if element.tagName == "include" and inner.sure else ():
-            self._undeclared(child, inner, inner)
+            self._judge(child, inner, inner)
 
     def _packages(self, element: Element) -> None:
         for name, value in element.attrs.items():
@@ -224,7 +234,7 @@ class _LaunchBuilder:
             held=scope.held,
             declared=declared.union(arguments),
         )
-        self.walk(document.documentElement, inner)
+        self.file(document.documentElement, inner)
 
     def _param(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))
