@@ -131,7 +131,9 @@ def _of_parameter(project: Project, launch: Launch, node: Node) -> Iterator[Find
     if word is None or word.known is None or UNKNOWN in "".join(launch.named):
         return
     asked = joined(node.namespace or "", word.text)
-    if any(f"{asked}/".startswith(f"{name}/") or name.startswith(f"{asked}/") for name in launch.named if name):
+    loaded = {load.namespace for load in launch.loads}  # the parameters in files, none of which is a description
+    named = [name for name in launch.named if name and name not in loaded]
+    if any(f"{asked}/".startswith(f"{name}/") or name.startswith(f"{asked}/") for name in named):
         return
     if not all(load.file.exists for load in launch.loads) or any(not one.name for one in launch.inline):
         return
