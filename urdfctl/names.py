@@ -134,6 +134,12 @@ def are_opposed(name: str, other: str) -> bool:
     return any(_excludes(one, another) for one in here - there for another in there - here)
 
 
+def in_row(name: str) -> str:
+    """Return what a name has in common with the others of its row: no numbers, and no words such as left and right."""
+    meanings = ((word, _MEANINGS.get(word)) for word in _words(name))
+    return "_".join("0" if word.isdigit() else str(meaning[0]) if meaning else word for word, meaning in meanings)
+
+
 def _excludes(word: str, other: str) -> bool:
     if word.isdigit() and other.isdigit():
         return len(word) == len(other)  # another number; a digit more or less is a slip

@@ -9,10 +9,10 @@ from urdfctl.control.hardware.interfaces import OfferedHardware
 from urdfctl.control.parameters.readers import Reader, in_each_distro, readers_of, robot_of
 from urdfctl.control.unknown_joint_claims import is_misnamed
 from urdfctl.model.robot import Robot
-from urdfctl.names import are_opposed, folded, is_slip
+from urdfctl.names import are_opposed, folded, in_row, is_slip
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import KnownNames, in_words, is_known, replaced, robot_in
-from urdfctl.rules.controllers.joints import Named, hardware_in, in_row, meant_by, named, severity_of
+from urdfctl.rules.controllers.joints import Named, hardware_in, meant_by, named, severity_of
 from urdfctl.rules.links_for_joints import joint_meant_by, links_called
 
 _ROBOT = """

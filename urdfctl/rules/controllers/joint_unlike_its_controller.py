@@ -7,10 +7,9 @@ from collections.abc import Iterator
 
 from urdfctl.control.parameters.readers import controllers_in
 from urdfctl.model.controllers import Controller
-from urdfctl.names import is_slip
+from urdfctl.names import in_row, is_slip
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.controllers.joints import in_row
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.value_types import type_problem
@@ -11,6 +10,7 @@ from urdfctl.control.hardware.interfaces import OfferedHardware, fixed_joints
 from urdfctl.control.hardware.offered import hardware_of
 from urdfctl.control.parameters.readers import Reader
 from urdfctl.model.robot import Robot
+from urdfctl.names import in_row
 from urdfctl.rule import Project, Severity
 from urdfctl.rules.common import KnownNames
 from urdfctl.rules.controllers.parameters import known_as
@@ -18,8 +18,6 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
-
-_SIDES = {"left": "right", "front": "rear", "l": "r", "upper": "lower", "top": "bottom"}
 
 
 class Named(NamedTuple):
@@ -73,13 +71,6 @@ def meant_by(names: KnownNames, wrong: Named, beside: set[str]) -> str | None:
     if right is None or right in beside or in_row(right) == in_row(wrong.name):
         return None
     return right
-
-
-def in_row(name: str) -> str:
-    """Return a name without numbers and sides, which distinguish it from others of its row."""
-    words = re.split(r"([a-zA-Z]+)", re.sub(r"\d+", "0", name))
-    swapped = {**{right: left for left, right in _SIDES.items()}}
-    return "".join(swapped.get(word.lower(), word.lower()) for word in words)
 
 
 def hardware_in(project: Project, robot: Robot) -> dict[str, OfferedHardware]:

@@ -31,13 +31,11 @@ _GZ = """
       <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"><arg name="{}" value="-r empty.sdf"/></include>"""
 _PART = """
       <include file="$(find-pkg-share arm)/part.launch.xml"><arg name="{}" value="0.1"/></include>"""
-_DECLARING = {
-    "part.launch.xml": '<launch><arg name="height" default="0"/><let name="z" value="$(var height)"/></launch>'
-}
 
 
 def _included(name: str) -> dict[str, str]:
-    return launched(PUBLISHER, MANAGER, BROADCASTER, ARM, _PART.format(name)) | _DECLARING
+    part = '<launch><arg name="height" default="0"/><let name="z" value="$(var height)"/></launch>'
+    return {**launched(PUBLISHER, MANAGER, BROADCASTER, ARM, _PART.format(name)), "part.launch.xml": part}
 
 
 @rule(
@@ -46,7 +44,12 @@ def _included(name: str) -> dict[str, str]:
     runtime="refuses",
     authority="roslaunch loader.py post_process_include_args(): 'unused args [gui] for include of [/arm/inner.launch]'; launch "
     "include_launch_description.py sets every argument, also one that nothing declares; ros_gz_sim gz_sim.launch.py",
-    bad=[_files("«gvi»"), _included("«heigth»"), launched(PUBLISHER, _GZ.format("«gz_arg»"))],
+    bad=[
+        _files("«gvi»"),
+        _included("«heigth»"),
+        launched(PUBLISHER, _GZ.format("«gz_arg»")),
+        launched(PUBLISHER, _GZ.format("«ign_arg»")),
+    ],
     good=[_files("gui"), _included("height"), _included("color")],
 )
 def include_argument_unknown(project: Project) -> Iterator[Finding]:

@@ -14,7 +14,6 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
 _TOPIC = "joint_states"
-_MOVING = ("revolute", "continuous", "prismatic")
 _PUBLISHER = """
       «<node pkg="robot_state_publisher" exec="robot_state_publisher">»
         <param name="robot_description" value="$(command 'xacro $(find-pkg-share arm)/arm.urdf')" type="str"/>%s
@@ -52,7 +51,7 @@ def joint_states_of_other_namespace(project: Project) -> Iterator[Finding]:
     """
     launch, robot = project.launch, whole_robot_in(project)
     doubt = doubt_of(launch) if launch else None
-    if launch is None or robot is None or doubt is None or not any(joint.type in _MOVING for joint in robot.joints):
+    if launch is None or robot is None or doubt is None or all(joint.type == "fixed" for joint in robot.joints):
         return
     published = _published(project, launch)
     readers = [node for node in state_publishers(launch) if node.sure]

@@ -33,6 +33,7 @@ _TOOL = """
     "others are silently ignored",
     bad=[
         {"robot.urdf": _TOOL % ('«<joint name="x" type="fixed">»<parent link="tool"/></joint>', "", "")},
+        {"robot.urdf": _TOOL % ("«<axis/>»<transmission/><ros2_control/>", "", "")},
         {
             "robot.urdf": _TOOL
             % (
