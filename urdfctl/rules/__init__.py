@@ -92,6 +92,16 @@ def _runs_in_gazebo(project: Project) -> bool:
     return any(simulator_of(project, control) in IN_GAZEBO for control in components(project))
 
 
+def _has_bridge(project: Project) -> bool:
+    launch = project.launch
+    return launch is not None and any(node.package.text == "ros_gz_bridge" for node in launch.nodes)
+
+
+def _only_bridges(project: Project) -> Iterable[str] | None:
+    """The rule about what a launch file bridges, for a robot that loads no plugin itself."""
+    return None if _is_simulated(project) else ["bridge_types_unknown"]
+
+
 def _may_move_on(project: Project) -> bool:
     if not set(ROS2) & set(project.distros):
         return False
@@ -137,7 +147,7 @@ _LINTED = (
     _Linted(Family("UC3", "ros2_control", Stage.HARDWARE), _is_controlled_by_ros2),
     _Linted(Family("UC4", "controllers", Stage.LOAD), lambda project: project.controllers is not None),
     _Linted(Family("UC4", "claims", Stage.LOAD), _has_controllers),
-    _Linted(Family("UC5", "simulation"), _is_simulated),
+    _Linted(Family("UC5", "simulation"), lambda project: _is_simulated(project) or _has_bridge(project), _only_bridges),
     _Linted(Family("UC6", "launch"), _has_started_files, _without_launch),
     _Linted(Family("UC6", "moveit"), _has_moveit),
     _Linted(Family("UC7", "migration"), lambda project: _may_move_on(project) or bool(project.todos), _only_todos),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.fault import Fault
+from urdfctl.rules.simulation.bridge_types_unknown import bridge_types_unknown
 from urdfctl.rules.simulation.control_period_not_positive import control_period_not_positive
 from urdfctl.rules.simulation.control_plugin_in_reference import control_plugin_in_reference
 from urdfctl.rules.simulation.control_plugin_missing import control_plugin_missing
@@ -69,4 +70,5 @@ FAULTS: tuple[Fault, ...] = (
     sensor_plugin_outside_sensor,
     controllers_path_of_one_machine,
     sensor_type_not_simulated,
+    bridge_types_unknown,
 )
