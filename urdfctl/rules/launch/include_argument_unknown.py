@@ -27,6 +27,10 @@ def _files(name: str) -> dict[str, str]:
     }
 
 
+_MANIFEST = "<package><name>arm</name><run_depend>gazebo_ros</run_depend></package>"
+_WORLD = """
+    <launch><include file="$(find gazebo_ros)/launch/empty_world.launch"><arg name="{}" value="false"/></include></launch>
+"""
 _GZ = """
       <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"><arg name="{}" value="-r empty.sdf"/></include>"""
 _PART = """
@@ -50,7 +54,12 @@ def _included(name: str) -> dict[str, str]:
         launched(PUBLISHER, _GZ.format("«gz_arg»")),
         launched(PUBLISHER, _GZ.format("«ign_arg»")),
     ],
-    good=[_files("gui"), _included("height"), _included("color")],
+    good=[
+        _files("gui"),
+        {**_files("gui"), "arm.launch": _WORLD.format("gui"), "package.xml": _MANIFEST},
+        _included("height"),
+        _included("color"),
+    ],
 )
 def include_argument_unknown(project: Project) -> Iterator[Finding]:
     """Unknown argument for an included launch file.

@@ -22,7 +22,15 @@ from urdfctl.model.launch.parts import (
     Word,
     joined,
 )
-from urdfctl.model.launch.ros1.elements import declared_in, held_of, is_of_ros2, makes_urdf, undeclared_in, world_of
+from urdfctl.model.launch.ros1.elements import (
+    declared_in,
+    held_of,
+    is_of_ros2,
+    makes_urdf,
+    strays_of_world,
+    undeclared_in,
+    world_of,
+)
 from urdfctl.model.launch.ros1.forms import declared_twice, malformed
 from urdfctl.model.launch.ros1.nodes import model_in, node_of, spawn_of
 from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_environment
@@ -204,6 +212,7 @@ class _LaunchBuilder:
         if any(f"$(find {package})" in written for package in _SIMULATOR_ALONE):
             simulation = world_of(element, texts, sure=scope.sure) if scope.held else None
             self.simulations += [simulation] if simulation else []
+            self.strays += strays_of_world(element) if scope.sure else ()
             return
         self._includes += 1
         arguments = dict(scope.arguments) if element.attrs.get("pass_all_args", "").lower() in ("true", "1") else {}

@@ -12,6 +12,11 @@ from urdfctl.source.xml.dom import Element
 _ONLY_IN_ROS_2 = frozenset("let executable timer node_container load_composable_node push_ros_namespace".split())
 """Elements that roslaunch does not have."""
 _USED = r"\$\(arg\s+([\w-]+)\s*\)"
+_OF_WORLD = frozenset(
+    "debug enable_ros_network extra_gazebo_args gui gui_required headless output paused physics pub_clock_frequency "
+    "recording required respawn_gazebo server_required use_clock_frequency use_sim_time verbose world_name".split()
+)
+"""The arguments of gazebo_ros/launch/empty_world.launch, indigo to noetic."""
 
 
 def is_of_ros2(root: Element) -> bool:
@@ -62,6 +67,14 @@ def makes_urdf(element: Element) -> bool:
     """Return whether the value of a parameter comes from xacro or a URDF file."""
     command = element.attrs.get("command", "")
     return "xacro" in command or element.attrs.get("textfile", "").endswith(".urdf")
+
+
+def strays_of_world(element: Element) -> list[Word]:
+    """Return the arguments that gazebo_ros's launch file of a world does not declare in any distro."""
+    if not element.attrs.get("file", "").endswith("gazebo_ros)/launch/empty_world.launch"):
+        return []
+    given = (child for child in element.elements() if child.tagName == "arg" and "name" in child.attrs)
+    return [Word(arg.attrs["name"], arg.at["name"]) for arg in given if arg.attrs["name"] not in _OF_WORLD]
 
 
 def world_of(element: Element, texts: Substitutions, *, sure: bool) -> Simulation | None:
