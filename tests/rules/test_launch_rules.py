@@ -9,6 +9,7 @@ import robots
 from folder import Folder
 from launched_packages import found, ros1
 
+from urdfctl.control.parameters.spawner_options import MODEL_SOURCES
 from urdfctl.rules import launch_samples as samples
 from urdfctl.rules.launch_samples import (
     ARM,
@@ -28,6 +29,23 @@ def test_the_sound_package_is_silent_by_all_rules_for_each_distro(folder: Folder
 
 
 # -- what is spawned -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("program", "source"), [(program, each) for program, sources in MODEL_SOURCES.items() for each in sources]
+)
+def test_a_model_is_spawned_from_each_source_that_the_program_has(folder: Folder, program: str, source: str) -> None:
+    package = "ros_gz_sim" if program == "create" else "gazebo_ros"
+    kind = 'name="model" type' if program == "spawn_model" else "exec"
+    node = f'<node pkg="{package}" {kind}="{program}" args="{{}} -x 1"/>'
+
+    def told(option: str) -> list[str]:
+        nodes = [node.format(option)]
+        files = ros1(*nodes) if program == "spawn_model" else launched(PUBLISHER, *nodes)
+        return [message for _, _, message in found(folder, files, "UC624") if "not told what to spawn" in message]
+
+    assert told(f"-{source} robot_description") == []
+    assert len(told("")) == 1
 
 
 def test_a_controller_is_looked_for_in_the_namespace_of_its_manager(folder: Folder) -> None:

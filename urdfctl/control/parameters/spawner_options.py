@@ -48,3 +48,9 @@ OF_MODEL_SPAWNERS = {
     ),
 }
 """What can be written behind a hyphen, by program: ros_gz_sim src/create.cpp, gazebo_ros scripts/spawn_entity.py."""
+MODEL_SOURCES = {
+    "create": ("file", "param", "string", "topic"),
+    "spawn_entity.py": ("file", "topic", "database", "stdin"),
+    "spawn_model": ("file", "param", "database", "stdin"),
+}
+"""The options that say what is spawned, by program: one of them is required. The last is of ROS 1."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from urdfctl.control.parameters.spawner_options import MODEL_SOURCES, OF_MODEL_SPAWNERS
 from urdfctl.model.launch import Launch, Node, Word, joined
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note, Project, Severity, rule
@@ -23,6 +24,7 @@ from urdfctl.source.opaque import UNKNOWN
 _GZ = """
       <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"><arg name="gz_args" value="-r empty.sdf"/></include>
       <node pkg="ros_gz_sim" exec="create" args="-topic %s -name arm"/>"""
+_MARKED_GZ = _GZ.replace("<node", "«<node").replace('arm"/>', 'arm"/>»')
 _SPAWN = """
             <launch>
               <include file="$(find gazebo_ros)/launch/empty_world.launch"/>%s
@@ -56,7 +58,8 @@ def _of_ros1(parameter: str, set_before: str = _SET) -> dict[str, str]:
     severity=Severity.ERROR,
     runtime="refuses",
     authority="ros_gz_sim create.cpp: 'Waiting messages on topic [%s].', until one comes; gazebo_ros spawn_entity.py: 'Waiting for "
-    "entity xml on %s'; spawn_model of ROS 1: rospy.get_param() raises KeyError",
+    "entity xml on %s'; spawn_model of ROS 1: rospy.get_param() raises KeyError; without a source create.cpp: 'Must specify "
+    "either -file, -param, -string or -topic', and argparse in the others",
     bad=[
         _of_ros2(PUBLISHER, _GZ % "«robot_desc»"),
         _of_ros2(_GZ % "«robot_description»"),
@@ -68,6 +71,7 @@ def _of_ros1(parameter: str, set_before: str = _SET) -> dict[str, str]:
             "other.launch": f"<launch>{_SET}</launch>",
         },
         _of_ros2(PUBLISHER, _GZ % "«robot_descriptions»", _FOREIGN),
+        _of_ros2(PUBLISHER, _MARKED_GZ.replace("-topic %s ", "")),
     ],
     good=[
         _of_ros2(PUBLISHER, _GZ % "robot_description"),
@@ -81,20 +85,38 @@ def _of_ros1(parameter: str, set_before: str = _SET) -> dict[str, str]:
     ],
 )
 def model_description_missing(project: Project) -> Iterator[Finding]:
-    """Model is spawned from a topic or parameter that nobody sets.
+    """Model is spawned from a topic or parameter that nobody sets, or from nothing.
 
-    With `-topic`, the program waits for a description that never comes. With `-param` of ROS 1, it ends with a KeyError.
-    Either way the robot is not spawned, and its controller manager does not start. It is an error if the launch file
-    publishes the description under another name, or sets a parameter that is robot_description with a slip. If some included file is not here, only a similar name is reported.
+    With `-topic`, the program waits for a description that never comes. With `-param` of ROS 1, it ends with a KeyError;
+    without any source, with an error. Either way the robot is not spawned, and its controller manager does not start. It is
+    an error if the launch file publishes the description under another name, or sets a parameter that is robot_description
+    with a slip. If some included file is not here, only a similar name is reported.
     """
     launch = project.launch
     if launch is None or not (launch.complete or launch.unread):
         return
     yield from _misnamed(project, launch)
     for node in model_spawners(launch):
-        if node.sure and node.complete and node.namespace is not None and not launch.misnamed:
+        if node.sure and node.complete and not _names_source(node):
+            asked = "-param" if launch.ros != ROS_2 else "-topic"
+            message = f"'{node.executable.text}' is not told what to spawn, and ends; add {asked} robot_description"
+            yield Finding(node.at, message)
+        elif node.sure and node.complete and node.namespace is not None and not launch.misnamed:
             found = _of_topic(project, launch, node) if launch.ros == ROS_2 else _of_parameter(project, launch, node)
             yield from found if launch.complete else (each for each in found if each.fix is not None)
+
+
+def _names_source(node: Node) -> bool:
+    """Whether a program gets what it spawns, by an option or a parameter. Options may be shortened; one that it does not
+    have may be a misspelt source, which another rule tells.
+    """
+    program = node.executable.text
+    sources, options = MODEL_SOURCES.get(program), OF_MODEL_SPAWNERS.get(program)
+    given = [word.text.partition("=")[0].lstrip("-") for word in node.words if word.text.startswith("-")]
+    given += [word.text for word in node.parameters]
+    if sources is None or node.files or (options and not set(given) <= set(options)):
+        return True
+    return any(source.startswith(name) for source in sources for name in given)
 
 
 def _misnamed(project: Project, launch: Launch) -> Iterator[Finding]:
