@@ -24,7 +24,7 @@ def refusal(tree: ast.Module, nodes: Sequence[ast.AST], entry: str) -> Refusal |
     nodes: all nodes of the tree.
     entry: the name of the function that is called.
     """
-    names = _Names(nodes)
+    names = _Bindings(nodes)
     for part in evaluated(tree, entry):
         check = _CHECKS.get(names.called(part)) if isinstance(part, ast.Call) else None
         found = check(part, names) if check is not None and isinstance(part, ast.Call) else _sum(part, names)
@@ -42,7 +42,7 @@ def misnamed_entry(tree: ast.Module, entry: str) -> Refusal | None:
     return slip.body[0], f"launch looks for '{entry}', but the function is '{slip.name}'"
 
 
-class _Names:
+class _Bindings:
     """What the names of a launch file stand for, as far as that is certain."""
 
     def __init__(self, nodes: Sequence[ast.AST]) -> None:
@@ -126,13 +126,13 @@ def _is_text(value: ast.expr | None) -> bool:
     return isinstance(value, ast.JoinedStr) or (isinstance(value, ast.Constant) and isinstance(value.value, str))
 
 
-def _description(call: ast.Call, _: _Names) -> Refusal | None:
+def _description(call: ast.Call, _: _Bindings) -> Refusal | None:
     if len(call.args) > 1 and not any(isinstance(one, ast.Starred) for one in call.args):
         return call.func, "LaunchDescription takes one list; put the actions between [ and ]"
     return None
 
 
-def _node(call: ast.Call, _: _Names) -> Refusal | None:
+def _node(call: ast.Call, _: _Bindings) -> Refusal | None:
     parameters, arguments = _given(call, "parameters"), _given(call, "arguments")
     if parameters is not None and (isinstance(parameters, ast.Dict) or _is_text(parameters)):
         return parameters, "'parameters' must be a list; put it between [ and ]"
@@ -144,7 +144,7 @@ def _node(call: ast.Call, _: _Names) -> Refusal | None:
     return None
 
 
-def _include(call: ast.Call, _: _Names) -> Refusal | None:
+def _include(call: ast.Call, _: _Bindings) -> Refusal | None:
     given = _given(call, "launch_arguments")
     if isinstance(given, ast.Dict) and given.keys and not any(key is None for key in given.keys):
         return given, "'launch_arguments' must be pairs; add '.items()' after the }"
@@ -154,19 +154,19 @@ def _include(call: ast.Call, _: _Names) -> Refusal | None:
     return (wrong, f"a launch argument must be a text: write '{str(wrong.value).lower()}' in quotes") if wrong else None
 
 
-def _join(call: ast.Call, names: _Names) -> Refusal | None:
+def _join(call: ast.Call, names: _Bindings) -> Refusal | None:
     wrong = next((one for one in call.args if names.makes(one, _SUBSTITUTIONS)), None)
     if wrong is not None:
         return wrong, "os.path.join() takes no substitution of launch; use PathJoinSubstitution([...])"
     return _discarded(call.args, names)
 
 
-def _path_join(call: ast.Call, names: _Names) -> Refusal | None:
+def _path_join(call: ast.Call, names: _Bindings) -> Refusal | None:
     parts = call.args[0] if len(call.args) == 1 else None
     return _discarded(parts.elts, names) if isinstance(parts, (ast.List, ast.Tuple)) else None
 
 
-def _sum(part: ast.expr, names: _Names) -> Refusal | None:
+def _sum(part: ast.expr, names: _Bindings) -> Refusal | None:
     if not isinstance(part, ast.BinOp) or not isinstance(part.op, ast.Add):
         return None
     if any(names.makes(one, _SUBSTITUTIONS) for one in (part.left, part.right)) and (
@@ -176,7 +176,7 @@ def _sum(part: ast.expr, names: _Names) -> Refusal | None:
     return None
 
 
-def _discarded(parts: list[ast.expr], names: _Names) -> Refusal | None:
+def _discarded(parts: list[ast.expr], names: _Bindings) -> Refusal | None:
     """Return a later part of a path that begins with a slash, after the folder of a package."""
     if not parts or not names.makes(parts[0], _OF_PACKAGE):
         return None
@@ -186,7 +186,7 @@ def _discarded(parts: list[ast.expr], names: _Names) -> Refusal | None:
     return None
 
 
-_CHECKS: dict[str, Callable[[ast.Call, _Names], Refusal | None]] = {
+_CHECKS: dict[str, Callable[[ast.Call, _Bindings], Refusal | None]] = {
     "LaunchDescription": _description,
     "Node": _node,
     "IncludeLaunchDescription": _include,
