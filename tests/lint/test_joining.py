@@ -337,7 +337,9 @@ def test_a_launch_file_whose_description_is_missing_gets_no_other_robot(folder: 
     given = report(folder)
     assert errors(given) == [("UC616", "crane/launch/control.launch")]
     assert [each["launch"] for each in given["targets"]] == ["crane/launch/world.launch"]
-    assert given["unjoined"] == []
+    assert [(each["launch"], each["lacks"]["description"]) for each in given["unjoined"]] == [
+        ("crane/launch/control.launch", "crane/grane.urdf")
+    ]
 
 
 def test_a_launch_file_that_spawns_what_a_start_spawns_itself_is_not_started_beside_it(folder: Folder) -> None:

@@ -194,10 +194,12 @@ def _is_of_generation(start: TargetResult, lonely: TargetResult) -> bool:
 def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     """The starts beside which a launch file is started, the best known ones.
 
-    None, if it names another robot: one in a package that is not here. What is left over from ROS 1 in a package for
+    None, if it names another robot: one in a package that is not here, or started by a launch file there and no joints
+    say otherwise. What is left over from ROS 1 in a package for
     ROS 2 belongs to nothing in other packages.
     """
-    if lonely.joining.described_in:
+    is_of_others = lonely.joining.started_in and not lonely.joining.claimed
+    if lonely.joining.described_in or is_of_others:
         return []
     if lonely.joining.waits:
         return _managing(lonely, starts)
@@ -314,8 +316,9 @@ def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjo
 
 
 def _is_absent(result: TargetResult) -> bool:
-    """Whether a result is of a launch file whose robot, or what starts it, is in a package that is not here."""
-    missing = result.joining.described_in or result.joining.started_in
+    """Whether a result is of a launch file whose robot, or what starts it, does not exist or is in a package that is
+    not here."""
+    missing = result.joining.described_in or result.joining.started_in or result.joining.lost
     return is_launch(result.path) and result.links is None and bool(missing)
 
 
@@ -328,15 +331,18 @@ def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
         controls=is_lonely(lonely),
         includes=bool(lonely.joining.started_in),
         leftover=lonely.joining.leftover,
+        description=lonely.joining.lost,
     )
-    if lonely.joining.leftover or not absent.controls:
+    is_of_others = lonely.joining.started_in and not lonely.joining.claimed
+    if lonely.joining.leftover or not absent.controls or is_of_others:
         return absent
     reasons = [_missing_in(lonely, start) for start in starts]
     return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=absent)
 
 
 def _missing_in(lonely: TargetResult, start: Start) -> Unjoined:
-    joints = {joint for _, joint in lonely.joining.claimed} - start.joints
+    is_whole = all(result.complete for _, result in start.robots)
+    joints = {joint for _, joint in lonely.joining.claimed} - start.joints if is_whole else ()
     spawned = names_without_namespace(lonely.bringup.spawned if lonely.bringup else ())
     declared = start.declared | names_without_namespace(lonely.joining.declared)
     return Unjoined(lonely.path, start.first.path, tuple(sorted(joints)), tuple(sorted(spawned - declared)))

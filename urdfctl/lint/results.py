@@ -121,6 +121,7 @@ class Unjoined(NamedTuple):
     controls: whether it starts controllers.
     leftover: whether it is written for ROS 1, in a package for ROS 2.
     includes: whether it takes launch files from those packages.
+    description: the one that it names, and that does not exist.
     """
 
     path: str
@@ -131,6 +132,7 @@ class Unjoined(NamedTuple):
     controls: bool = True
     includes: bool = False
     leftover: bool = False
+    description: str = ""
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Unjoined:

@@ -110,7 +110,7 @@ def _linted(request: LintRequest, watch: Watch, meanwhile: Callable[[], object])
     with closing(Standby()) as standby:
         workers = Workers(Loader(request.settings), request.parallel, standby=standby, meanwhile=meanwhile)
         run = judge(plan(files, request), InWorkers(request, workers, watch))
-    if not run.results and request.shard is None:
+    if not run.results and not any(each.controls for each in run.unjoined) and request.shard is None:
         absent = sorted({repr(name) for each in run.unjoined for name in each.packages})
         raise UserError(
             f"nothing to lint in {where}: it contains launch files, but they start no robot or controllers of this "

@@ -27,7 +27,7 @@ class JoinFacts(NamedTuple):
     started_in: without a robot: the packages that are not here and whose launch files it includes, if these seem to
         start a robot.
     leftover: whether the launch file is written for ROS 1, in a package for ROS 2.
-    lost: whether it names a description that does not exist.
+    lost: the description that it names, and that does not exist; empty if there is none.
     waits: ROS 2: whether it certainly spawns controllers of a robot whose manager another launch file starts.
     """
 
@@ -39,7 +39,7 @@ class JoinFacts(NamedTuple):
     described_in: tuple[str, ...] = ()
     started_in: tuple[str, ...] = ()
     leftover: bool = False
-    lost: bool = False
+    lost: str = ""
     waits: bool = False
 
     @classmethod
@@ -63,7 +63,7 @@ def join_facts(project: Project) -> JoinFacts:
         described_in=_described_in(launch) if project.robot is None and launch else (),
         started_in=_started_in(launch) if project.robot is None and launch else (),
         leftover=launch is not None and launch.is_leftover,
-        lost=launch is not None and any(each.file.exists is False for each in launch.descriptions if each.sure),
+        lost=_lost(launch) if launch is not None else "",
         waits=project.robot is not None and launch is not None and _waits(launch),
     )
 
@@ -85,6 +85,12 @@ def _waits(launch: Launch) -> bool:
     return not loading and all(hosts_no_manager(node) for node in launch.nodes)
 
 
+def _lost(launch: Launch) -> str:
+    """The path of the first description that a launch file names, and that does not exist; empty if there is none."""
+    missing = (each.file for each in launch.descriptions if each.sure and each.file.exists is False)
+    return next((file.path or file.text for file in missing), "")
+
+
 def _described_in(launch: Launch) -> tuple[str, ...]:
     """The packages that are not here and that a launch file takes its descriptions from."""
     unknown = (each for each in launch.descriptions if each.file.path is None)
@@ -94,11 +100,11 @@ def _described_in(launch: Launch) -> tuple[str, ...]:
 
 def _started_in(launch: Launch) -> tuple[str, ...]:
     """The packages that are not here and that a launch file starts launch files of, as far as these start robots."""
-    if not launch.unread:
+    if not launch.absent:
         return ()
     from urdfctl.source.workspaces.robot_starts import may_start_robot, package_of
 
-    found = ((package_of(word.text), word.text) for word in launch.unread)
+    found = ((package_of(word.text), word.text) for word in launch.absent)
     return tuple(dict.fromkeys(name for name, text in found if name and may_start_robot(name, text)))
 
 

@@ -55,11 +55,12 @@ def target_document(target: TargetResult) -> dict[str, Any]:
 def unjoined_document(unjoined: Unjoined) -> dict[str, Any]:
     """Return a launch file that starts controllers without a robot, or what is not here, as plain data."""
     robot = shown(unjoined.robot) if unjoined.robot else None
-    lacks = {
+    lacks: dict[str, Any] = {
         "joints": list(unjoined.joints),
         "controllers": list(unjoined.controllers),
         "packages": list(unjoined.packages),
     }
+    lacks |= {"description": shown(unjoined.description)} if unjoined.description else {}
     return {"launch": shown(unjoined.path), "robot": robot, "lacks": lacks}
 
 

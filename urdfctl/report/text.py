@@ -160,8 +160,8 @@ def _summary(report: Report, width: int) -> Iterator[Piece]:
     """Yield what was not checked, then the numbers of findings and fixes."""
     if report.unused:
         yield Piece(wrapped(visible(_unused(report.unused)), width))
-    if report.unjoined:
-        yield Piece(wrapped(visible(about_unjoined(report.unjoined)), width))
+    if about := about_unjoined(report.unjoined):
+        yield Piece(wrapped(visible(about), width))
     yield from _open_distro(report, width)
     if report.uncontrolled:
         hint = f"nothing controls the robot's joints; to generate control: {_generating(report)}"

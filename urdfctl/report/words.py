@@ -52,6 +52,8 @@ def what_it_starts(unjoined: Unjoined) -> str:
     """Return what a launch file that is joined with no robot starts, and why it is joined with none."""
     if unjoined.controls:
         return f"controllers without a robot: {missing_fact(unjoined)}"
+    if unjoined.description:
+        return f"a robot whose description '{shown(unjoined.description)}' does not exist"
     what = "launch files" if unjoined.includes else "a robot"
     return f"{what} of {_quoted('package', unjoined.packages)}, not in this workspace"
 

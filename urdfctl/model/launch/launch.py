@@ -35,6 +35,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
     *("undeclared", "inline", "given", "misspelt", "moveit", "named", "misnamed", "skipped", "waiting", "slips"),
+    "absent",
 )
 """What launch files add to each other if they are started beside each other."""
 
@@ -58,6 +59,7 @@ class Launch(NamedTuple):
     given: ROS 2: the parameters in dicts.
     others: the descriptions of its other robots, if only what belongs to one is kept.
     unread: the included files that cannot be read, if nothing else makes it incomplete.
+    absent: the included files that cannot be read, whatever else is unknown.
     beside: the nodes of each of several launch files that are started beside each other.
     named: ROS 1: the full names of the parameters, and namespaces of parameters, that it sets.
     misnamed: ROS 1: the names of parameters that have a robot description, and are robot_description with a slip.
@@ -88,6 +90,7 @@ class Launch(NamedTuple):
     given: tuple[GivenParameters, ...] = ()
     others: tuple[Description, ...] = ()
     unread: tuple[Word, ...] = ()
+    absent: tuple[Word, ...] = ()
     beside: tuple[tuple[Node, ...], ...] = ()
     named: tuple[str, ...] = ()
     misnamed: tuple[Word, ...] = ()

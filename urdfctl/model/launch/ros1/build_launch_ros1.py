@@ -84,6 +84,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         inline=tuple(builder.inline),
         moveit=tuple(_with_loads(files, builder.loads) for files in builder.moveit),
         unread=tuple(builder.unread),
+        absent=tuple(builder.unread),
         named=tuple(dict.fromkeys(builder.named)),
         misnamed=tuple(builder.misnamed),
         skipped=tuple(dict.fromkeys(builder.skipped)),

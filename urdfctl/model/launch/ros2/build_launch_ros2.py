@@ -84,6 +84,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
         moveit=tuple(facts.moveit),
         given=tuple(facts.given),
         unread=tuple(walk.unread) if walk.complete else (),
+        absent=tuple(walk.unread),
         skipped=tuple(dict.fromkeys(walk.skipped)),
         waiting=waiting,
     )

@@ -1,0 +1,154 @@
+"""Launch files that are joined with no robot: each is named with what is missing."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+from folder import Folder
+
+MANIFEST = "<package format='3'><name>{}</name><export><build_type>ament_cmake</build_type></export></package>"
+SPAWNER = '<node pkg="controller_manager" exec="spawner" args="{}"/>'
+SHOWN = '<node pkg="rviz2" exec="rviz2"/>'
+PUBLISHER = """<node pkg="robot_state_publisher" exec="robot_state_publisher">
+  <param name="robot_description" value="$(command 'xacro $(find-pkg-share hoist)/urdf/{}')" type="str"/></node>"""
+HOIST = """<robot name="hoist" xmlns:xacro="http://www.ros.org/wiki/xacro">{}
+  <link name="base"/>
+  <joint name="lift" type="prismatic"><parent link="base"/><child link="hook"/><axis xyz="0 0 1"/>
+    <limit lower="0" upper="1" effort="9" velocity="1"/></joint>
+  <link name="hook"/>
+</robot>"""
+LOADED = """<launch>
+  <rosparam>
+    drum: {type: effort_controllers/JointEffortController, joint: drum_joint}
+  </rosparam>
+  <node name="s" pkg="controller_manager" type="spawner" args="drum"/>
+</launch>"""
+PYTHON = """
+import hoist_helpers
+from somewhere import driver_nodes
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription, OpaqueFunction
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch_ros.substitutions import FindPackageShare
+
+def start(context):
+    return [{}, *driver_nodes()]
+
+def generate_launch_description():
+    return LaunchDescription([OpaqueFunction(function=start)])
+"""
+HELPERS = """
+from launch_ros.actions import Node
+
+def spawner(name):
+    return Node(package={!r}, executable="spawner", arguments=[name])
+"""
+ABSENT = 'IncludeLaunchDescription(PythonLaunchDescriptionSource([FindPackageShare("{}"), "/launch/{}.launch.py"]))'
+
+
+def xml(*parts: str) -> str:
+    return f"<launch>{''.join(parts)}</launch>"
+
+
+def written(folder: Folder, **launches: str) -> None:
+    names = {name: f"{name}.launch.{'xml' if text.startswith('<') else 'py'}" for name, text in launches.items()}
+    folder.write({f"launch/{names[name]}": text for name, text in launches.items()})
+    folder.write({"package.xml": MANIFEST.format("hoist")})
+
+
+def unjoined(folder: Folder) -> list[dict[str, Any]]:
+    given: list[dict[str, Any]] = json.loads(folder.run("show", ".", "--format", "json").stdout)["unjoined"]
+    return given
+
+
+@pytest.mark.parametrize("format_", ["1", "3"])
+def test_a_spawner_without_any_robot_is_named_in_packages_of_each_format(folder: Folder, format_: str) -> None:
+    written(folder, up=xml(SPAWNER.format("lift_controller")))
+    folder.write({"package.xml": MANIFEST.format("hoist").replace("'3'", f"'{format_}'")})
+    ran = folder.run("lint", ".")
+    assert ran.returncode == 0, ran.stderr
+    reason = "nothing here starts or describes a robot"
+    file = "launch/up.launch.xml"
+    assert f"1 launch file starts controllers without a robot that fits: {file} ({reason})" in " ".join(
+        ran.stdout.split()
+    )
+
+
+def test_launch_files_that_start_neither_robot_nor_controllers_are_nothing_to_lint(folder: Folder) -> None:
+    written(folder, up=xml(SHOWN, '<include file="$(find-pkg-share elsewhere_bringup)/launch/robot.launch.py"/>'))
+    ran = folder.run("lint", ".")
+    assert ran.returncode == 2
+    assert "nothing to lint in .: it contains launch files" in ran.stderr
+
+
+def test_a_start_whose_description_does_not_exist_is_shown_and_is_not_called_unused(folder: Folder) -> None:
+    written(folder, up=xml(PUBLISHER.format("hoist.urdf")), down=xml(PUBLISHER.format("hoits.urdf")))
+    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    absent = "a robot whose description 'urdf/hoits.urdf' does not exist"
+    shown = folder.run("show", ".").stdout
+    assert f"launch/down.launch.xml  (starts {absent})" in shown
+    assert "launch/up.launch.xml\n  description urdf/hoist.urdf\n" in shown
+    linted = folder.run("lint", ".").stdout
+    assert f"1 launch file starts {absent}: launch/down.launch.xml" in " ".join(linted.split())
+    assert "not used by any robot" not in linted
+
+
+@pytest.mark.parametrize(
+    ("include", "reason"),
+    [
+        ("", "hoist.urdf has no joint 'drum_joint'"),
+        ('<xacro:include filename="$(find drums)/drum.xacro"/>', "it is not known to belong to hoist.urdf"),
+    ],
+)
+def test_joints_are_missing_only_from_a_robot_that_is_known_whole(folder: Folder, include: str, reason: str) -> None:
+    manifest = "<package format='2'><name>hoist</name><buildtool_depend>catkin</buildtool_depend></package>"
+    folder.write({"package.xml": manifest, "hoist.urdf": HOIST.format(include), "launch/up.launch": LOADED})
+    assert f"launch/up.launch  (starts controllers without a robot: {reason})" in folder.run("show", ".").stdout
+
+
+@pytest.mark.parametrize(("package", "status"), [("controller_manager", 0), ("rviz2", 2)])
+def test_what_a_module_beside_a_launch_file_starts_counts(folder: Folder, package: str, status: int) -> None:
+    written(folder, up=PYTHON.format('hoist_helpers.spawner("lift_controller")'))
+    folder.write({"launch/hoist_helpers.py": HELPERS.format(package)})
+    ran = folder.run("lint", ".")
+    assert ran.returncode == status
+    assert ("1 launch file starts controllers without a robot" in ran.stdout) is (status == 0)
+
+
+@pytest.mark.parametrize(
+    ("included", "packages"),
+    [(("hoist_bringup", "robot"), ["hoist_bringup"]), (("zed_camera", "start"), [])],
+)
+def test_what_is_elsewhere_is_named_also_if_more_is_unknown(
+    folder: Folder, included: tuple[str, str], packages: list[str]
+) -> None:
+    written(folder, up=PYTHON.format(ABSENT.format(*included)), show=xml(PUBLISHER.format("h.urdf")))
+    folder.write({"urdf/h.urdf": HOIST.format("")})
+    assert [name for each in unjoined(folder) for name in each["lacks"]["packages"]] == packages
+
+
+INCLUDED = '<include file="$(find {})/launch/franka_control.launch"/>'
+CONTROL = '<rosparam>drum: {{type: own/Drum}}</rosparam><node name="s" pkg="controller_manager" type="spawner" {}/>'
+
+
+@pytest.mark.parametrize(
+    ("package", "expected"), [("arm_moveit_config", []), ("realsense_camera", ["launch/up.launch"])]
+)
+def test_controllers_of_a_robot_that_is_started_elsewhere_are_not_joined_by_their_names_alone(
+    folder: Folder, package: str, expected: list[str]
+) -> None:
+    manifest = "<package format='2'><name>hoist</name><buildtool_depend>catkin</buildtool_depend></package>"
+    up = xml(INCLUDED.format(package), CONTROL.format('args="drum"'))
+    folder.write({"package.xml": manifest, "hoist.urdf": HOIST.format(""), "launch/up.launch": up})
+    shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
+    assert [each["launch"] for each in shown["targets"] if each["launch"]] == expected
+
+
+def test_a_leftover_of_ros_1_leaves_no_empty_line(folder: Folder) -> None:
+    written(folder)
+    folder.write(
+        {"launch/up.launch": '<launch><node name="s" pkg="controller_manager" type="spawner" args="a"/></launch>'}
+    )
+    assert "\n\n\n" not in folder.run("lint", ".").stdout
