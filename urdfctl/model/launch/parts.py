@@ -43,6 +43,7 @@ class Description(NamedTuple):
     alternatives: other arguments that it may have, where an unknown condition decides.
     more: whether other arguments may be given too, which are not known.
     as_yaml: ROS 2: whether launch parses the text as YAML, because nothing says that it is a string.
+    edited: ROS 2: whether the launch file replaces parts of the text, such as comments.
     """
 
     file: FileReference
@@ -57,6 +58,7 @@ class Description(NamedTuple):
     alternatives: tuple[tuple[tuple[str, str], ...], ...] = ()
     as_yaml: bool = False
     more: bool = False
+    edited: bool = False
 
     @property
     def usable(self) -> bool:

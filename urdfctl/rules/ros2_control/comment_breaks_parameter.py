@@ -52,6 +52,34 @@ _PLUGIN = "gazebo_ros2_control"
                 </ros2_control>
             """,
         },
+        {
+            "robot.urdf": """
+                <gazebo>
+                  <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
+                    <parameters>/opt/arm/controllers.yaml</parameters>
+                  </plugin>
+                </gazebo>
+                <!-- TODO: tune the gains -->
+                <ros2_control name="arm" type="system">
+                  <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin></hardware>
+                  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+                </ros2_control>
+            """,
+            "arm.launch.py": """
+                import os
+                import re
+                from launch import LaunchDescription
+                from launch_ros.actions import Node
+
+
+                def generate_launch_description():
+                    robot = open(os.path.join(os.path.dirname(__file__), 'robot.urdf')).read()
+                    described = {'robot_description': re.sub('<!--.*?-->', '', robot, flags=re.DOTALL)}
+                    return LaunchDescription([
+                        Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[described]),
+                    ])
+            """,
+        },
     ],
 )
 def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
@@ -59,10 +87,13 @@ def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
 
     In humble, Gazebo Classic's plugin (0.4.7 and later) passes the whole description to the controller manager as a
     parameter, which is parsed as YAML. There, a colon followed by whitespace makes a key, and `#` after whitespace
-    starts a comment. The controller manager then fails to start.
+    starts a comment. The controller manager then fails to start. A launch file that takes comments out of the
+    description, by `re.sub`, prevents it.
     """
     robot = robot_in(project)
     if robot is None or not any(_PLUGIN in (plugin.filename or "") for plugin in robot.plugins):
+        return
+    if project.launch is not None and any(description.edited for description in project.launch.descriptions):
         return
     for comment in robot.tag.comments() if robot.tag else ():
         broken = re.search(r":\s|\s#", comment.text)

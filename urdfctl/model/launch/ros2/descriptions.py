@@ -16,13 +16,19 @@ _TEXTS = frozenset({"toxml", "toprettyxml"})
 _READING = frozenset({"read", "read_text"})
 _RUNNING = frozenset({"subprocess.run", "subprocess.check_output", "subprocess.getoutput", "os.popen"})
 _CHANGING = frozenset("replace strip lstrip rstrip encode decode".split())
+_REPLACING = frozenset({"sub", "replace"})
 _DEEPEST = 30
 _MOST_CHOICES = 4
 
 
-def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -> Content | None:  # noqa: PLR0911
+def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -> Content | None:
     """Return the robot description of a term; None if it is not a known form of a robot description."""
-    term = _unchanged(term)
+    plain = _unchanged(term)
+    content = _content_of(plain, texts, exists)
+    return content._replace(edited=content.edited or _is_edited(term, plain)) if content else None
+
+
+def _content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -> Content | None:  # noqa: PLR0911
     if isinstance(term, (Items, OneOf)):
         several = term.values if isinstance(term, Items) else term.options
         is_one = len(several) == 1 or isinstance(term, OneOf)
@@ -75,17 +81,30 @@ def is_of_other_node(term: Term | None, texts: Texts) -> bool:
 def _unchanged(term: Term | None) -> Term | None:
     """The text that functions such as `re.sub` change only in its form."""
     for _ in range(_DEEPEST):
-        if not isinstance(term, Called):
+        inner = _unchanged_once(term)
+        if inner is term:
             break
-        if term.name == "re.sub":
-            term = term.given("string", 2)
-        elif term.name in _CHANGING and term.of is not None:
-            term = term.of
-        elif term.name in {"str", "Text"}:
-            term = term.given("value", 0)
-        else:
-            break
+        term = inner
     return term
+
+
+def _unchanged_once(term: Term | None) -> Term | None:
+    if not isinstance(term, Called):
+        return term
+    if term.name == "re.sub":
+        return term.given("string", 2)
+    if term.name in _CHANGING and term.of is not None:
+        return term.of
+    return term.given("value", 0) if term.name in {"str", "Text"} else term
+
+
+def _is_edited(term: Term | None, plain: Term | None) -> bool:
+    """Whether one of the functions around a text puts other words in the place of some."""
+    while isinstance(term, Called) and term is not plain:
+        if term.short in _REPLACING:
+            return True
+        term = _unchanged_once(term)
+    return False
 
 
 def _of_substitution(term: Called, texts: Texts) -> Content:

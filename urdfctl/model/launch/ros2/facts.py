@@ -108,6 +108,7 @@ class LaunchFacts:
                 alternatives=content.alternatives,
                 as_yaml=content.as_yaml,
                 more=content.more,
+                edited=content.edited,
             )
         )
 

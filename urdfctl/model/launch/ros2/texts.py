@@ -30,6 +30,7 @@ class Content(NamedTuple):
     alternatives: other arguments, where an unknown condition decides.
     as_yaml: whether launch parses the text as YAML: the output of a substitution without a type.
     more: whether other arguments may be given too, which are not known.
+    edited: whether the launch file replaces parts of the text, such as comments.
     """
 
     path: str | None
@@ -40,6 +41,7 @@ class Content(NamedTuple):
     alternatives: tuple[tuple[tuple[str, str], ...], ...] = ()
     as_yaml: bool = False
     more: bool = False
+    edited: bool = False
 
 
 class ActionScope:
