@@ -9,11 +9,12 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from urdfctl.discover.walk import LAUNCHES, text_of
+from urdfctl.source.disk.gate import is_file
 
 if TYPE_CHECKING:
     from urdfctl.discover.included import Included
 
-_RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']control[\"']"
+_RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"'] *control(?:[\"']| +(?:load|set)_)"
 _DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
 _PLANNING = rb"\bmoveit_ros_move_group\b|\bgenerate_(?:demo|move_group|rsp|spawn_controllers)_launch\b"
 _SIMULATING = rb"\b(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo)\b"
@@ -21,6 +22,9 @@ _ARGUMENTS = rb"<arg\b|\$\((?:var|arg)\b|\bLaunchConfiguration|(?m:^\s*-\s*arg:)
 _DEMO = rb"\bgenerate_demo_launch\b"
 _ONLY_INCLUDED = ".launch.xml"
 """The ending of launch files for ROS 1 that are only included."""
+_IMPORT = rb"(?m)^[ \t]*(?:from|import)[ \t]+(\w+)"
+_INSTALLED = frozenset((b"ament_index_python", b"launch", b"launch_ros", b"os", b"pathlib", b"sys", b"xacro", b"yaml"))
+"""The modules that most launch files import, and that no module beside one of them is."""
 _ROS2 = (".py", ".yaml", ".yml")
 _PARAMETERS = rb"(?m)^[ \t]*[\"']?ros__parameters[\"']?[ \t]*:"
 _MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"
@@ -133,6 +137,13 @@ def _starts_robots(text: bytes) -> bool:
     return any(re.search(pattern, text) for pattern in (_RELEVANT, _DESCRIBING, _PLANNING, _SIMULATING))
 
 
+def _is_helped(path: str, text: bytes) -> bool:
+    """Whether a launch file in Python imports a module beside it that starts robots."""
+    names = {*re.findall(_IMPORT, text)} - _INSTALLED if path.endswith(".py") else ()
+    beside = (os.path.join(os.path.dirname(path), f"{name.decode()}.py") for name in sorted(names))
+    return any(_starts_robots(text_of(module)) for module in beside if is_file(module))
+
+
 def _is_relevant(
     path: str, included: Mapping[str, Included], texts: Mapping[str, bytes], named: Collection[str]
 ) -> bool:
@@ -142,6 +153,7 @@ def _is_relevant(
     while pending:
         current = pending.pop()
         starts = starts or included[current].elsewhere or _starts_robots(texts[current])
+        starts = starts or _is_helped(current, texts[current])
         names = names or current in named
         if starts and names:
             return True

@@ -233,7 +233,19 @@ class Nodes:
             files = list(parsed.values("-p", "--param-file"))
             spawn = self._spawn_with(parsed, program, term.at, "", files=files, run=_Run(sure, held, after))
             (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
+        elif held and [word.text for word in words[:2]] == ["ros2", "run"]:
+            self._run(words[2:], term.at, sure=sure)
         return words
+
+    def _run(self, words: Sequence[Word], at: Place, *, sure: bool) -> None:
+        """Add the node that `ros2 run` starts, in no namespace of the launch file's. Its parameters are not read."""
+        if len(words) < 2 or words[0].text.startswith("-"):  # noqa: PLR2004 (a package and a program)
+            return
+        package, program, *given = words
+        namespace = None if any("__ns" in word.text or word.known is None for word in given) else ""
+        node = Node(package, program, None, namespace, at, words=tuple(given), sure=sure, complete=False)
+        self.facts.nodes.append(node)
+        self._described_by(given, program.text, namespace, sure=sure)
 
     # -- words -------------------------------------------------------------------------------------------------------
 
