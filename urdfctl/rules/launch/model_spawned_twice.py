@@ -12,10 +12,16 @@ from urdfctl.rules.launch.steps import MODEL_SPAWNERS
 
 def _launched(package: str, program: str, *words: str) -> dict[str, str]:
     if program in ("spawn_model", "urdf_spawner"):
-        nodes = (f'<node name="n{i}" pkg="{package}" type="{program}" args="{each}"/>' for i, each in enumerate(words))
+        nodes = (
+            f'<node name="n{i}" pkg="{package}" type="{program}" args="-file arm.sdf {each}"/>'
+            for i, each in enumerate(words)
+        )
         name = "arm.launch"
     else:
-        nodes = (f'<node name="n{i}" pkg="{package}" exec="{program}" args="{each}"/>' for i, each in enumerate(words))
+        nodes = (
+            f'<node name="n{i}" pkg="{package}" exec="{program}" args="-file arm.sdf {each}"/>'
+            for i, each in enumerate(words)
+        )
         name = "arm.launch.xml"
     manifest = f"<package><name>arm</name><exec_depend>{package}</exec_depend></package>"
     return {name: f"<launch>{''.join(nodes)}</launch>", "package.xml": manifest}
