@@ -29,6 +29,7 @@ def _bridged(option: str) -> dict[str, str]:
     "UC533",
     severity=Severity.WARNING,
     runtime="drops",
+    because="the robot may move without the topic",
     distros=ROS2,
     authority="ros_gz_bridge get_factory(): 'No template specialization for the specified ROS and Gazebo Transport type', and the "
     "bridge goes on without the topic; README.md lists the pairs of types",
