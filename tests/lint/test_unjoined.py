@@ -152,3 +152,17 @@ def test_a_leftover_of_ros_1_leaves_no_empty_line(folder: Folder) -> None:
         {"launch/up.launch": '<launch><node name="s" pkg="controller_manager" type="spawner" args="a"/></launch>'}
     )
     assert "\n\n\n" not in folder.run("lint", ".").stdout
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"), [("robot_description_hoist", ["launch/up.launch"]), ("robot_description_semantic", [])]
+)
+def test_a_parameter_with_a_longer_name_that_is_spawned_is_a_robot(
+    folder: Folder, name: str, expected: list[str]
+) -> None:
+    manifest = "<package format='2'><name>hoist</name><buildtool_depend>catkin</buildtool_depend></package>"
+    described = f'<param name="{name}" command="$(find xacro)/xacro $(find hoist)/hoist.urdf"/>'
+    spawned = f'<node pkg="gazebo_ros" name="s" type="spawn_model" args="-urdf -model hoist -param {name}"/>'
+    folder.write({"package.xml": manifest, "hoist.urdf": HOIST.format(""), "launch/up.launch": xml(described, spawned)})
+    shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
+    assert [each["launch"] for each in shown["targets"] if each["launch"]] == expected

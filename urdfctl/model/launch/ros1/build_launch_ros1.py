@@ -253,7 +253,7 @@ class _LaunchBuilder:
         if last.endswith(_SEMANTIC):
             self._semantic(element, name, scope, texts)
             return
-        if last != _DESCRIPTION and not (last.endswith("_description") and makes_urdf(element)):
+        if last != _DESCRIPTION and not ("_description" in last and makes_urdf(element)):
             self._named_file(element, scope, texts)
             if makes_urdf(element) and is_slip(last, _DESCRIPTION) and scope.sure:
                 self.misnamed.append(Word(last, element.at["name"]))
