@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+import os
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 
+from urdfctl.discover.included import included_in
+from urdfctl.discover.walk import text_of
 from urdfctl.lint.joining import Pair, is_lonely
+from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
 
 Variants = Callable[[list[Target]], list[list[Target]]]
@@ -23,8 +27,7 @@ def chosen_starts(started: Sequence[Pair], joined: Collection[int], variants: Va
         Target(result.launch, towards=path)
         for _, result in started
         if left and result.launch and result.links and result.bringup and not result.bringup.arguments
-        for path in result.bringup.unfollowed
-        if path in left
+        for path in _may_include(result, left)
     ]
     found: dict[str, Target] = {}
     for target, choices in zip(asked, variants(asked) if asked else (), strict=True):
@@ -32,3 +35,16 @@ def chosen_starts(started: Sequence[Pair], joined: Collection[int], variants: Va
             found.setdefault(target.towards, choices[0]._replace(towards=None))
     results = list(lint(list(dict.fromkeys(found.values()))))
     return [pair for pair in results if pair[1].links]
+
+
+def _may_include(start: TargetResult, paths: Collection[str]) -> Iterator[str]:
+    """Yield those of some launch files that a start may include, as far as its texts name them."""
+    if start.bringup is None or start.launch is None:
+        return
+    by_name: dict[str, list[str]] = {}
+    for path in sorted(paths):
+        by_name.setdefault(os.path.basename(path), []).append(path)
+    files = (os.path.abspath(start.launch), *start.bringup.includes)
+    named = (path for file in files for path in included_in(file, text_of(file), by_name).every)
+    followed = (path for path in start.bringup.unfollowed if path in paths)
+    yield from dict.fromkeys([*followed, *(path for path in named if path not in start.bringup.includes)])

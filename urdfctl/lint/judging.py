@@ -144,7 +144,8 @@ def _with_joined(reported: LintedTargets, together: Joined) -> LintedTargets:
     """The targets, with those that are started beside each other in the place of each of them alone."""
     covered = {(result.path, result.arguments) for _, result in together.results}
     alone = [pair for pair in reported if id(pair[1]) not in together.replaced]
-    return [*together.results, *(pair for pair in alone if not (_is_alone(pair) and _key(pair[1]) in covered))]
+    alone = [pair for pair in alone if not (_is_alone(pair) and _key(pair[1]) in covered)]
+    return sorted([*together.results, *alone], key=lambda pair: pair[0].guessed)  # a finding names the first
 
 
 def _unjoined(launches: Launches, reported: LintedTargets, together: Joined) -> tuple[Unjoined, ...]:

@@ -9,7 +9,7 @@ import glob
 import os
 import re
 from collections.abc import Callable, Iterator, Mapping
-from itertools import islice
+from itertools import chain, islice
 
 from urdfctl.model.launch import Launch
 from urdfctl.source.disk.gate import matching
@@ -21,6 +21,7 @@ _MOST_VALUES = 24
 _MOST_REQUIRED = 8
 _MOST_MODES = 8
 _BOTH = ("true", "false")
+_COMPARED = rb"==\s*[\"']([\w.-]+)[\"']"
 
 Arguments = dict[str, str]
 Read = Callable[[Mapping[str, str]], Launch | None]
@@ -82,11 +83,13 @@ def file_choices(launch: Launch, arguments: Mapping[str, str], read: Read) -> li
     return []
 
 
-def variant_including(path: str, read: Read) -> LaunchVariant:
+def variant_including(path: str, read: Read, text: bytes = b"") -> LaunchVariant:
     """Return the argument with which a launch file starts its robot and includes another launch file, one that is not
-    its default: of those that it allows, or the other one of true and false. None if there is none."""
+    its default: of those that it allows, the other one of true and false, one that its text compares with, or a part of
+    the other file's name. None if there is none."""
     launch = read({})
-    for name, value in islice(_other_values(launch), _MOST_VALUES) if launch else ():
+    values = chain(_in_names(launch, path, read), _other_values(launch, text)) if launch else ()
+    for name, value in islice(values, _MOST_VALUES):
         other = read({name: value})
         included = (one for one in other.references if one.use == "include" and one.sure) if other else ()
         if other and other.robots and any(one.file.path == path for one in included):
@@ -94,11 +97,21 @@ def variant_including(path: str, read: Read) -> LaunchVariant:
     return LaunchVariant()
 
 
-def _other_values(launch: Launch) -> Iterator[tuple[str, str]]:
+def _in_names(launch: Launch, path: str, read: Read) -> Iterator[tuple[str, str]]:
+    """Yield values of the arguments that are a part of the name of an included file."""
+    for name, default in launch.arguments[:_MOST_REQUIRED]:
+        marked = read({name: _MARK}) if default else None
+        files = [one.file.path or "" for one in marked.references if one.use == "include"] if marked else []
+        found = (_pattern(file).fullmatch(path) for file in files if _MARK in file)
+        yield from ((name, match[1]) for match in found if match)
+
+
+def _other_values(launch: Launch, text: bytes) -> Iterator[tuple[str, str]]:
     """Yield values of the arguments that are not their defaults."""
     choices = dict(launch.choices)
+    compared = tuple(dict.fromkeys(value.decode() for value in re.findall(_COMPARED, text)))
     for name, default in launch.arguments:
-        both = _BOTH if (default or "").lower() in _BOTH else ()
+        both = _BOTH if (default or "").lower() in _BOTH else compared if default else ()
         yield from ((name, value) for value in choices.get(name, both) if value.lower() != (default or "").lower())
 
 
@@ -125,13 +138,16 @@ def _in_files(path: str) -> Iterator[str]:
     """The texts that make a path with marks the path of a file."""
     if not os.path.isabs(path):
         return
-    parts = path.split(_MARK)
-    first, *rest = map(re.escape, parts)
-    pattern = re.compile(first + r"([\w.-]+)" + r"\1".join(rest))
-    for found in matching("*".join(map(glob.escape, parts))):
-        match = pattern.fullmatch(found)
+    for found in matching("*".join(map(glob.escape, path.split(_MARK)))):
+        match = _pattern(path).fullmatch(found)
         if match:
             yield match.group(1)
+
+
+def _pattern(path: str) -> re.Pattern[str]:
+    """The paths that a path with marks means, with the text that is in the place of these."""
+    first, *rest = map(re.escape, path.split(_MARK))
+    return re.compile(first + r"([\w.-]+)" + r"\1".join(rest))
 
 
 def _combined(bases: list[Arguments], mode: Arguments, modes: list[Arguments], read: Read) -> Iterator[LaunchVariant]:

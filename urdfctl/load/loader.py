@@ -196,7 +196,8 @@ class Loader:
         def read(given: Mapping[str, str]) -> Launch | None:
             return read_launch(path, given, files, packages, self.settings.environ).launch
 
-        found = [variant_including(target.towards, read)] if target.towards else launch_variants(read)
+        towards = target.towards
+        found = [variant_including(towards, read, files.read(path).data)] if towards else launch_variants(read)
         return [target._replace(arguments=one.arguments, guessed=one.is_guessed) for one in found]
 
     def _fitting(self, target: Target, launch_file: LaunchFile, robot: Document) -> LaunchFile:
