@@ -166,3 +166,25 @@ def test_a_parameter_with_a_longer_name_that_is_spawned_is_a_robot(
     folder.write({"package.xml": manifest, "hoist.urdf": HOIST.format(""), "launch/up.launch": xml(described, spawned)})
     shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
     assert [each["launch"] for each in shown["targets"] if each["launch"]] == expected
+
+
+@pytest.mark.parametrize(
+    "node",
+    [
+        '<node pkg="robot_state_publisher" exec="robot_state_publisher" args="{}"/>',
+        '<node pkg="ros_gz_sim" exec="create" args="-file {} -name hoist"/>',
+    ],
+)
+def test_a_description_that_an_argument_names_in_another_package_is_named(folder: Folder, node: str) -> None:
+    here, elsewhere = "$(find-pkg-share hoist)/hoist.urdf", "$(find-pkg-share derrick_description)/urdf/derrick.urdf"
+    written(folder, up=xml(node.format(here)), down=xml(node.format(elsewhere)))
+    folder.write({"hoist.urdf": HOIST.format("")})
+    found = [(each["launch"], each["lacks"]["packages"]) for each in unjoined(folder)]
+    assert found == [("launch/down.launch.xml", ["derrick_description"])]
+
+
+def test_an_argument_in_another_package_for_another_program_is_no_robot(folder: Folder) -> None:
+    viewed = '<node pkg="urdf_viewer" exec="view" args="$(find-pkg-share derrick_description)/urdf/derrick.urdf"/>'
+    written(folder, up=xml(PUBLISHER.format("hoist.urdf")), down=xml(viewed))
+    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    assert unjoined(folder) == []

@@ -10,6 +10,7 @@ from urdfctl.model.launch.ros2.descriptions import as_written
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import INCLUDED_BY_DEMO, builder_of
 from urdfctl.model.launch.ros2.parameters import DESCRIBED, MANAGERS, NodeParameters
+from urdfctl.model.launch.ros2.simulators import package_outside
 from urdfctl.model.launch.ros2.spawner import SpawnerArguments, command_arguments, manager_of, spawner_arguments
 from urdfctl.model.launch.ros2.texts import Content, Texts, rewriting_of
 from urdfctl.source.launch.terms import Called, Constant, Items, OneOf, Perhaps, Table, Term, UnknownTerm
@@ -309,7 +310,7 @@ class Nodes:
         A URDF file is a description for robot_state_publisher (its old form), or for a program that spawns models.
         """
         for index, word in enumerate(words):
-            if word.known is None:
+            if word.known is None and package_outside(word.text) is None:
                 continue
             named = index > 0 and words[index - 1].text in _FILE_OPTIONS
             if word.text.endswith(".urdf") and (executable in DESCRIBED or named):
