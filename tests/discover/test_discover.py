@@ -132,6 +132,16 @@ def test_an_accessory_without_a_name_whose_include_is_commented_out_is_no_robot(
     assert roots() == ["robot.urdf"]
 
 
+@pytest.mark.parametrize(("include", "robots"), [("<!-- {} -->", ["robot.urdf"]), ("", ["part.xacro", "robot.urdf"])])
+def test_a_part_with_parts_of_its_own_is_no_robot_where_its_include_is_commented_out(
+    folder: Folder, include: str, robots: list[str]
+) -> None:
+    left_out = include.format("<xacro:include filename='part.xacro'/>")
+    folder.write({"robot.urdf": f'<robot name="r">{left_out}<link name="a"/></robot>', "wheel.xacro": WHEEL})
+    folder.write({"part.xacro": INCLUDES.format("wheel.xacro")})
+    assert roots() == robots
+
+
 def test_an_accessory_that_a_launch_file_loads_is_a_robot(folder: Folder) -> None:
     launch = '<launch><param name="robot_description" textfile="$(find arm)/camera.urdf"/></launch>'
     folder.write({"camera.urdf": HANGS.format("", "chassis"), "show.launch": launch})

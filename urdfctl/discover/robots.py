@@ -183,19 +183,20 @@ def roots(texts: Mapping[str, bytes]) -> list[str]:
 def is_fragment(path: str, text: bytes, launches: Iterable[bytes], left_out: Collection[bytes] = ()) -> bool:
     """Return whether a description is meant to be included, though nothing here includes it.
 
-    Its <robot> has no name, it includes nothing, and no launch file mentions it. Either a joint hangs on a link that is
-    not in the file, an accessory whose include is named by the environment; or its include is commented out.
+    Its <robot> has no name, and no launch file mentions it. Either its include is commented out; or it includes nothing
+    and a joint hangs on a link that is not in the file, an accessory whose include is named by the environment.
 
     left_out: the names of files whose include is commented out.
     """
     text = re.sub(_COMMENT, b"", text)
     root = re.search(_ROOT, text)
-    if root is None or re.search(_NAMED, root[0]) or re.search(_INCLUDE, text):
+    if root is None or re.search(_NAMED, root[0]):
         return False
     links = set(re.findall(_LINK, text))
     hanging = any(b"$" not in parent and parent not in links for parent in re.findall(_PARENT, text))
     name = os.path.basename(path).encode()
-    return (hanging or name in left_out) and not any(name in launch for launch in launches)
+    is_accessory = hanging and not re.search(_INCLUDE, text)
+    return (is_accessory or name in left_out) and not any(name in launch for launch in launches)
 
 
 def _left_out(texts: Iterable[bytes]) -> set[bytes]:
