@@ -11,7 +11,6 @@ from urdfctl.model.launch import Word
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
-from urdfctl.rules.launch.common import ROS_2, launch_of
 from urdfctl.rules.launch_samples import MANIFEST, PUBLISHER, launched
 
 _BRIDGE = """
@@ -51,8 +50,7 @@ def bridge_types_unknown(project: Project) -> Iterator[Finding]:
     It prints an error and goes on without the topic. Without /clock the time of all nodes with `use_sim_time` stands still. A
     type that urdfctl does not know is told only if it is nearly one that the bridge knows.
     """
-    launch = launch_of(project, ROS_2)
-    for node in launch.nodes if launch else ():
+    for node in project.launch.nodes if project.launch else ():
         if node.sure and node.runs("ros_gz_bridge", "parameter_bridge"):
             for word in node.words:
                 yield from _of_option(word)
