@@ -10,8 +10,8 @@ from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 _DEEPEST = 20
-_PARAMETER = re.compile(r"\$\{\s*([A-Za-z_]\w*)\s*\}")
-_SUBSTITUTED = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
+_PARAMETER = r"\$\{\s*([A-Za-z_]\w*)\s*\}"
+_SUBSTITUTED = r"\$\{[^{}]*\}|\$\([^()]*\)"
 
 
 class WrittenName(NamedTuple):
@@ -68,7 +68,7 @@ def _passed(at: Place, wrong: str, meant: str | None, depth: int) -> WrittenName
     if at.call is None or not depth:
         return None
     text = at.span.text
-    own = _SUBSTITUTED.sub("", text).strip("_/ ")
+    own = re.sub(_SUBSTITUTED, "", text).strip("_/ ")
     for value in sorted(_values(at, text), key=lambda one: -len(one.span.text)):
         part = value.span.text
         inner = _passed(value, wrong, meant, depth - 1)
@@ -90,7 +90,7 @@ def _values(at: Place, text: str) -> Iterator[Place]:
     tag = call.source.start_tag(call.offset) if call else None
     if call is None or tag is None:
         return
-    for name in _PARAMETER.findall(text):
+    for name in re.findall(_PARAMETER, text):
         if name in tag.attributes:
             start, end = tag.attributes[name]
             yield Place(call.source, start, call.parent, end=end)
@@ -100,7 +100,7 @@ def _corrected(text: str, wrong: str, meant: str) -> str | None:
     """A text with the wrong part corrected: the whole text, or a part of it that is not substituted."""
     if text == wrong:
         return meant
-    for part in (part for part in _SUBSTITUTED.split(text) if part.strip()):
+    for part in (part for part in re.split(_SUBSTITUTED, text) if part.strip()):
         new = _between(wrong, part, meant)
         if new is not None and text.count(part) == 1 and "$" in text:
             return text.replace(part, new)

@@ -125,10 +125,13 @@ def _place(finding: Diagnostic) -> object:
     return finding.code, at.file, at.start, at.end, shape(finding.message), _kind(finding)
 
 
-def _joined(groups: Iterable[Group], key: Key) -> list[Group]:
+def _joined(groups: Sequence[Group], key: Key) -> list[Group]:
+    """Groups of one rule with the same key as one group."""
     joined: dict[object, Group] = {}
+    of_rule = Counter(group[0].code for group in groups)
     for group in groups:
-        joined.setdefault(key(group[0]), []).extend(group)
+        first = group[0]
+        joined.setdefault(key(first) if of_rule[first.code] > 1 else first.order, []).extend(group)
     return list(joined.values())
 
 

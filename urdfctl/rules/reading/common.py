@@ -9,7 +9,7 @@ from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import SourceSpan
 
-_ATTRIBUTE_NAME = re.compile(rb"([\w:.-]+)\s*=\s*[\"']\Z")
+_ATTRIBUTE_NAME = rb"([\w:.-]+)\s*=\s*[\"']\Z"
 
 
 def findings_of(project: Project, kind: ProblemKind) -> Iterator[Finding]:
@@ -41,7 +41,7 @@ def _name_range(problem: Problem) -> tuple[int, int]:
     at = problem.at
     tag = at.source.start_tag(at.start)
     if problem.kind is ProblemKind.MACRO_CALL:
-        written = _ATTRIBUTE_NAME.search(at.source.data[: at.start])
+        written = re.search(_ATTRIBUTE_NAME, at.source.data[: at.start])
         return (written.start(1), written.end(1)) if written else (at.start, at.start)
     if problem.kind is ProblemKind.UNKNOWN_MACRO:
         if tag is None or not tag.self_closed:  # its end tag must be changed too

@@ -20,9 +20,9 @@ SMALLEST_NORMAL = 2.2250738585072014e-308
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _PLAIN_TEXT = r"[+-]?[0-9]{1,40}(?:\.[0-9]{0,40})?(?:[eE][+-]?[0-9]{1,2})?"
 _PLAIN = re.compile(_PLAIN_TEXT)
-_PLAIN_VECTOR = re.compile(f"{_PLAIN_TEXT} {_PLAIN_TEXT} {_PLAIN_TEXT}")
-_BROKEN_ATTRIBUTE = re.compile(rb"""=\s*(?:"[^"<>]*[\t\n\r]|'[^'<>]*[\t\n\r])""")
-_NOT_FINITE = re.compile(r"[+-]?(?:inf(?:inity)?|nan)", re.IGNORECASE)
+_PLAIN_VECTOR = re.compile(f"{_PLAIN_TEXT}(?: {_PLAIN_TEXT}){{2}}")
+_BROKEN_ATTRIBUTE = rb"""=\s*(?:"[^"<>]*[\t\n\r]|'[^'<>]*[\t\n\r])"""
+_NOT_FINITE = r"(?i)[+-]?(?:inf(?:inity)?|nan)"
 _BLANKS = " \t\n\v\f\r"
 
 JOINT_NUMBERS = {
@@ -85,7 +85,7 @@ def _refusing_number(text: str) -> tuple[str, ...]:
         return () if abs(float(text)) != float("inf") else ALL
     if _DECIMAL.fullmatch(text.lstrip(_BLANKS)):
         return LEXICAL_CAST
-    return STREAM if _NOT_FINITE.fullmatch(text) else ALL
+    return STREAM if re.fullmatch(_NOT_FINITE, text) else ALL
 
 
 def fault_of(field: Field) -> str:
@@ -116,7 +116,7 @@ def _fault_of_number(text: str) -> str:
         return "remove the space or line break around the number"
     if _DECIMAL.fullmatch(text.replace(",", ".", 1)):
         return "use a decimal point, not a comma"
-    if _NOT_FINITE.fullmatch(text.strip()):
+    if re.fullmatch(_NOT_FINITE, text.strip()):
         return "expected a finite number"
     return "expected a plain decimal number, without a unit or name"
 
@@ -144,7 +144,7 @@ class Numbers:
     """
 
     def __init__(self, robot: Robot) -> None:
-        self._raw = not is_xacro(robot) and bool(_BROKEN_ATTRIBUTE.search(robot.at.source.data))
+        self._raw = not is_xacro(robot) and bool(re.search(_BROKEN_ATTRIBUTE, robot.at.source.data))
 
     def of_joint(self, joint: Joint) -> Iterator[Field]:
         """Yield those of a joint. urdfdom rejects the whole robot if it cannot read one."""
