@@ -383,6 +383,21 @@ def test_the_simulated_robot_s_description_is_looked_for_upwards(folder: Folder)
     assert found(folder, below, "UC613") == []
 
 
+# -- arguments of launch files ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [('<arg name="side" value="left"/>', 0), ("", 1)],
+)
+def test_a_default_is_performed_only_where_the_argument_is_not_given(folder: Folder, given: str, told: int) -> None:
+    include = f'<include file="$(find-pkg-share arm)/inner.launch.xml">{given}</include>'
+    inner = '<launch><arg name="side" default="$(var name)"/></launch>'
+    files = {**launched(include, PUBLISHER, MANAGER, BROADCASTER, ARM), "inner.launch.xml": inner}
+    message = """argument 'name' is not declared, and has no default; add <arg name="name" default="…"/> before it"""
+    assert found(folder, files, "UC630") == [("UC630", "error", message)] * told
+
+
 # -- arguments of the description ------------------------------------------------------------------------------------
 
 

@@ -192,8 +192,11 @@ class _Walk:
             self.action(added, scope, state)
 
     def declared(self, term: Called, scope: ActionScope, _: State) -> None:
-        """Declare a launch argument: set its default if no value was given."""
-        texts = self.texts(scope)
+        """Declare a launch argument: set its default if no value was given.
+
+        Only then launch performs the default (declare_launch_argument.py, execute()).
+        """
+        texts, used = self.texts(scope), len(self.undeclared)
         name = texts.of(term.given("name", 0))
         default = term.given("default_value", 1)
         if default is None and term.short == "DeclareBooleanLaunchArg":  # moveit_configs_utils, launch_utils.py
@@ -203,6 +206,7 @@ class _Walk:
         value = None if default is None else texts.of(default)
         self.arguments.declare(name, value, allowed, is_own=self._includes == 0)
         if UNKNOWN in name or name in scope.settings:
+            self.undeclared.keep(used)
             return
         if default is None and "default_value" in term.keywords:
             return
