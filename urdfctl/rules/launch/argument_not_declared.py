@@ -44,8 +44,7 @@ def _group(condition: str) -> str:
 
 def _xml(prefix: str, *, before: str = "", after: str = "") -> dict[str, str]:
     publisher = PUBLISHER.replace("</node>", f'<param name="frame_prefix" value="{prefix}"/></node>')
-    parts = (before, publisher, MANAGER, BROADCASTER, ARM, after)
-    return launched(*parts)
+    return launched(before, publisher, MANAGER, BROADCASTER, ARM, after)
 
 
 def _python(namespace: str, before: str = "") -> dict[str, str]:

@@ -324,14 +324,10 @@ class _Walk:
             scope.settings[name] = texts.of(value)
             self._described(name, value, scope)
         if not is_simulator and package_outside(path) not in WITHOUT_CONTROLLERS:
-            at, before, unread = (
-                source.at if source is not None else term.at,
-                len(self.arguments.declared),
-                len(self.unread),
-            )
-            self._follow(path, Word(path, at), scope, state)
+            declared, unread = len(self.arguments.declared), len(self.unread)
+            self._follow(path, Word(path, (source or term).at), scope, state)
             if state.sure and self.complete and len(self.unread) == unread:
-                self.arguments.give(given, self.arguments.declared[before:])
+                self.arguments.give(given, self.arguments.declared[declared:])
         elif is_simulator:
             self.undeclared.simulate()
             if state.sure:

@@ -168,11 +168,8 @@ class Builder:
 
     def _setup(self, part: str) -> dict[str, str]:
         """The texts of a section of .setup_assistant."""
-        file = (
-            self.texts.sources.values(os.path.join(self.folder, ".setup_assistant"))
-            if UNKNOWN not in self.folder
-            else None
-        )
+        path = known_path(os.path.join(self.folder, ".setup_assistant"))
+        file = self.texts.sources.values(path) if path else None
         config = file.entries.get("moveit_setup_assistant_config") if isinstance(file, Table) else None
         tables = (config.entries.get(name) for name in (part, part.lower())) if isinstance(config, Table) else ()
         table = next((each for each in tables if isinstance(each, Table)), None)
