@@ -195,11 +195,9 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     """The starts beside which a launch file is started, the best known ones.
 
     None, if it names another robot: one in a package that is not here, or started by a launch file there and no joints
-    say otherwise. What is left over from ROS 1 in a package for
-    ROS 2 belongs to nothing in other packages.
+    say otherwise. What is left over from ROS 1 in a package for ROS 2 belongs to nothing in other packages.
     """
-    is_of_others = lonely.joining.started_in and not lonely.joining.claimed
-    if lonely.joining.described_in or is_of_others:
+    if lonely.joining.described_in or _is_started_elsewhere(lonely):
         return []
     if lonely.joining.waits:
         return _managing(lonely, starts)
@@ -217,6 +215,11 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
             return _best(whole)
     paths = {frozenset(result.path for _, result in start.robots) for start in own}
     return _best([start for start in own if _may_be_meant(lonely, start)]) if len(paths) == 1 else []
+
+
+def _is_started_elsewhere(lonely: TargetResult) -> bool:
+    """Whether the robot is started by a launch file that is not here, and no joints say otherwise."""
+    return bool(lonely.joining.started_in) and not lonely.joining.claimed
 
 
 def _managing(spawning: TargetResult, starts: Sequence[Start]) -> list[Start]:
@@ -333,8 +336,7 @@ def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
         leftover=lonely.joining.leftover,
         description=lonely.joining.lost,
     )
-    is_of_others = lonely.joining.started_in and not lonely.joining.claimed
-    if lonely.joining.leftover or not absent.controls or is_of_others:
+    if lonely.joining.leftover or not absent.controls or _is_started_elsewhere(lonely):
         return absent
     reasons = [_missing_in(lonely, start) for start in starts]
     return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=absent)

@@ -138,10 +138,8 @@ def _in_files(path: str) -> Iterator[str]:
     """The texts that make a path with marks the path of a file."""
     if not os.path.isabs(path):
         return
-    for found in matching("*".join(map(glob.escape, path.split(_MARK)))):
-        match = _pattern(path).fullmatch(found)
-        if match:
-            yield match.group(1)
+    matches = map(_pattern(path).fullmatch, matching("*".join(map(glob.escape, path.split(_MARK)))))
+    yield from (match[1] for match in matches if match)
 
 
 def _pattern(path: str) -> re.Pattern[str]:
