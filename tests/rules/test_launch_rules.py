@@ -45,7 +45,9 @@ def test_a_model_is_spawned_from_each_source_that_the_program_has(folder: Folder
         return [message for _, _, message in found(folder, files, "UC624") if "not told what to spawn" in message]
 
     assert told(f"-{source} robot_description") == []
+    assert told(f"-{source}=robot_description") == []
     assert len(told("")) == 1
+    assert len(told("-y -0.5 -z -.5")) == 1
 
 
 def test_a_controller_is_looked_for_in_the_namespace_of_its_manager(folder: Folder) -> None:

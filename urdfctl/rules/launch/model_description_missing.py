@@ -15,6 +15,7 @@ from urdfctl.rules.launch.steps import (
     PUBLISHES_DESCRIPTION,
     description_topic,
     model_spawners,
+    option_name,
     option_of,
     started_apart,
 )
@@ -112,7 +113,7 @@ def _names_source(node: Node) -> bool:
     """
     program = node.executable.text
     sources, options = MODEL_SOURCES.get(program), OF_MODEL_SPAWNERS.get(program)
-    given = [word.text.partition("=")[0].lstrip("-") for word in node.words if word.text.startswith("-")]
+    given = [name for name in map(option_name, node.words) if name is not None]
     given += [word.text for word in node.parameters]
     if sources is None or node.files or (options and not set(given) <= set(options)):
         return True

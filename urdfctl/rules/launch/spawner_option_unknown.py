@@ -12,7 +12,7 @@ from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
 from urdfctl.rules.launch.common import ROS_2, is_spawner, launch_of, spawners
-from urdfctl.rules.launch.steps import model_spawners
+from urdfctl.rules.launch.steps import model_spawners, option_name
 from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
 
 _MODEL = """
@@ -76,10 +76,11 @@ def _of_model_spawner(node: Node) -> Iterator[Finding]:
     """The options that a program that spawns models does not have. Some are told by their beginning."""
     options = OF_MODEL_SPAWNERS.get(node.executable.text, ())
     for word in takewhile(lambda word: word.text != "--ros-args", node.words if options else ()):
-        name = word.text.lstrip("-").partition("=")[0]
+        name = option_name(word)
+        if not name or not is_known(word.text):
+            continue
         told = name if node.executable.text != "create" else name.replace("-", "_")  # to gflags both are the same
-        is_option = word.text.startswith("-") and name[:1].isalpha() and is_known(word.text)
-        if not is_option or any(option.startswith(name) for option in options if node.executable.text != "create"):
+        if any(option.startswith(name) for option in options if node.executable.text != "create"):
             continue
         if told not in options:
             meant = nearest(name, options)

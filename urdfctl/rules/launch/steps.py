@@ -7,7 +7,7 @@ launch file, a script, the commands in a README) does the step: `Project.may_men
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import zip_longest
 
 from urdfctl.control.hosts import MANAGER
 from urdfctl.model.launch import Launch, Node, Word, joined
@@ -58,15 +58,19 @@ def model_spawners(launch: Launch) -> list[Node]:
     return [node for node in launch.nodes if (node.package.text, node.executable.text) in MODEL_SPAWNERS]
 
 
+def option_name(word: Word) -> str | None:
+    """Return the name of an option, without hyphens and value; None if the word is none, such as a negative number."""
+    name = word.text.lstrip("-").partition("=")[0]
+    is_number = name.lstrip(".")[:1].isdigit()
+    return name if word.text.startswith("-") and not is_number else None
+
+
 def option_of(node: Node, name: str) -> Word | None:
     """Return the value of an option of a node, by its word or the parameter of the same name; None if not given."""
-    options = {f"-{name}", f"--{name}"}
-    word = next((after for before, after in pairwise(node.words) if before.text in options), None)
-    if word is not None:
-        return word
-    joint = next((word for word in node.words if word.text.startswith((f"-{name}=", f"--{name}="))), None)
-    if joint is not None:
-        return Word(joint.text.partition("=")[2], joint.at)
+    for word, after in zip_longest(node.words, node.words[1:]):
+        if option_name(word) == name:
+            _, is_joint, value = word.text.partition("=")
+            return Word(value, word.at) if is_joint else after
     given = dict(node.values).get(name)
     at = next((word.at for word in node.parameters if word.text == name), node.at)
     return Word(given, at) if given else None
