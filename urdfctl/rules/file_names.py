@@ -1,4 +1,4 @@
-"""The name that was probably meant where a file does not exist."""
+"""The names of files, and the one that was probably meant where a file does not exist."""
 
 from __future__ import annotations
 
@@ -10,6 +10,11 @@ from urdfctl.rule import Fix
 from urdfctl.rules.common import replaced
 
 
+def file_name(path: str) -> str:
+    """Return the last part of a path of any platform."""
+    return re.split(r"[/\\]", path)[-1]
+
+
 def meant_file(reference: FileReference) -> str:
     """Return the end of a message about a file that does not exist: the file beside it that was probably meant."""
     return f"; did you mean '{reference.nearest}'?" if reference.nearest else ""
@@ -17,7 +22,7 @@ def meant_file(reference: FileReference) -> str:
 
 def file_renamed(reference: FileReference) -> Fix | None:
     """Return the fix that names the file that was probably meant: safe if one letter is wrong."""
-    name, written = re.split(r"[/\\]", reference.path or "")[-1], reference.at.span.text
+    name, written = file_name(reference.path or ""), reference.at.span.text
     if not reference.nearest or not name:
         return None
     if written.count(name) != 1:

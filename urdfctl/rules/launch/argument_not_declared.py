@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from urdfctl.model.launch import Launch, Word
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.file_names import file_name
 from urdfctl.rules.launch.common import ROS_2
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, launched
 
@@ -90,7 +91,7 @@ def argument_not_declared(project: Project) -> Iterator[Finding]:
     launch = project.launch
     if launch is None:
         return
-    file = re.escape(re.split(r"[/\\]", launch.path)[-1])
+    file = re.escape(file_name(launch.path))
     for word in launch.undeclared:
         if launch.ros != ROS_2:
             names = [name for name, _ in launch.arguments] if word.at.source.path == launch.path else []
