@@ -6,7 +6,7 @@ import ast
 from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.names import is_slip
-from urdfctl.source.launch.unbound import evaluated
+from urdfctl.source.launch.unbound import entry_function, evaluated
 
 Refusal = tuple[ast.expr | ast.stmt, str]
 _SUBSTITUTIONS = frozenset(
@@ -97,8 +97,8 @@ class _Bindings:
 
 
 def _of_entry(tree: ast.Module, entry: str) -> Refusal | None:
-    function = next((one for one in tree.body if isinstance(one, ast.FunctionDef) and one.name == entry), None)
-    if function is None or function.decorator_list or any(_gives(node) for node in _own(function)):
+    function = entry_function(tree, entry)
+    if function is None or any(_gives(node) for node in _own(function)):
         return None
     return function.body[-1], f"{entry}() returns nothing; add 'return' before the launch description"
 

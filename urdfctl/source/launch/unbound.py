@@ -38,9 +38,14 @@ def evaluated(tree: ast.Module, entry: str) -> Iterator[ast.expr]:
 
     entry: the name of the function that is called.
     """
+    function = entry_function(tree, entry)
+    return chain(_evaluated(tree.body), _evaluated(function.body if function else ()))
+
+
+def entry_function(tree: ast.Module, entry: str) -> ast.FunctionDef | None:
+    """Return the function that launch calls; None if it is not there, or if a decorator may replace it."""
     function = next((one for one in tree.body if isinstance(one, ast.FunctionDef) and one.name == entry), None)
-    body = function.body if function and not function.decorator_list else ()
-    return chain(_evaluated(tree.body), _evaluated(body))
+    return function if function and not function.decorator_list else None
 
 
 def _defined(node: ast.AST) -> Iterable[str] | None:
