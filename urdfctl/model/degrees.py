@@ -33,6 +33,12 @@ def is_rotation_in_degrees(angles: Iterable[float]) -> bool:
     return any(map(_in_degrees, angles))
 
 
+def written_in_radians(text: str, *, in_xacro: bool) -> str:
+    """Return what to write for a number in degrees: a conversion in xacro, so that the number stays; in URDF, the angle
+    in rad."""
+    return f"${{radians({text})}}" if in_xacro else f"{math.radians(float(text)):.6g}"
+
+
 def limits_in_words(joint: str, lower: float, upper: float) -> str:
     """Return the message on the limits of a joint, with those that are meant."""
     turns = max(abs(lower), abs(upper)) / 2 / math.pi

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
-from urdfctl.model.degrees import are_limits_in_degrees, limit_meant, limits_in_words
+from urdfctl.model.degrees import are_limits_in_degrees, limit_meant, limits_in_words, written_in_radians
 from urdfctl.model.robot import Limit
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import robot_in
@@ -64,8 +63,5 @@ def _in_radians(project: Project, limit: Limit) -> Fix | None:
         at = project.origin(number.at)
         if at.span.text.strip() != number.text.strip():
             return None
-        text = number.text.strip()
-        edits.append(
-            Edit(at.span, f"${{radians({text})}}" if at.source.is_xacro else f"{math.radians(number.value):.6g}")
-        )
+        edits.append(Edit(at.span, written_in_radians(number.text.strip(), in_xacro=at.source.is_xacro)))
     return Fix("write the limits in radians", tuple(edits)) if edits else None

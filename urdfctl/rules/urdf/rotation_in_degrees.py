@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
-from urdfctl.model.degrees import is_rotation_in_degrees, rotation_in_words
+from urdfctl.model.degrees import is_rotation_in_degrees, rotation_in_words, written_in_radians
 from urdfctl.model.robot import Robot, Tag
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import robot_in
@@ -73,8 +72,5 @@ def _in_radians(project: Project, origin: Tag, given: list[str]) -> Fix | None:
     at = project.origin(origin.at["rpy"])
     if at.span.text.split() != given:
         return None
-    form = "${{radians({})}}" if at.source.is_xacro else "{}"
-    new = (form.format(text if at.source.is_xacro else f"{math.radians(_number(text)):.6g}") for text in given)
-    zero = "0"
-    texts = [zero if _number(old) == 0 else text for old, text in zip(given, new, strict=True)]
+    texts = [written_in_radians(text, in_xacro=at.source.is_xacro) if _number(text) else "0" for text in given]
     return Fix(f"write '{' '.join(texts)}'", (Edit(at.span, " ".join(texts)),))
