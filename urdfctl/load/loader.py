@@ -188,14 +188,10 @@ class Loader:
         path = os.path.abspath(target.path)
         if not is_launch(path) or target.arguments:
             return [target]
-        from urdfctl.load.launch_files import read_launch
         from urdfctl.load.launch_variants import launch_variants, variant_including
 
         files, packages = self.reading(path)
-
-        def read(given: Mapping[str, str]) -> Launch | None:
-            return read_launch(path, given, files, packages, self.settings.environ).launch
-
+        read = partial(self._launch, path, files, packages)
         towards = target.towards
         found = [variant_including(towards, read, files.read(path).data)] if towards else launch_variants(read)
         return [target._replace(arguments=one.arguments, guessed=one.is_guessed) for one in found]
@@ -203,15 +199,11 @@ class Loader:
     def _fitting(self, target: Target, launch_file: LaunchFile, robot: Document) -> LaunchFile:
         """The launch file with those of its parameter files that fit the joints of a robot best."""
         from urdfctl.load.controller_files import misfit
-        from urdfctl.load.launch_files import read_launch
         from urdfctl.load.launch_variants import file_choices
 
         path, given = os.path.abspath(target.path), dict(target.arguments)
         files, packages = self.reading(path)
-
-        def read(arguments: Mapping[str, str]) -> Launch | None:
-            return read_launch(path, arguments, files, packages, self.settings.environ).launch
-
+        read = partial(self._launch, path, files, packages)
         launch = launch_file.launch
         least = misfit(launch, robot, files) if launch else (0, 0)
         for choice in file_choices(launch, given, read) if launch and any(least) else ():
@@ -220,6 +212,12 @@ class Loader:
             if found < least:
                 least, launch = found, other
         return launch_file._replace(launch=launch)
+
+    def _launch(self, path: str, files: Files, packages: Packages, arguments: Mapping[str, str]) -> Launch | None:
+        """The model of a launch file that is started with these arguments."""
+        from urdfctl.load.launch_files import read_launch
+
+        return read_launch(path, arguments, files, packages, self.settings.environ).launch
 
     def _launch_file(self, path: str, target: Target) -> LaunchFile | None:
         launch = path if is_launch(path) else target.launch and os.path.abspath(target.launch)
