@@ -45,7 +45,8 @@ def _group(condition: str) -> str:
 
 def _xml(prefix: str, *, before: str = "", after: str = "") -> dict[str, str]:
     publisher = PUBLISHER.replace("</node>", f'<param name="frame_prefix" value="{prefix}"/></node>')
-    return launched(before, publisher, MANAGER, BROADCASTER, ARM, after)
+    started = (before, publisher, MANAGER, BROADCASTER, ARM, after)
+    return launched(*started)
 
 
 def _python(namespace: str, before: str = "") -> dict[str, str]:
