@@ -8,6 +8,7 @@ from __future__ import annotations
 import asyncio
 import os
 from collections.abc import Awaitable, Callable
+from functools import partial
 from typing import Any
 
 from lsprotocol import types
@@ -78,23 +79,13 @@ def _change(server: Window) -> None:
 
     @server.command(MIGRATE)
     async def migrate(window: Window, *words: Any) -> Any:
-        distro = str(words[1]) if words[1:] else None
-
-        async def change(window: Window, workspace: Workspace, path: str) -> dict[str, Any] | None:
-            return await _migrate(window, workspace, path, distro)
-
-        return await _about(window, words, change)
+        return await _about(window, words, partial(_migrate, distro=_distro(words)))
 
 
 def _plan(server: Window) -> None:
     @server.command(PLAN)
     async def plan(window: Window, *words: Any) -> Any:
-        distro = str(words[1]) if words[1:] else None
-
-        async def write(window: Window, workspace: Workspace, path: str) -> dict[str, Any] | None:
-            return await _write_plans(window, workspace, path, distro)
-
-        return await _about(window, words, write)
+        return await _about(window, words, partial(_write_plans, distro=_distro(words)))
 
 
 def _choose(server: Window) -> None:
@@ -111,6 +102,11 @@ def _choose(server: Window) -> None:
             return await _choose_variant(window, workspace, path, words[1:])
 
         return await _about(window, words, chosen)
+
+
+def _distro(words: tuple[Any, ...]) -> str | None:
+    """The distro that a command is told after its file; None if it is told none."""
+    return str(words[1]) if words[1:] else None
 
 
 async def _about(window: Window, words: tuple[Any, ...], do: About) -> Any:
