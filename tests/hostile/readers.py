@@ -16,9 +16,10 @@ from urdfctl.generate.files.again import words_of_generated_file
 from urdfctl.generate.request.joint_list import joints_listed
 from urdfctl.logs.digest import digest
 from urdfctl.logs.reading import Lines
+from urdfctl.model.launch.ros2.forms import malformed
 from urdfctl.report.baseline import read_baseline
 from urdfctl.source.disk.gitignore import GitIgnore
-from urdfctl.source.launch.frontend import of_xml, of_yaml
+from urdfctl.source.launch.frontend import Entity, description, of_xml, of_yaml
 from urdfctl.source.launch.python import Surroundings, read_python
 from urdfctl.source.span import SourceText
 from urdfctl.source.suppressions import suppressions
@@ -29,11 +30,17 @@ from urdfctl.source.yaml.tree import read_yaml
 
 
 def read_launch_in_xml(data: bytes, _: Path) -> None:
-    of_xml(parse(SourceText("/a.launch.xml", data)).documentElement)
+    _use(of_xml(parse(SourceText("/a.launch.xml", data)).documentElement))
 
 
 def read_launch_in_yaml(data: bytes, _: Path) -> None:
-    of_yaml(read_yaml(SourceText("/a.launch.yaml", data)))
+    if root := of_yaml(read_yaml(SourceText("/a.launch.yaml", data))):
+        _use(root)
+
+
+def _use(root: Entity) -> None:
+    description(root)
+    list(malformed(root))
 
 
 def read_launch_in_python(data: bytes, _: Path) -> None:

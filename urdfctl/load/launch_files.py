@@ -27,6 +27,7 @@ from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
+    from urdfctl.source.launch.frontend import Entity
     from urdfctl.source.yaml.tree import YamlFile
 
 _MOST_BYTES = 1 << 18
@@ -183,7 +184,7 @@ class _LaunchFileReader:
             self.problems.append(Problem(ProblemKind.BUDGET, at, TOO_LONG))
 
     def _malformed(self, part: Malformed) -> None:
-        """Report a part of a launch file that roslaunch refuses the file for, or ignores."""
+        """Report a part of a launch file that it is refused for, or that is ignored."""
         problem = Problem(ProblemKind.LAUNCH_FORM, part.at, part.message, guessed=not part.refused)
         if not any(problem.message == other.message and part.at.is_same(other.at) for other in self.problems):
             self.problems.append(problem)
@@ -252,11 +253,25 @@ class _LaunchFileReader:
     def _term(self, path: str) -> Term | None:
         if path.endswith(".py"):
             return self._of_python(path)
-        from urdfctl.source.launch.frontend import of_xml
+        from urdfctl.model.launch.ros2.forms import malformed
+        from urdfctl.source.launch.frontend import description
+
+        root = self._entity(path)
+        if root is None:
+            return None
+        for part in malformed(root):
+            self._malformed(part)
+        return description(root)
+
+    def _entity(self, path: str) -> Entity | None:
+        """The root of a launch file of ROS 2 in XML or YAML; None if it cannot be read or is not a launch file."""
+        from urdfctl.source.launch.frontend import of_xml, of_yaml
 
         if path.endswith((".yaml", ".yml")):
+            from urdfctl.source.yaml.tree import read_yaml
+
             source = self._source(path)
-            return self._launch_in_yaml(source) if source else None
+            return of_yaml(self._well_formed(read_yaml(source))) if source else None
         root = self._root(path)
         return of_xml(root) if root is not None and root.tagName == "launch" and is_of_ros2(root) else None
 
@@ -302,12 +317,6 @@ class _LaunchFileReader:
         """A YAML file that launch, or a launch file, reads."""
         self.problems += [problem for problem in file.refused_tags if problem not in self.problems]
         return file
-
-    def _launch_in_yaml(self, source: SourceText) -> Term | None:
-        from urdfctl.source.launch.frontend import of_yaml
-        from urdfctl.source.yaml.tree import read_yaml
-
-        return of_yaml(self._well_formed(read_yaml(source)))
 
     def _well_formed(self, file: YamlFile) -> YamlFile:
         """A YAML file that launch, or a launch file, reads, and where it is no YAML; a template is not known to be."""

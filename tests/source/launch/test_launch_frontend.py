@@ -6,7 +6,7 @@ import pytest
 
 from urdfctl.model.launch import Launch
 from urdfctl.model.launch.ros2 import Ros2Sources, launch_of_ros2
-from urdfctl.source.launch.frontend import of_xml, of_yaml, words_of
+from urdfctl.source.launch.frontend import description, of_xml, of_yaml, words_of
 from urdfctl.source.launch.terms import Constant, Items, Term
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xml.parsing import parse
@@ -20,7 +20,8 @@ def launch(text: str) -> Launch:
     def read(path: str) -> Term | None:
         if path != "/p/main":
             return None
-        return of_xml(parse(source).documentElement) if text.startswith("<") else of_yaml(read_yaml(source))
+        root = of_xml(parse(source).documentElement) if text.startswith("<") else of_yaml(read_yaml(source))
+        return description(root) if root else None
 
     def find(name: str, _: Place) -> str | None:
         return "/p" if name == "p" else None

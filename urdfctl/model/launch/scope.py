@@ -17,7 +17,7 @@ from urdfctl.startup.records import NamedTuple
 
 
 class Malformed(NamedTuple):
-    """An element or attribute that roslaunch does not take.
+    """An element or attribute that launch or roslaunch does not take.
 
     refused: whether the whole launch file is refused; otherwise the part is ignored.
     """

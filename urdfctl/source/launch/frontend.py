@@ -67,27 +67,22 @@ class Entity(NamedTuple):
         return (child for child in self.children if child.tag in tags)
 
 
-def of_xml(root: Element) -> Term:
-    """Return the launch description of a file in XML."""
-    return _description(_of_element(root))
-
-
-def of_yaml(file: YamlFile) -> Term | None:
-    """Return the launch description of a file in YAML; None if it is not a launch file."""
+def of_yaml(file: YamlFile) -> Entity | None:
+    """Return the root of a launch file in YAML; None if it is not a launch file."""
     root = file.documents[0] if file.documents else None
     launch = root.get("launch") if isinstance(root, YamlMap) else None
-    if not isinstance(launch, YamlList):
-        return None
-    return _description(Entity("launch", launch.at, {}, tuple(_of_list(launch, 0))))
+    return Entity("launch", launch.at, {}, tuple(_of_list(launch, 0))) if isinstance(launch, YamlList) else None
 
 
-def _description(root: Entity) -> Term:
+def description(root: Entity) -> Term:
+    """Return the launch description that a file in XML or YAML means."""
     return Called("LaunchDescription", root.at, [_actions(root)])
 
 
-def _of_element(element: Element, depth: int = 0) -> Entity:
+def of_xml(element: Element, depth: int = 0) -> Entity:
+    """Return an element of a launch file in XML. What is nested too deeply is left out."""
     attributes = {name: Constant(value, element.at[name]) for name, value in element.attrs.items()}
-    children = () if depth > _MOST_DEPTH else tuple(_of_element(child, depth + 1) for child in element.elements())
+    children = () if depth > _MOST_DEPTH else tuple(of_xml(child, depth + 1) for child in element.elements())
     return Entity(element.tagName, element.at, attributes, children)
 
 
