@@ -11,6 +11,7 @@ from types import FunctionType, MethodType, ModuleType
 
 import pytest
 from expansion import NAMESPACE, elements, expanded, laid_out, ours, robot, said, theirs
+from robots import findings
 from xacro_features import FAILURES, FEATURES
 
 from urdfctl.expand.xml_writer import write
@@ -40,7 +41,9 @@ def test_what_xacro_can_do_comes_out_as_xacro_writes_it(name: str, tmp_path: Pat
 def reason(path: str) -> str:
     """What our xacro raises, as `theirs` tells it of xacro itself."""
     files, packages = Files(), Packages(path, PackageIndex(str(Path(path).parent), environ={}))
-    module = Expander(files, packages, {}, strict=True).module
+    expander = Expander(files, packages, {}, strict=True)
+    expander.install()
+    module = expander.module
     module.init_stacks(path)
     try:
         module.process_doc(parse(files.read(path)), mappings={})
@@ -420,3 +423,14 @@ def test_a_private_xacro_is_forgotten_while_another_thread_imports(monkeypatch: 
 def test_a_name_that_is_not_in_the_table_cannot_be_replaced() -> None:
     with pytest.raises(KeyError):
         replace(private_module, "eval_everything", None)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["<robot name='r'><link name='base'/></robot>", robot("<link name='${1 + 1}'/>"), robot("<link name='${x}'/>")],
+)
+def test_nothing_of_xacro_stays_loaded_after_a_description_was_linted(text: str, tmp_path: Path) -> None:
+    path = laid_out(tmp_path, {"r.urdf": text})
+    before = set(sys.modules)
+    findings(path)
+    assert not [name for name in set(sys.modules) - before if "xacro" in name and not name.startswith("urdfctl.")]

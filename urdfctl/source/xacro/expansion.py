@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Collection, Mapping
+from functools import cached_property
 from types import ModuleType
 from typing import Any
 
@@ -67,7 +68,6 @@ class Expander:
         self.found = Problems()
         self.cloning = Cloning()
         self.calls: list[Call] = []
-        self.module: ModuleType = private_module.load()
         self._called = 0
         self.macros: dict[str, Element] = {}
         """The macros that were defined on the way, each by its last definition."""
@@ -86,11 +86,16 @@ class Expander:
         self._written: dict[str, list[Element]] = {}
         """The elements that define each property."""
         self._originals: dict[str, Callable[..., Any]] = {}
-        self._install()
+
+    @cached_property
+    def module(self) -> ModuleType:
+        """The private xacro, which a plain URDF does not need."""
+        return private_module.load()
 
     def expand(self, path: str, arguments: Mapping[str, str]) -> Expansion:
         """Return the expansion of a file with `name:=value` arguments."""
         module = self.module
+        self.install()
         module.init_stacks(path)
         self._given = arguments
         sys.setrecursionlimit(max(sys.getrecursionlimit(), 20 * MAX_CALL_DEPTH))
@@ -146,7 +151,8 @@ class Expander:
 
     # -- the replaced helpers of xacro -------------------------------------------------------------------------------
 
-    def _install(self) -> None:
+    def install(self) -> None:
+        """Replace the helpers of the private xacro."""
         module: Any = self.module
         for name in (
             "process_include",

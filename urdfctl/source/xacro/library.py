@@ -42,12 +42,16 @@ class LibraryExpander(UnknownExpander):
 
     is_library = True
 
-    def _install(self) -> None:
-        super()._install()
-        self.module._global_symbols[_SYMBOL] = Opaque()
+    def __init__(self, *places: Any, **options: Any) -> None:
+        super().__init__(*places, **options)
         self._tables: tuple[Any, Any] | None = None
         self._used: set[str] = set()
         self._tries = False
+
+    def install(self) -> None:
+        """Replace the helpers of the private xacro."""
+        super().install()
+        self.module._global_symbols[_SYMBOL] = Opaque()
 
     def expand(self, path: str, arguments: Mapping[str, str]) -> Expansion:
         """Return the expansion of a library: what its macros would write if they were called."""

@@ -28,20 +28,24 @@ class UnknownExpander(Expander):
     Conditions that are unknown keep what they guard.
     """
 
-    def _install(self) -> None:
+    def __init__(self, *places: Any, **options: Any) -> None:
+        super().__init__(*places, **options)
         self.environ = AnyArgument(self.environ)
-        super()._install()
+        self._guard: Element | None = None
+        self._values: dict[str, str] = {}
+        self.any_argument = True
+        self.guessed = False
+        """Whether a condition was unknown, so that both of its branches are kept."""
+
+    def install(self) -> None:
+        """Replace the helpers of the private xacro."""
+        super().install()
         module: Any = self.module
         evaluate, extend = module.safe_eval, module.eval_extension
         module.safe_eval = lambda expression, symbols, local=None: self._evaluated(evaluate, expression, symbols, local)
         module.eval_extension = lambda text: self._extended(extend, text)
         decide = module.get_boolean_value
         module.get_boolean_value = lambda value, condition: self._decided(decide, value, condition)
-        self._guard: Element | None = None
-        self._values: dict[str, str] = {}
-        self.any_argument = True
-        self.guessed = False
-        """Whether a condition was unknown, so that both of its branches are kept."""
 
     def expand(self, path: str, arguments: Mapping[str, str]) -> Expansion:
         """Return the expansion: as that of a library if a condition was unknown, as a partial one if an include was."""

@@ -8,9 +8,9 @@ YAML file was read.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import partial
+from functools import cached_property, partial
 from types import FrameType
-from typing import Any
+from typing import Any, cast
 
 from urdfctl.source.opaque import AnyArgument
 from urdfctl.source.xacro.expansion import Expander
@@ -21,10 +21,15 @@ from urdfctl.source.xml.dom import Element
 class TracingExpander(Expander):
     """Expands like the expander that it is mixed into, and keeps a Recorder of its evaluations in `recorder`."""
 
-    def _install(self) -> None:
-        super()._install()
-        self.recorder = recorder = Recorder(self.module, self.files)
-        module: Any = self.module
+    @cached_property
+    def recorder(self) -> Recorder:
+        """What is recorded; nothing of a plain URDF."""
+        return Recorder(self.module, self.files)
+
+    def install(self) -> None:
+        """Replace the helpers of the private xacro."""
+        super().install()
+        recorder, module = self.recorder, cast("Any", self.module)
         table = module.Table
         evaluate, look_up = module.eval_text, table.__getitem__
         resolve, bind = table._resolve_, table._setitem
