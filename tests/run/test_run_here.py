@@ -98,12 +98,13 @@ def hold(end: float, left: list[float]) -> None:
     left.append(end)
 
 
-def test_code_that_may_hold_a_lock_is_interrupted_when_it_is_left() -> None:
-    of_logging = FunctionType(hold.__code__, {"__name__": "logging", "time": time})
+@pytest.mark.parametrize("module", ["logging", "_weakrefset"])
+def test_code_that_may_hold_a_lock_or_lose_an_error_is_interrupted_when_it_is_left(module: str) -> None:
+    of_module = FunctionType(hold.__code__, {"__name__": module, "time": time})
     left: list[float] = []
 
     def job(_: Json) -> Json:
-        of_logging(time.process_time() + 6 * LIMITS.seconds, left)
+        of_module(time.process_time() + 6 * LIMITS.seconds, left)
         return endless({"endless": True})
 
     assert list(run_all_here([{}], job, LIMITS)) == [WorkerFailure(LIMITS.too_slow)]

@@ -54,8 +54,11 @@ _AGAIN = 1.0
 """Seconds after which work that is still not interrupted is interrupted again."""
 _LEAST = 0.02
 """Seconds between two looks at the clock, at least."""
-_HOLDING_LOCKS = frozenset({"threading", "logging", "importlib._bootstrap", "coverage.collector"})
-"""Modules whose code is not interrupted: a lock that it has just taken would be held for ever."""
+_NOT_INTERRUPTED = frozenset(
+    {"threading", "logging", "importlib._bootstrap", "coverage.collector", "weakref", "_weakrefset"}
+)
+"""Modules whose code is not interrupted: a lock that it has just taken would be held for ever, and what is raised in a
+callback for a dead object is lost."""
 
 
 def _clock_of(thread: int) -> Callable[[], float]:
@@ -70,9 +73,9 @@ def _clock_of(thread: int) -> Callable[[], float]:
 
 
 def _may_be_interrupted(thread: int) -> bool:
-    """Return whether the innermost Python code of a thread holds no lock of its own."""
+    """Return whether what is raised in the innermost Python code of a thread leaves it, and does no harm there."""
     frame = sys._current_frames().get(thread)
-    return frame is None or frame.f_globals.get("__name__") not in _HOLDING_LOCKS
+    return frame is None or frame.f_globals.get("__name__") not in _NOT_INTERRUPTED
 
 
 class Clock:
