@@ -15,7 +15,7 @@ from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
 from itertools import count
 from pathlib import Path
 from pkgutil import walk_packages
-from types import CodeType, ModuleType
+from types import CodeType
 
 REACHED = bytearray()
 """A byte for each probe: 1 if it was reached."""
@@ -31,7 +31,6 @@ def install(packages: Iterable[str] = ("urdfctl",)) -> None:
     from urdfctl.source.xacro.private import private_module
 
     private_module.code_of_part = _code_of_xacro  # type: ignore[assignment]
-    private_module.release = _release
 
 
 def import_everything(package: str = "urdfctl") -> None:
@@ -41,9 +40,7 @@ def import_everything(package: str = "urdfctl") -> None:
             import_module(module.name)
     from urdfctl.source.xacro.private import private_module
 
-    loaded = private_module.load()
-    private_module.substitutions(loaded)
-    private_module.release(loaded)
+    private_module.substitutions(private_module.load())
 
 
 class _Finder:
@@ -62,12 +59,6 @@ class _Finder:
 class _Loader(SourceFileLoader):
     def get_code(self, fullname: str) -> CodeType:
         return with_probes(self.get_data(self.path), self.path)
-
-
-def _release(module: ModuleType) -> None:
-    """Forget a private xacro. With all modules of urdfctl imported, it takes long to look for its names among them."""
-    for part in ("", ".cli", ".xmlutils", ".substitution_args"):
-        sys.modules.pop(module.__name__ + part, None)
 
 
 _XACRO: dict[str, CodeType] = {}

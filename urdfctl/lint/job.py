@@ -223,7 +223,7 @@ def _preload() -> None:
 
     all_faults()
     prepare()
-    private_module.release(private_module.load())
+    private_module.load()
     gc.freeze()
 
 

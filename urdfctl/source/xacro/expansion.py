@@ -109,12 +109,7 @@ class Expander:
         except Exception as error:  # noqa: BLE001 (whatever the description made xacro raise)
             self._keep(blame_of(error), error)
             document = None if self.strict else document
-        finally:
-            self._release()
         return Expansion(document, self.found.all)
-
-    def _release(self) -> None:
-        private_module.release(self.module)
 
     def _tree(self, path: str, include: Call | None = None) -> Document:
         document = parse(self.files.read(path), self.cloning, include, declarations=self.trust)

@@ -1,7 +1,7 @@
 """A private copy of the installed xacro package, whose helpers can be replaced without an effect on other code.
 
 xacro keeps its state in module globals and looks up its helpers there at call time. So each expansion gets its own
-module object, which is never in `sys.modules` under xacro's name.
+module objects, which are never in `sys.modules`: they are gone with the expansion.
 """
 
 from __future__ import annotations
@@ -10,9 +10,11 @@ import builtins
 import itertools
 import os
 import sys
+from collections.abc import Mapping
 from functools import lru_cache
 from importlib.machinery import SourceFileLoader
 from types import CodeType, ModuleType
+from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.source.xacro.private.stand_ins import import_what_xacro_uses
@@ -44,7 +46,7 @@ def location_of_xacro() -> str:
     raise UserError("the package xacro is not installed: pip install 'xacro>=2.1,<3'")
 
 
-@lru_cache(3)
+@lru_cache(4)
 def code_of_part(part: str) -> CodeType:
     """Return the compiled code of a module of the xacro package."""
     loader = SourceFileLoader(f"xacro.{part}", os.path.join(location_of_xacro(), f"{part}.py"))
@@ -54,18 +56,25 @@ def code_of_part(part: str) -> CodeType:
     return code
 
 
+class _Parts(dict[str, ModuleType]):
+    """The other modules of a private xacro by name, each executed when it is first imported."""
+
+    def __init__(self, package: str) -> None:
+        self._package = package
+        command_line = self["cli"] = ModuleType(f"{package}.cli")  # never used here, and optparse is slow to import
+        command_line.process_args = None  # type: ignore[attr-defined]
+
+    def __missing__(self, part: str) -> ModuleType:
+        made = self[part] = _executed(ModuleType(f"{self._package}.{part}"), part, self)
+        return made
+
+
 def load() -> ModuleType:
     """Return a new private xacro module. UserError if the installed version is not supported."""
-    name = f"_urdfctl_xacro_{next(_numbers)}"
-    command_line = ModuleType(f"{name}.cli")  # never used here, and optparse is slow to import
-    command_line.process_args = None  # type: ignore[attr-defined]
-    sys.modules[command_line.__name__] = command_line
-    module = ModuleType(name)
-    module.__package__, module.__path__ = name, [location_of_xacro()]
+    module = ModuleType(f"_urdfctl_xacro_{next(_numbers)}")
     module.__file__ = os.path.join(location_of_xacro(), "__init__.py")
-    sys.modules[name] = module
-    _part(f"{name}.xmlutils")
-    _run(module, "__init__")
+    module._parts = _Parts(module.__name__)  # type: ignore[attr-defined]
+    _executed(module, "__init__", module._parts)
     missing = [needed for needed in REQUIRED if not hasattr(module, needed)]
     if missing:
         where = f"the package xacro at {location_of_xacro()}"
@@ -75,23 +84,16 @@ def load() -> ModuleType:
 
 def substitutions(module: ModuleType) -> ModuleType:
     """Return the module of a private xacro that resolves `$(...)`."""
-    return _part(f"{module.__name__}.substitution_args")
+    parts: _Parts = module._parts
+    return parts["substitution_args"]
 
 
-def _part(name: str) -> ModuleType:
-    """Return a module of a private xacro. It has no relative imports."""
-    made = ModuleType(name)
-    sys.modules[name] = made
-    _run(made, name.rpartition(".")[2])
-    return made
+def _executed(module: ModuleType, part: str, parts: Mapping[str, ModuleType]) -> ModuleType:
+    """Execute the code of a part of xacro in a module, which finds the others in `parts` and not in `sys.modules`."""
 
+    def import_(imported: str, outer: Any = None, inner: Any = None, names: Any = (), level: int = 0) -> Any:
+        return parts[imported] if level else import_what_xacro_uses(imported, outer, inner, names)
 
-def _run(module: ModuleType, part: str) -> None:
-    module.__dict__["__builtins__"] = {**vars(builtins), "__import__": import_what_xacro_uses}
+    module.__dict__["__builtins__"] = {**vars(builtins), "__import__": import_}
     exec(code_of_part(part), module.__dict__)  # noqa: S102 (the installed package's own code)
-
-
-def release(module: ModuleType) -> None:
-    """Forget a private xacro. Another thread, of an editor's server, may import modules meanwhile."""
-    for name in [n for n in list(sys.modules) if n == module.__name__ or n.startswith(module.__name__ + ".")]:
-        del sys.modules[name]
+    return module

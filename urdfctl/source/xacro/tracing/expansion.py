@@ -41,9 +41,6 @@ class TracingExpander(Expander):
         recorder.evaluate = evaluate
         module.YamlListWrapper = type("Yaml", (), {"wrap": staticmethod(partial(_wrap_yaml, recorder, wrap))})
 
-    def _release(self) -> None:
-        """Keep the private xacro: a replay evaluates texts again."""
-
     def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
         values = super()._arguments(given)
         recorded = self.recorder.arguments = _Arguments(self.recorder, values)
