@@ -25,11 +25,29 @@ def test_a_text_that_was_read_does_not_count(tmp_path: Path) -> None:
     assert said(tmp_path, "spawner", "a.launch") is False
 
 
-@pytest.mark.parametrize("name", ["package.xml", "CMakeLists.txt", "build/run.sh", "robot.urdf", "wheel.stl"])
+@pytest.mark.parametrize(
+    "name", ["package.xml", "CMakeLists.txt", "build/run.sh", "robot.urdf", "wheel.stl", ".mypy_cache/run.json"]
+)
 def test_what_starts_nothing_does_not_count(name: str, tmp_path: Path) -> None:
     (tmp_path / name).parent.mkdir(exist_ok=True)
     (tmp_path / name).write_text("spawner")
     assert said(tmp_path, "spawner") is False
+
+
+def test_a_workflow_counts(tmp_path: Path) -> None:
+    (tmp_path / ".github/workflows").mkdir(parents=True)
+    (tmp_path / ".github/workflows/simulate.yml").write_text("run: ros2 run controller_manager spawner arm")
+    assert said(tmp_path, "spawner") is True
+
+
+def test_no_more_texts_are_read_than_the_answer_needs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("a.py", "b.py", "c.py"):
+        (tmp_path / name).write_text("spawner")
+    read: list[str] = []
+    monkeypatch.setattr(mentions, "start_of", lambda path, _: read.append(Path(path).name) or b"spawner")
+    say = Mentions().beside(str(tmp_path), [str(tmp_path / "a.py")])
+    assert (say("spawner"), say("spawner")) == (True, True)
+    assert read == ["a.py", "b.py"]
 
 
 def test_it_is_unknown_in_a_workspace_with_too_many_texts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,7 +9,6 @@ from collections.abc import Collection, Iterator
 from urdfctl.model.project import Mentioned
 from urdfctl.source.disk.files import start_of
 from urdfctl.source.disk.gate import walk
-from urdfctl.startup.records import NamedTuple
 
 _ENDINGS = (
     *(".launch", ".xml", ".py", ".yaml", ".yml", ".sdf", ".world", ".md", ".rst", ".txt", ".sh", ".bash", ".zsh"),
@@ -19,29 +18,50 @@ _ENDINGS = (
 _LAUNCH_FILES = (".launch", ".launch.xml", ".launch.py")
 _OF_BUILDS = frozenset({"package.xml", "CMakeLists.txt", "CHANGELOG.rst", "CHANGELOG.md", "LICENSE"})
 """Files that name programs without starting any."""
-_PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", ".git", ".venv", "meshes"})
+_PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", "meshes"})
 _MOST_BYTES = 1 << 18
 MOST_FILES = 4000
 """Texts of a workspace that are searched; what more of them say is unknown."""
-_MOST_KNOWN = 8
+_SHOWN = frozenset({".github", ".gitlab", ".circleci", ".devcontainer", ".docker"})
+"""The hidden folders that a person writes; others hold what tools keep."""
 
 
-class _Found(NamedTuple):
-    """The texts that say something.
+class _Search:
+    """The texts of a workspace that match an expression, found as far as they were asked for.
 
-    paths: the first of them.
-    more: whether there may be others.
+    ended_early: whether there are more texts than are searched.
     """
 
-    paths: tuple[str, ...]
-    more: bool
+    def __init__(self, workspace: str, expression: str) -> None:
+        self._left = self._matching(workspace, expression)
+        self._found: list[str] = []
+        self.ended_early = False
+
+    def paths(self) -> Iterator[str]:
+        yield from self._found
+        for path in self._left:
+            self._found.append(path)
+            yield path
+
+    def _matching(self, workspace: str, expression: str) -> Iterator[str]:
+        pattern = re.compile(expression.encode())
+        for count, path in enumerate(_texts(workspace)):
+            if count >= MOST_FILES:
+                self.ended_early = True
+                return
+            try:
+                text = start_of(path, _MOST_BYTES)
+            except OSError:
+                continue
+            if pattern.search(text):
+                yield path
 
 
 class Mentions:
     """The texts of workspaces, each searched once for each expression."""
 
     def __init__(self) -> None:
-        self._found: dict[tuple[str, str], _Found] = {}
+        self._searches: dict[tuple[str, str], _Search] = {}
 
     def beside(self, workspace: str, read: Collection[str]) -> Mentioned:
         """Return a function that returns whether a text of a workspace, other than those that were read, says what a
@@ -52,29 +72,12 @@ class Mentions:
 
         def mentioned(expression: str, apart: str = "") -> bool | None:
             known = frozenset(map(os.path.realpath, read))
-            key = (workspace, expression)
-            if key not in self._found:
-                self._found[key] = _search(workspace, expression, known)
-            found = self._found[key]
-            others = (path for path in found.paths if os.path.realpath(path) not in known)
+            search = self._searches.setdefault((workspace, expression), _Search(workspace, expression))
+            others = (path for path in search.paths() if os.path.realpath(path) not in known)
             is_said = any(not apart or not _is_apart(path, apart, known) for path in others)
-            return is_said or (None if found.more else False)
+            return is_said or (None if search.ended_early else False)
 
         return mentioned
-
-
-def _search(workspace: str, expression: str, read: Collection[str]) -> _Found:
-    pattern, found = re.compile(expression.encode()), list[str]()
-    for count, path in enumerate(_texts(workspace)):
-        if count >= MOST_FILES or len(found) > len(read) + _MOST_KNOWN:
-            return _Found(tuple(found), more=True)
-        try:
-            text = start_of(path, _MOST_BYTES)
-        except OSError:
-            continue
-        if pattern.search(text):
-            found.append(path)
-    return _Found(tuple(found), more=False)
 
 
 def _is_apart(path: str, expression: str, read: Collection[str]) -> bool:
@@ -91,7 +94,7 @@ def _is_apart(path: str, expression: str, read: Collection[str]) -> bool:
 
 def _texts(folder: str) -> Iterator[str]:
     for current, folders, names in walk(folder):
-        folders[:] = sorted(name for name in folders if name not in _PRUNED)
+        folders[:] = sorted(name for name in folders if name not in _PRUNED and (name[0] != "." or name in _SHOWN))
         for name in sorted(names):
             if name not in _OF_BUILDS and (name.endswith(_ENDINGS) or "." not in name.lstrip(".")):
                 yield os.path.join(current, name)
