@@ -8,23 +8,19 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import yaml
+from corpus import quick_yaml
 
 from urdfctl.catalog.compiled import DATA
 
-PROVENANCE = yaml.safe_load((DATA / "provenance.yaml").read_text(encoding="utf-8"))
+PROVENANCE = quick_yaml(DATA / "provenance.yaml")
 UNSOURCED = {one["entry"]: one["why"] for one in PROVENANCE["unsourced"]}
 GENERATIONS = ("ros1", "ros2")
-
-
-def content(path: Path) -> Any:
-    return yaml.safe_load(path.read_text(encoding="utf-8"))
 
 
 def entries(ros: str) -> Iterator[tuple[str, str]]:
     """Yield each entry of a generation: its name, and what `sources` calls it."""
     for path in sorted((DATA / ros).rglob("*.yaml")):
-        found = content(path)
+        found = quick_yaml(path)
         if isinstance(found, dict):
             yield path.stem, path.stem
             found = found.get("filters", [])
@@ -74,7 +70,7 @@ def test_what_has_no_source_is_known_and_says_why() -> None:
 
 @pytest.mark.parametrize("path", sorted((DATA / "moves").glob("*.yaml")), ids=lambda path: path.stem)
 def test_a_move_has_an_authority(path: Path) -> None:
-    found = content(path)
+    found = quick_yaml(path)
     assert all(group["authority"] for group in (found if isinstance(found, list) else [found]))
 
 
@@ -82,7 +78,7 @@ def test_a_move_has_an_authority(path: Path) -> None:
 def test_a_message_has_an_authority(path: Path) -> None:
     without = [
         entry["id"]
-        for group in content(path)
+        for group in quick_yaml(path)
         for entry in group["entries"]
         if not (entry.get("authority") or group.get("authority"))
     ]

@@ -5,6 +5,7 @@ Tests of public robots by name are skipped without the corpus; those of properti
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -46,6 +47,12 @@ def workspace_of(root: dict[str, Any]) -> Path:
     return next((folder for folder in (OWN, CHECKOUT / "samples") if folder in Path(root["path"]).parents), CORPUS)
 
 
+@cache
 def _indexed(folder: Path) -> list[dict[str, Any]]:
+    return list(quick_yaml(folder / "index.yaml")["roots"])
+
+
+def quick_yaml(path: Path) -> Any:
+    """The content of a large file in YAML, by libyaml where it is: modules are imported once for each worker."""
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    return list(yaml.load((folder / "index.yaml").read_text(encoding="utf-8"), loader)["roots"])  # noqa: S506 (a safe loader)
+    return yaml.load(path.read_text(encoding="utf-8"), loader)  # noqa: S506 (a safe loader)
