@@ -26,7 +26,7 @@ _SHOWN = frozenset({".github", ".gitlab", ".circleci", ".devcontainer", ".docker
 """The hidden folders that a person writes; others hold what tools keep."""
 
 
-class _Search:
+class _TextSearch:
     """The texts of a workspace that match an expression, found as far as they were asked for.
 
     ended_early: whether there are more texts than are searched.
@@ -61,7 +61,7 @@ class Mentions:
     """The texts of workspaces, each searched once for each expression."""
 
     def __init__(self) -> None:
-        self._searches: dict[tuple[str, str], _Search] = {}
+        self._searches: dict[tuple[str, str], _TextSearch] = {}
 
     def beside(self, workspace: str, read: Collection[str]) -> Mentioned:
         """Return a function that returns whether a text of a workspace, other than those that were read, says what a
@@ -72,7 +72,7 @@ class Mentions:
 
         def mentioned(expression: str, apart: str = "") -> bool | None:
             known = frozenset(map(os.path.realpath, read))
-            search = self._searches.setdefault((workspace, expression), _Search(workspace, expression))
+            search = self._searches.setdefault((workspace, expression), _TextSearch(workspace, expression))
             others = (path for path in search.paths() if os.path.realpath(path) not in known)
             is_said = any(not apart or not _is_apart(path, apart, known) for path in others)
             return is_said or (None if search.ended_early else False)
