@@ -56,7 +56,7 @@ def code_of_part(part: str) -> CodeType:
     return code
 
 
-class _Parts(dict[str, ModuleType]):
+class _OtherModules(dict[str, ModuleType]):
     """The other modules of a private xacro by name, each executed when it is first imported."""
 
     def __init__(self, package: str) -> None:
@@ -73,7 +73,7 @@ def load() -> ModuleType:
     """Return a new private xacro module. UserError if the installed version is not supported."""
     module = ModuleType(f"_urdfctl_xacro_{next(_numbers)}")
     module.__file__ = os.path.join(location_of_xacro(), "__init__.py")
-    module._parts = _Parts(module.__name__)  # type: ignore[attr-defined]
+    module._parts = _OtherModules(module.__name__)  # type: ignore[attr-defined]
     _executed(module, "__init__", module._parts)
     missing = [needed for needed in REQUIRED if not hasattr(module, needed)]
     if missing:
@@ -84,7 +84,7 @@ def load() -> ModuleType:
 
 def substitutions(module: ModuleType) -> ModuleType:
     """Return the module of a private xacro that resolves `$(...)`."""
-    parts: _Parts = module._parts
+    parts: _OtherModules = module._parts
     return parts["substitution_args"]
 
 
