@@ -1,38 +1,49 @@
-"""Find what the build file of a robot's package installs and does not have."""
+"""Find what is wrong in the build file of a robot's package: what it installs and does not have, and forgets."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
+from urdfctl.model.project import BuildFaults
 from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.workspaces.packages import Packages
+from urdfctl.source.workspaces.packages import Packages, package_name
 
 
-def absent_sources(packages: Packages, files: Files, used: Iterable[SourceText]) -> tuple[tuple[str, Place], ...]:
-    """Return the files and folders that CMakeLists.txt of a file's own package installs and that do not exist.
+def build_faults(packages: Packages, files: Files, used: Iterable[SourceText]) -> BuildFaults:
+    """Return what is wrong in CMakeLists.txt of a file's own package.
 
     used: other files of the target, whose packages are meant too: colcon builds all of them.
     """
     folders = {os.path.dirname(os.path.abspath(source.path)) for source in used}
     around = (packages.around(folder) for folder in sorted(folders))
     every = dict.fromkeys(folder for folder in (packages.own(), *around) if folder)
-    return tuple(one for folder in every for one in _absent_in(packages, files, folder))
+    found = [faults for folder in every if (faults := _faults_in(packages, files, folder)) is not None]
+    return BuildFaults(
+        absent=tuple(one for faults in found for one in faults.absent),
+        unregistered=tuple(one for faults in found for one in faults.unregistered),
+    )
 
 
-def _absent_in(packages: Packages, files: Files, folder: str) -> Iterator[tuple[str, Place]]:
+def _faults_in(packages: Packages, files: Files, folder: str) -> BuildFaults | None:
     path = os.path.join(folder, "CMakeLists.txt")
     if not is_file(path):
-        return
-    from urdfctl.source.workspaces.install_maps import missing_sources
+        return None
+    from urdfctl.source.workspaces.install_maps import missing_sources, unregistered_project
 
     try:
         source = files.glance(path)
     except FileProblem:
-        return
+        return None
     text = source.data.decode("latin-1")  # one character for each byte
-    key = ("absent", folder, text)
-    missing = packages.once(key, lambda: list(missing_sources(text, folder, os.path.basename(folder))))
-    yield from ((name, Place(source, start, end=start + len(name))) for name, start in missing)
+    key = ("faults of the build file", folder, text)
+    missing, project = packages.once(
+        key, lambda: (list(missing_sources(text, folder, os.path.basename(folder))), unregistered_project(text))
+    )
+    name = package_name(os.path.join(folder, "package.xml")) or os.path.basename(folder)
+    return BuildFaults(
+        absent=tuple((name, Place(source, start, end=start + len(name))) for name, start in missing),
+        unregistered=((name, Place(source, project[0], end=project[1])),) if project else (),
+    )

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from urdfctl.config.file import NAMES as CONFIG_NAMES
 from urdfctl.config.file import config_for
 from urdfctl.config.settings import ALL_STARTED, Settings
-from urdfctl.load.build_files import absent_sources
+from urdfctl.load.build_files import build_faults
 from urdfctl.load.known import Described, KnownRobots
 from urdfctl.load.mentions import Mentions
 from urdfctl.load.open_decisions import decisions_in, unread
@@ -260,8 +260,8 @@ class Loader:
             *(controller_files.problems if controller_files else ()),
             *(moveit.problems if moveit else ()),
         )
-        absent, todos = absent_sources(packages, files, sources), self._todos(sources, packages)
-        project = Project(None, path, problems=problems, absent=absent, todos=todos, moveit=moveit)
+        build, todos = build_faults(packages, files, sources), self._todos(sources, packages)
+        project = Project(None, path, problems=problems, build=build, todos=todos, moveit=moveit)
         project = self._completed(project, evidence, controller_files, launch)
         texts = _sources(files, launch_file)
         return LoadedTarget(self._among_others(project, texts), None, texts)
@@ -303,9 +303,9 @@ class Loader:
             *(moveit.problems if moveit else ()),
         )
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
-        listed, absent = _listed_joints(path, files), absent_sources(described.packages, files, sources)
+        listed, build = _listed_joints(path, files), build_faults(described.packages, files, sources)
         todos = self._todos(sources, described.packages)
-        project = project._replace(listed=listed, absent=absent, todos=todos)
+        project = project._replace(listed=listed, build=build, todos=todos)
         project = project._replace(influence=described.influence, origin=described.origin)
         project = project._replace(moveit=moveit, together=bool(controllers))
         return self._completed(project, evidence, controller_files, launch)

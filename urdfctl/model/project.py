@@ -117,6 +117,20 @@ def mentions_unknown(_expression: str, _apart: str = "", /) -> bool | None:
     return None
 
 
+class BuildFaults(NamedTuple):
+    """What is wrong in CMakeLists.txt of the packages.
+
+    absent: the files and folders that are installed and do not exist.
+    unregistered: the packages of ament that never call ament_package(), each with the call that names its project.
+    """
+
+    absent: tuple[tuple[str, Place], ...] = ()
+    unregistered: tuple[tuple[str, Place], ...] = ()
+
+
+NO_BUILD_FAULTS = BuildFaults()
+
+
 class Project(NamedTuple):
     """One robot in one variant. A run has several projects.
 
@@ -143,7 +157,7 @@ class Project(NamedTuple):
         there.
     evidence: everything that indicates the distro; None if nobody looked.
     own: the types that packages of the workspace define themselves, if the catalogue does not have some type.
-    absent: the files and folders that the package's CMakeLists.txt installs and that do not exist.
+    build: what is wrong in CMakeLists.txt of the packages.
     moveit: MoveIt's configuration of the robot; None if there is none.
     todos: what a migration left to a person in the files that were read, with the place of the comment.
     mentioned: returns whether a text of the workspace that was not read, such as another launch file, a script or a
@@ -171,7 +185,7 @@ class Project(NamedTuple):
     together: bool = False
     evidence: Evidence | None = None
     own: OwnTypes = NO_OWN_TYPES
-    absent: tuple[tuple[str, Place], ...] = ()
+    build: BuildFaults = NO_BUILD_FAULTS
     moveit: MoveIt | None = None
     todos: tuple[tuple[str, Place], ...] = ()
     mentioned: Mentioned = mentions_unknown

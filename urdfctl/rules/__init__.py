@@ -10,7 +10,7 @@ from importlib import import_module
 
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.fault import Fault
-from urdfctl.model.project import Project
+from urdfctl.model.project import NO_BUILD_FAULTS, Project
 from urdfctl.model.stage import Stage, StageDependsOn
 from urdfctl.rule import Rule
 from urdfctl.rules.installed import installed_rules
@@ -129,14 +129,18 @@ def _of_mistakes(project: Project) -> Iterable[str]:
 
 
 def _has_started_files(project: Project) -> bool:
-    return project.launch is not None or bool(project.listed or project.absent)
+    return project.launch is not None or bool(project.listed or project.build != NO_BUILD_FAULTS)
 
 
 def _without_launch(project: Project) -> Iterable[str] | None:
     """The rules of launch files that look at other files of the package, if there is no launch file."""
     if project.launch is not None:
         return None
-    named = {"listed_joint_unknown": project.listed, "installed_file_missing": project.absent}
+    named = {
+        "listed_joint_unknown": project.listed,
+        "installed_file_missing": project.build.absent,
+        "package_not_registered": project.build.unregistered,
+    }
     return [name for name, found in named.items() if found]
 
 

@@ -35,6 +35,7 @@ from urdfctl.rules.launch.model_spawned_twice import model_spawned_twice
 from urdfctl.rules.launch.node_name_twice import node_name_twice
 from urdfctl.rules.launch.package_misspelt import package_misspelt
 from urdfctl.rules.launch.package_not_in_manifest import package_not_in_manifest
+from urdfctl.rules.launch.package_not_registered import package_not_registered
 from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_not_given_to_controller
 from urdfctl.rules.launch.plugin_without_description import plugin_without_description
 from urdfctl.rules.launch.program_unknown import program_unknown
@@ -55,6 +56,7 @@ from urdfctl.rules.launch.xacro_command_malformed import xacro_command_malformed
 from urdfctl.rules.launch.xacro_program_gone import xacro_program_gone
 
 FAULTS: tuple[Fault, ...] = (
+    package_not_registered,
     spawned_controller_unknown,
     controller_spawned_twice,
     controller_not_spawned,

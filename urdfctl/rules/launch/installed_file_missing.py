@@ -45,6 +45,6 @@ def installed_file_missing(project: Project) -> Iterator[Finding]:
     colcon stops at the missing one, and the package is not installed. git does not store empty folders, so the folder
     may exist on the machine of the author.
     """
-    for name, at in project.absent:
+    for name, at in project.build.absent:
         message = f"CMakeLists.txt installs '{name}', which does not exist, so the build fails; create or remove it"
         yield Finding(at, message)

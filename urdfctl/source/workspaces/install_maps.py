@@ -19,6 +19,12 @@ from urdfctl.source.workspaces.installed import Installed, below_share, installe
 
 _INSTALL = r"(?si)\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)"
 _PROJECT = r"(?i)\bproject\s*\(\s*([\w.-]+)"
+_OF_AMENT = r"(?i)\bfind_package\s*\(\s*ament_cmake(?:_auto)?\b"
+_REGISTERS = (
+    r"\b(?!(?i:find_package)\b)\w*(?i:package)\s*\(|\b(?i:add_subdirectory|return|catkin\w*)\s*\("
+    r"|\b(?i:include)\s*\((?!\s*[A-Z]\w*\s*\))"  # but not a module of CMake's own, such as CTest
+)
+"""What registers a package, or may do so elsewhere, or ends the file before."""
 _ANY_INSTALL = r"(?si)\binstall\s*(\()([^)]*)\)"
 _CALL = r"\b(\w+)\s*\(\s*(\w*)"
 _INSTALLS_MORE = frozenset(
@@ -129,6 +135,18 @@ def missing_sources(text: str, folder: str, package: str) -> Iterator[tuple[str,
             path = os.path.join(folder, source)
             if literal and gate.admits(path) and not os.path.exists(path):
                 yield source, call.start(2) + word.start(1 if word.group(1) else 2)
+
+
+def unregistered_project(text: str) -> tuple[int, int] | None:
+    """Return where a CMakeLists.txt for ament names its project, if it surely never calls ament_package().
+
+    text: the file, with one character for each byte.
+    """
+    plain = re.sub(_COMMENT, lambda comment: " " * len(comment.group()), text)
+    project = re.search(_PROJECT, plain)
+    if project is None or not re.search(_OF_AMENT, plain) or re.search(_REGISTERS, plain):
+        return None
+    return project.span(1)
 
 
 def _blocks(text: str) -> tuple[list[int], list[int]]:
