@@ -209,8 +209,9 @@ def parameters(system: System, idioms: Idioms, position: str) -> bool:
         return made and fixed and _real_ros2(system)
     if position == "common":  # one file for several robots
         return system.is_fleet and system.generation == 2 and idioms["sections"] == "full name"
-    if position == "inline":
-        return system.generation == 1
+    if position == "inline":  # the text of a file that robots share is the same for all of them
+        is_same = idioms["fleet"] == "apart" or not any(robot.prefix for robot in system.robots)
+        return system.generation == 1 and is_same
     return system.generation == 1 or idioms["sections"] not in ("replaced", "rewritten")
 
 

@@ -22,7 +22,9 @@ def add_around(plan: Plan) -> None:
         included = Include(launcher.package, launcher.stem, (("launch_file", path),))
         plan.files.append(launcher)
     actions: tuple[Action, ...] = (included, _rviz(plan)) if form == "rviz" else (included,)
-    stem = pick(plan.system, "around", ("demo", "everything", "complete", "start_all"))
+    taken = {file.stem for file in plan.files}
+    names = [name for name in ("demo", "everything", "complete", "start_all") if name not in taken]
+    stem = pick(plan.system, "around", names)
     outer = LaunchFile(plan.places.bringup, stem, plan.language("top"), actions, needed)
     plan.files.insert(0, outer)
     plan.starts.insert(0, outer)
