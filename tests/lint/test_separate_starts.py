@@ -312,3 +312,14 @@ def test_the_package_of_a_description_is_known_by_way_of_an_argument(folder: Fol
     given = json.loads(folder.run("lint", ".", "--format", "json", "--distro", "noetic", "--exit-zero").stdout)
     assert [each["lacks"]["packages"] for each in given["unjoined"]] == [["old-crane_description"]]
     assert starts(given) in ([], [("launch/world.launch", [], [])])
+
+
+@pytest.mark.parametrize(("spawned", "expected"), [("turn", []), ("lift", ["UC601"])])
+def test_a_manager_and_spawners_that_are_given_one_file_are_both_started_beside_the_robot(
+    folder: Folder, spawned: str, expected: list[str]
+) -> None:
+    spawner = SPAWNER.format(f"{spawned} -p $(find-pkg-share crane)/controllers.yaml")
+    given = written(folder, robot=launch(PUBLISHER), drive=launch(MANAGER), spawn=launch(spawner))
+    [(start, beside, _)] = starts(given)
+    assert {start, *beside} == {f"launch/{name}.launch.xml" for name in ("robot", "drive", "spawn")}
+    assert errors(given) == expected

@@ -13,7 +13,7 @@ from itertools import islice
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.discover.robots import discover_files
-from urdfctl.lint.results import TargetResult, Unjoined
+from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import LaunchStart, Target
 from urdfctl.names import nearest
 from urdfctl.source.disk.files import is_launch
@@ -160,18 +160,27 @@ def _joins(lonely: Sequence[Pair], starts: Sequence[Start], wanted: Collection[i
 
 def _exclude(one: TargetResult, other: TargetResult) -> bool:
     """Whether two launch files are alternatives: they declare or spawn the same controllers, or command the same
-    joints."""
+    joints. One that only runs the manager and one that only spawns are both needed, whatever each declares."""
+    if _needs(one, other) or _needs(other, one):
+        return False
     return any(
         set(first) & set(second)
         for first, second in (
             (one.joining.claimed, other.joining.claimed),
             (one.joining.declared, other.joining.declared),
-            (_spawned(one), _spawned(other)),
+            (spawned_by(one), spawned_by(other)),
         )
     )
 
 
-def _spawned(result: TargetResult) -> tuple[str, ...]:
+def _needs(spawning: TargetResult, managing: TargetResult) -> bool:
+    """Whether a launch file only spawns controllers, and another one only runs a manager for them."""
+    only_spawns = bool(spawned_by(spawning)) and not spawning.joining.manages
+    return only_spawns and managing.joining.manages and not spawned_by(managing)
+
+
+def spawned_by(result: TargetResult) -> tuple[str, ...]:
+    """Return the controllers that a launch file spawns."""
     return result.bringup.spawned if result.bringup else ()
 
 
@@ -197,7 +206,7 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     None, if it names another robot: one in a package that is not here, or started by a launch file there and no joints
     say otherwise. What is left over from ROS 1 in a package for ROS 2 belongs to nothing in other packages.
     """
-    if lonely.joining.described_in or _is_started_elsewhere(lonely):
+    if lonely.joining.described_in or is_started_elsewhere(lonely):
         return []
     if lonely.joining.waits:
         return _managing(lonely, starts)
@@ -217,7 +226,7 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     return _best([start for start in own if _may_be_meant(lonely, start)]) if len(paths) == 1 else []
 
 
-def _is_started_elsewhere(lonely: TargetResult) -> bool:
+def is_started_elsewhere(lonely: TargetResult) -> bool:
     """Whether the robot is started by a launch file that is not here, and no joints say otherwise."""
     return bool(lonely.joining.started_in) and not lonely.joining.claimed
 
@@ -230,7 +239,7 @@ def _managing(spawning: TargetResult, starts: Sequence[Start]) -> list[Start]:
         for start in starts_of_generation(spawning, starts)
         if (start.first.path, start.first.arguments) == robot
         and start.first.joining.manages
-        and not any(_spawned(result) for _, result in start.robots)
+        and not any(spawned_by(result) for _, result in start.robots)
     ]
     own = [start for start in found if _package(start.first) == _package(spawning)] or found
     return own if len(own) == 1 else []
@@ -238,7 +247,7 @@ def _managing(spawning: TargetResult, starts: Sequence[Start]) -> list[Start]:
 
 def _excludes(start: Start, lonely: TargetResult) -> bool:
     """Whether a start spawns controllers that a launch file would spawn a second time."""
-    return any(set(_spawned(lonely)) & set(_spawned(result)) for _, result in start.robots)
+    return any(set(spawned_by(lonely)) & set(spawned_by(result)) for _, result in start.robots)
 
 
 def _spawns_all(start: Start, lonely: TargetResult) -> bool:
@@ -246,8 +255,8 @@ def _spawns_all(start: Start, lonely: TargetResult) -> bool:
     has a robot or a manager of its own."""
     if lonely.joining.described_in or lonely.joining.waits or lonely.joining.manages:
         return False
-    spawned = {name for _, result in start.robots for name in _spawned(result)}
-    return _package(start.first) == _package(lonely) and bool(_spawned(lonely)) and spawned >= set(_spawned(lonely))
+    spawned = {name for _, result in start.robots for name in spawned_by(result)}
+    return _package(start.first) == _package(lonely) and bool(spawned_by(lonely)) and spawned >= set(spawned_by(lonely))
 
 
 def _without_manager(start: Start) -> Start:
@@ -275,7 +284,7 @@ def _has_joints(lonely: TargetResult, start: Start) -> bool:
 
 
 def _declares(lonely: TargetResult, start: Start) -> bool:
-    spawned = names_without_namespace(_spawned(lonely))
+    spawned = names_without_namespace(spawned_by(lonely))
     return bool(spawned) and spawned <= start.declared | names_without_namespace(lonely.joining.declared)
 
 
@@ -283,7 +292,7 @@ def _may_be_meant(lonely: TargetResult, start: Start) -> bool:
     """Whether the only robot of a package is meant, though it lacks something: some names fit, or all nearly do."""
     wanted, there = {joint for _, joint in lonely.joining.claimed}, start.joints
     if not wanted:
-        wanted, there = names_without_namespace(_spawned(lonely)), start.declared
+        wanted, there = names_without_namespace(spawned_by(lonely)), start.declared
         if not there and not lonely.joining.declared:
             return True
     return bool(wanted & there) or (bool(wanted) and all(nearest(name, there) for name in wanted))
@@ -303,51 +312,6 @@ def _is_launched(result: TargetResult) -> bool:
 
 def _manages(result: TargetResult) -> bool:
     return result.joining.manages
-
-
-# -- which belong to nothing -------------------------------------------------------------------------------------------
-
-
-def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjoined]:
-    """Return those results that start controllers without a robot, or what is not here, each file once, with the fact
-    that is missing.
-
-    left: the results that are in no join.
-    """
-    lonely = {result.path: result for result in left if is_lonely(result) or _is_absent(result)}
-    return [_missing(result, starts_of_generation(result, starts)) for result in lonely.values()]
-
-
-def _is_absent(result: TargetResult) -> bool:
-    """Whether a result is of a launch file whose robot, or what starts it, does not exist or is in a package that is
-    not here."""
-    missing = result.joining.described_in or result.joining.started_in or result.joining.lost
-    return is_launch(result.path) and result.links is None and bool(missing)
-
-
-def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
-    if lonely.joining.described_in:
-        return Unjoined(lonely.path, packages=lonely.joining.described_in, controls=is_lonely(lonely))
-    absent = Unjoined(
-        lonely.path,
-        packages=lonely.joining.started_in,
-        controls=is_lonely(lonely),
-        includes=bool(lonely.joining.started_in),
-        leftover=lonely.joining.leftover,
-        description=lonely.joining.lost,
-    )
-    if lonely.joining.leftover or not absent.controls or _is_started_elsewhere(lonely):
-        return absent
-    reasons = [_missing_in(lonely, start) for start in starts]
-    return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=absent)
-
-
-def _missing_in(lonely: TargetResult, start: Start) -> Unjoined:
-    is_whole = all(result.complete for _, result in start.robots)
-    joints = {joint for _, joint in lonely.joining.claimed} - start.joints if is_whole else ()
-    spawned = names_without_namespace(lonely.bringup.spawned if lonely.bringup else ())
-    declared = start.declared | names_without_namespace(lonely.joining.declared)
-    return Unjoined(lonely.path, start.first.path, tuple(sorted(joints)), tuple(sorted(spawned - declared)))
 
 
 # -- what they show together -------------------------------------------------------------------------------------------

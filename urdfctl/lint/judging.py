@@ -12,9 +12,10 @@ from urdfctl.discover.launch_files import takes_arguments
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.lint.chosen import chosen_starts
 from urdfctl.lint.findings.weakening import as_started, as_unused, as_used
-from urdfctl.lint.joining import Joined, is_lonely, joined, starts_in, targets_near, unjoined
+from urdfctl.lint.joining import Joined, is_lonely, joined, starts_in, targets_near
 from urdfctl.lint.planning import Arguments, Plan, PlannedTarget, TargetOrigin, is_launched_already, with_bringups
 from urdfctl.lint.results import TargetResult, Unjoined
+from urdfctl.lint.unjoined import unjoined
 from urdfctl.load.target import Target
 from urdfctl.source.disk.files import is_launch
 from urdfctl.startup.records import NamedTuple

@@ -1,0 +1,58 @@
+"""Which launch files belong to no robot that is started, and the fact that is missing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from urdfctl.lint.joining import (
+    Start,
+    is_lonely,
+    is_started_elsewhere,
+    names_without_namespace,
+    spawned_by,
+    starts_of_generation,
+)
+from urdfctl.lint.results import TargetResult, Unjoined
+from urdfctl.source.disk.files import is_launch
+
+
+def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjoined]:
+    """Return those results that start controllers without a robot, or what is not here, each file once, with the fact
+    that is missing.
+
+    left: the results that are in no join.
+    """
+    lonely = {result.path: result for result in left if is_lonely(result) or _is_absent(result)}
+    return [_missing(result, starts_of_generation(result, starts)) for result in lonely.values()]
+
+
+def _is_absent(result: TargetResult) -> bool:
+    """Whether a result is of a launch file whose robot, or what starts it, does not exist or is in a package that is
+    not here."""
+    missing = result.joining.described_in or result.joining.started_in or result.joining.lost
+    return is_launch(result.path) and result.links is None and bool(missing)
+
+
+def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
+    if lonely.joining.described_in:
+        return Unjoined(lonely.path, packages=lonely.joining.described_in, controls=is_lonely(lonely))
+    absent = Unjoined(
+        lonely.path,
+        packages=lonely.joining.started_in,
+        controls=is_lonely(lonely),
+        includes=bool(lonely.joining.started_in),
+        leftover=lonely.joining.leftover,
+        description=lonely.joining.lost,
+    )
+    if lonely.joining.leftover or not absent.controls or is_started_elsewhere(lonely):
+        return absent
+    reasons = [_missing_in(lonely, start) for start in starts]
+    return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=absent)
+
+
+def _missing_in(lonely: TargetResult, start: Start) -> Unjoined:
+    is_whole = all(result.complete for _, result in start.robots)
+    joints = {joint for _, joint in lonely.joining.claimed} - start.joints if is_whole else ()
+    spawned = names_without_namespace(spawned_by(lonely))
+    declared = start.declared | names_without_namespace(lonely.joining.declared)
+    return Unjoined(lonely.path, start.first.path, tuple(sorted(joints)), tuple(sorted(spawned - declared)))
