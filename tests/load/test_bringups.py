@@ -307,3 +307,17 @@ def test_an_error_of_the_controller_file_itself_stays_one(folder: Folder) -> Non
 def test_where_anything_else_is_possible_nothing_is_paired(folder: Folder, more: dict[str, str]) -> None:
     package(folder, **more)
     assert all(controllers == [] for _, _, controllers in targets(folder, "."))
+
+
+@pytest.mark.parametrize("copy", ["config/old/controllers.yaml", "config/controllers (1).yaml", "backup/arm.yml"])
+def test_a_copy_of_the_controller_file_does_not_count(copy: str, folder: Folder) -> None:
+    package(folder)
+    folder.write({copy: CONTROLLERS % "position"})
+    assert targets(folder, ".") == [("arm.xacro", {}, ["controllers.yaml"])]
+
+
+def test_a_controller_file_that_is_kept_aside_is_paired_with_nothing(folder: Folder) -> None:
+    package(folder)
+    folder.write({"config/old/controllers.yaml": CONTROLLERS % "position"})
+    (folder.path / "config/controllers.yaml").unlink()
+    assert all(controllers == [] for _, _, controllers in targets(folder, "."))

@@ -1,4 +1,4 @@
-"""Tell backups, copies and outputs of calibrations from the descriptions that a project works with."""
+"""Tell backups, copies and outputs of calibrations from the descriptions and controller files that a project uses."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ _FOLDERS = frozenset(
 )
 _COPY = (
     r"(?i)(?P<stem>.*?)(?:[ _.-]*\(\d+\)|[ _.-]+copy(?:[ _-]?\d+)?|[ _.-]+(?:backup|bak|orig|original|old|save)\d*"
-    r"|[ _.-]+(?:19|20)\d\d[-_]?\d\d[-_]?\d\d(?:[-_T]?\d+)*)(?P<end>(?:\.urdf)?\.(?:xacro|urdf))"
+    r"|[ _.-]+(?:19|20)\d\d[-_]?\d\d[-_]?\d\d(?:[-_T]?\d+)*)(?P<end>(?:\.urdf)?\.(?:xacro|urdf)|\.ya?ml)"
 )
 """The name of a copy: `arm(1).xacro`, `arm - Copy.urdf`, `arm_old.urdf.xacro`, `arm_2023-01-31.urdf`."""
 _CALIBRATION = r"(?i)(?:^|[ _.-])(?:un)?calibrat(?:ed|ion)(?:[ _.-]|$)"
 
 
 def is_backup(path: str) -> bool:
-    """Return whether a description is kept aside: in a folder for that, or beside the file that it is a copy of; or
-    whether a calibration wrote it."""
+    """Return whether a description or controller file is kept aside: in a folder for that, or beside the file that it
+    is a copy of; or whether a calibration wrote it."""
     folder, name = os.path.split(path)
     parts = os.path.relpath(path).split(os.sep)[:-1]
     is_below = os.pardir not in parts

@@ -7,6 +7,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from urdfctl.discover.backups import is_backup
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
@@ -24,7 +25,8 @@ def pairs_by_elimination(
     """
     by_package: dict[str, list[str]] = {}
     for path in controller_files:
-        by_package.setdefault(_package_of(path), []).append(path)
+        if not is_backup(path):
+            by_package.setdefault(_package_of(path), []).append(path)
     alone: dict[str, dict[str, tuple[Target, TargetResult]]] = {}
     for target, result in robots:
         if result.links:
