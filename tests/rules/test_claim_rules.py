@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from control_session import ARM, POSITION, STATES, VELOCITY, component, joint, transmission
-from robots import GAZEBO, Bench, controllers, forward
+from robots import GAZEBO, Bench, controllers, findings, forward
 
 from urdfctl.config.settings import Settings
 from urdfctl.lint.selection import Selection
@@ -304,3 +304,32 @@ def test_gpio_controllers_need_no_lists_if_the_robot_has_states_of_their_gpios(
     part = component(f'<gpio name="{gpio}"><state_interface name="in"/></gpio>')
     sens = controllers("sens", kind="gpio_controllers/GpioCommandController")
     assert bench.codes(part, sens + "sens: {ros__parameters: {gpios: [io]}}\n") == expected
+
+
+DRIVEN = {
+    "package.xml": "<package><name>hoist</name><run_depend>hoist_driver</run_depend></package>",
+    "hoist.urdf": """<robot name="hoist"><link name="base"/><link name="hook"/>
+      <joint name="winch" type="continuous"><parent link="base"/><child link="hook"/></joint>
+      <transmission name="t"><type>transmission_interface/SimpleTransmission</type>
+        <joint name="winch"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+        <actuator name="m"><mechanicalReduction>1</mechanicalReduction></actuator></transmission>%s</robot>""",
+    "hoist.yaml": "lift: {type: position_controllers/JointPositionController, joint: winch}\n",
+    "hoist.launch": """<launch><param name="robot_description" textfile="$(find hoist)/hoist.urdf"/>
+      <rosparam command="load" file="$(find hoist)/hoist.yaml"/>%s
+      <node name="spawner" pkg="controller_manager" type="spawner" args="lift"/></launch>""",
+}
+DRIVER = '<node name="driver" pkg="hoist_driver" type="driver_node"/>'
+SIMULATOR = '<include file="$(find gazebo_ros)/launch/empty_world.launch"/>'
+
+
+@pytest.mark.parametrize(
+    ("plugin", "started", "expected"), [("", DRIVER, []), (GAZEBO, DRIVER, ["warning"]), (GAZEBO, SIMULATOR, ["error"])]
+)
+def test_what_a_driver_registers_is_not_judged_by_the_transmissions_of_a_robot_without_plugin(
+    plugin: str, started: str, expected: list[str], tmp_path: Path
+) -> None:
+    for name, text in DRIVEN.items():
+        path = tmp_path / name
+        path.write_text(text % (plugin if name == "hoist.urdf" else started) if "%s" in text else text)
+    target = Target(str(tmp_path / "hoist.urdf"), launch=str(tmp_path / "hoist.launch"))
+    assert [one.severity.value for one in findings(target, ("UC461",), distro="noetic")] == expected

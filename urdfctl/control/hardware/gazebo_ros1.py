@@ -25,13 +25,17 @@ def in_gazebo(project: Project) -> Severity | None:
     """Return the severity of what Gazebo's default hardware simulation rejects; None if it does not run the robot.
 
     An error if it is known to run the robot: the user names Gazebo Classic, or names nothing and the robot loads the
-    plugin, unless a launch file starts the robot without Gazebo. Otherwise a warning.
+    plugin, unless a launch file starts the robot without Gazebo. Otherwise a warning; nothing if the robot that such a
+    launch file starts does not load the plugin either.
     """
     plugins = control_plugins(project)
     default = [plugin for plugin in plugins if _simulation(plugin) in _DEFAULT_SIMULATION]
     if project.named_simulator not in (None, "gazebo-classic") or (plugins and not default):
         return None
-    sure = project.named_simulator or (default and not is_started_without_gazebo(project))
+    is_elsewhere = not project.named_simulator and is_started_without_gazebo(project)
+    if is_elsewhere and not plugins:
+        return None
+    sure = project.named_simulator or (default and not is_elsewhere)
     return Severity.ERROR if sure else Severity.WARNING
 
 
