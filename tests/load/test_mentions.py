@@ -50,6 +50,14 @@ def test_no_more_texts_are_read_than_the_answer_needs(tmp_path: Path, monkeypatc
     assert read == ["a.py", "b.py"]
 
 
+def test_how_a_workspace_is_made_stands_in_lists_of_repositories_and_scripts_and_not_in_code(tmp_path: Path) -> None:
+    say = Mentions().beside(str(tmp_path), [])
+    (tmp_path / "driver.cpp").write_text("url: github.com/arms/ros2_controllers")
+    assert (say("/ros2_controllers"), say("/ros2_controllers", of_builds=True)) == (True, False)
+    (tmp_path / "Dockerfile").write_text("RUN git clone https://github.com/arms/ros2_controllers")
+    assert Mentions().beside(str(tmp_path), [])("/ros2_controllers", of_builds=True) is True
+
+
 def test_it_is_unknown_in_a_workspace_with_too_many_texts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mentions, "MOST_FILES", 2)
     for number in range(3):

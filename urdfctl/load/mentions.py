@@ -15,8 +15,13 @@ _ENDINGS = (
     *(".bat", ".ps1", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".h", ".json", ".ipynb", ".service", ".in"),
     *(".em", ".erb", ".dockerfile", ".mk", ".rs", ".js", ".ts", ".toml", ".repos", ".rosinstall", ".gitmodules"),
 )
+_OF_BUILDS = (
+    *(".repos", ".repos.yaml", ".rosinstall", ".gitmodules", ".yml", ".md", ".rst", ".txt", ".sh", ".bash"),
+    *(".dockerfile", ".mk"),
+)
+"""Ends of the names of texts that say how a workspace is made; so do names without an end, such as Dockerfile."""
 _LAUNCH_FILES = (".launch", ".launch.xml", ".launch.py")
-_OF_BUILDS = frozenset({"package.xml", "CMakeLists.txt", "CHANGELOG.rst", "CHANGELOG.md", "LICENSE"})
+_STARTING_NOTHING = frozenset({"package.xml", "CMakeLists.txt", "CHANGELOG.rst", "CHANGELOG.md", "LICENSE"})
 """Files that name programs without starting any."""
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", "meshes"})
 _MOST_BYTES = 1 << 18
@@ -32,8 +37,8 @@ class _TextSearch:
     ended_early: whether there are more texts than are searched.
     """
 
-    def __init__(self, workspace: str, expression: str) -> None:
-        self._left = self._matching(workspace, expression)
+    def __init__(self, workspace: str, expression: str, *, of_builds: bool) -> None:
+        self._left = self._matching(workspace, expression, _OF_BUILDS if of_builds else _ENDINGS)
         self._found: list[str] = []
         self.ended_early = False
 
@@ -43,9 +48,9 @@ class _TextSearch:
             self._found.append(path)
             yield path
 
-    def _matching(self, workspace: str, expression: str) -> Iterator[str]:
+    def _matching(self, workspace: str, expression: str, endings: tuple[str, ...]) -> Iterator[str]:
         pattern = re.compile(expression.encode())
-        for count, path in enumerate(_texts(workspace)):
+        for count, path in enumerate(_texts(workspace, endings)):
             if count >= MOST_FILES:
                 self.ended_early = True
                 return
@@ -61,7 +66,7 @@ class Mentions:
     """The texts of workspaces, each searched once for each expression."""
 
     def __init__(self) -> None:
-        self._searches: dict[tuple[str, str], _TextSearch] = {}
+        self._searches: dict[tuple[str, str, bool], _TextSearch] = {}
 
     def beside(self, workspace: str, read: Collection[str]) -> Mentioned:
         """Return a function that returns whether a text of a workspace, other than those that were read, says what a
@@ -70,9 +75,10 @@ class Mentions:
         Launch files that match the second expression do not count, unless they name one of those that were read.
         """
 
-        def mentioned(expression: str, apart: str = "") -> bool | None:
+        def mentioned(expression: str, apart: str = "", *, of_builds: bool = False) -> bool | None:
             known = frozenset(map(os.path.realpath, read))
-            search = self._searches.setdefault((workspace, expression), _TextSearch(workspace, expression))
+            made = _TextSearch(workspace, expression, of_builds=of_builds)
+            search = self._searches.setdefault((workspace, expression, of_builds), made)
             others = (path for path in search.paths() if os.path.realpath(path) not in known)
             is_said = any(not apart or not _is_apart(path, apart, known) for path in others)
             return is_said or (None if search.ended_early else False)
@@ -92,9 +98,9 @@ def _is_apart(path: str, expression: str, read: Collection[str]) -> bool:
     return not included and re.search(expression.encode(), text) is not None
 
 
-def _texts(folder: str) -> Iterator[str]:
+def _texts(folder: str, endings: tuple[str, ...]) -> Iterator[str]:
     for current, folders, names in walk(folder):
         folders[:] = sorted(name for name in folders if name not in _PRUNED and (name[0] != "." or name in _SHOWN))
         for name in sorted(names):
-            if name not in _OF_BUILDS and (name.endswith(_ENDINGS) or "." not in name.lstrip(".")):
+            if name not in _STARTING_NOTHING and (name.endswith(endings) or "." not in name.lstrip(".")):
                 yield os.path.join(current, name)

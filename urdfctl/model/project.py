@@ -108,11 +108,14 @@ NO_OWN_TYPES = OwnTypes()
 class Mentioned(Protocol):
     """What tells whether another text of the workspace says what an expression matches."""
 
-    def __call__(self, expression: str, apart: str = "", /) -> bool | None:
-        """Return whether one does, see `Project.may_mention`; None if unknown."""
+    def __call__(self, expression: str, apart: str = "", /, *, of_builds: bool = False) -> bool | None:
+        """Return whether one does, see `Project.may_mention`; None if unknown.
+
+        of_builds: look only at texts that say how the workspace is made: lists of repositories, READMEs, scripts.
+        """
 
 
-def mentions_unknown(_expression: str, _apart: str = "", /) -> bool | None:
+def mentions_unknown(_expression: str, _apart: str = "", /, *, of_builds: bool = False) -> bool | None:  # noqa: ARG001
     """Return None: nobody looked at what other files say."""
     return None
 

@@ -93,7 +93,8 @@ def _is_forked(project: Project, reader: Reader) -> bool:
     if reader.type is None or reader.type.external:
         return False
     name = "ros2_controllers" if generation(reader.distro) == _ROS2 else "ros_controllers"
-    return bool(project.mentioned(rf"(?:url\W+|uri\W+|clone\s+)\S*[:/](?!ros-controls/)[\w.-]+/{name}\b"))
+    fork = rf"(?:url\W+|uri\W+|clone\s+)\S*[:/](?!ros-controls/)[\w.-]+/{name}\b"
+    return bool(project.mentioned(fork, of_builds=True))
 
 
 def _of_fork(finding: Finding) -> Finding:
