@@ -13,14 +13,15 @@ from urdfctl.source.xml.parsing import parse
 from urdfctl.source.yaml.tree import read_yaml
 
 
-def launch(text: str) -> Launch:
-    """The facts of a file in XML, or in YAML; p is the only package."""
-    source = SourceText("/p/main", text.encode())
+def launch(text: str, **others: str) -> Launch:
+    """The facts of a file in XML, or in YAML; p is the only package, and may have others by name."""
+    files = {f"/p/{name}": content for name, content in {"main": text, **others}.items()}
 
     def read(path: str) -> Term | None:
-        if path != "/p/main":
+        if path not in files:
             return None
-        root = of_xml(parse(source).documentElement) if text.startswith("<") else of_yaml(read_yaml(source))
+        source = SourceText(path, files[path].encode())
+        root = of_xml(parse(source).documentElement) if files[path].startswith("<") else of_yaml(read_yaml(source))
         return description(root) if root else None
 
     def find(name: str, _: Place) -> str | None:
@@ -99,6 +100,13 @@ def test_what_is_no_element_of_ros_2_may_do_anything() -> None:
 def test_yaml_without_a_list_of_actions_is_no_launch_file() -> None:
     source = SourceText("x", b"launch: {a: 1}")
     assert of_yaml(read_yaml(source)) is None
+
+
+def test_an_argument_that_is_declared_after_an_include_is_the_files_own_and_one_in_it_is_not() -> None:
+    inner = '<launch><arg name="speed" default="1"/></launch>'
+    include = '<include file="$(find-pkg-share p)/inner"/>'
+    made = launch(f'<launch><arg name="a"/>{include}<arg name="b" default="2"/></launch>', inner=inner)
+    assert made.arguments == (("a", None), ("b", "2"))
 
 
 def test_deep_files_come_to_an_end() -> None:

@@ -59,7 +59,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
     term = sources.read(path)
     if term is None:
         return None
-    walk = _Walk(sources)
+    walk = _Walk(path, sources)
     scope = ActionScope(path, arguments)
     walk.action(term, scope, State())
     undeclared = tuple(dict.fromkeys(walk.undeclared.words))
@@ -94,8 +94,8 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Ros2Sources
 
 
 class _Walk:
-    def __init__(self, sources: Ros2Sources) -> None:
-        self.sources = sources
+    def __init__(self, path: str, sources: Ros2Sources) -> None:
+        self.path, self.sources = path, sources
         self.facts = LaunchFacts(sources.locate)
         self.simulations: list[Simulation] = []
         self.words_of_programs: list[str] = []
@@ -204,7 +204,7 @@ class _Walk:
         choices = term.given("choices")
         allowed = [*map(texts.of, choices.values)] if isinstance(choices, Items) else None
         value = None if default is None else texts.of(default)
-        self.arguments.declare(name, value, allowed, is_own=self._includes == 0)
+        self.arguments.declare(name, value, allowed, is_own=scope.file == self.path)
         if UNKNOWN in name or name in scope.settings:
             self.undeclared.keep(used)
             return
