@@ -173,7 +173,10 @@ def texts(folder: Folder) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("name", IN_A_BROWSER)
-def test_where_there_are_no_processes_and_no_threads_the_result_is_the_same(folder: Folder, name: str) -> None:
+def test_where_there_are_no_processes_and_no_threads_the_result_is_the_same(
+    folder: Folder, name: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    own = tmp_path_factory.mktemp("browser")  # it takes all other processes for ended, and deletes what they left
     words = IN_A_BROWSER[name]
     ran = folder.run(*words)
     made = texts(folder)
@@ -181,7 +184,7 @@ def test_where_there_are_no_processes_and_no_threads_the_result_is_the_same(fold
     ran_here = subprocess.run(
         [sys.executable, "-c", BROWSER + RUN, *words],
         cwd=folder.path,
-        env=environment({"PYTHONPATH": str(CHECKOUT)}),
+        env=environment({"PYTHONPATH": str(CHECKOUT), "TMPDIR": str(own)}),
         capture_output=True,
         text=True,
         timeout=120,
