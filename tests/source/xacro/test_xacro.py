@@ -402,6 +402,11 @@ def test_only_the_names_in_the_table_are_replaced_and_all_of_them(
     assert changed <= table
 
 
+def test_a_name_that_is_not_in_the_table_cannot_be_replaced() -> None:
+    with pytest.raises(KeyError):
+        replace(private_module, "eval_everything", None)
+
+
 @pytest.mark.parametrize(
     "text",
     ["<robot name='r'><link name='base'/></robot>", robot("<link name='${1 + 1}'/>"), robot("<link name='${x}'/>")],
