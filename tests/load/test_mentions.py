@@ -50,6 +50,19 @@ def test_no_more_texts_are_read_than_the_answer_needs(tmp_path: Path, monkeypatc
     assert read == ["a.py", "b.py"]
 
 
+def test_it_is_unknown_after_a_search_that_was_interrupted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(_path: str, _most: int) -> bytes:
+        raise KeyboardInterrupt
+
+    (tmp_path / "a.py").write_text("spawner")
+    say = Mentions().beside(str(tmp_path), [])
+    with monkeypatch.context() as patched:
+        patched.setattr(mentions, "start_of", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            say("spawner")
+    assert say("spawner") is None
+
+
 def test_how_a_workspace_is_made_stands_in_lists_of_repositories_and_scripts_and_not_in_code(tmp_path: Path) -> None:
     say = Mentions().beside(str(tmp_path), [])
     (tmp_path / "driver.cpp").write_text("url: github.com/arms/ros2_controllers")

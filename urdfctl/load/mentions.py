@@ -34,13 +34,13 @@ _SHOWN = frozenset({".github", ".gitlab", ".circleci", ".devcontainer", ".docker
 class _TextSearch:
     """The texts of a workspace that match an expression, found as far as they were asked for.
 
-    ended_early: whether there are more texts than are searched.
+    is_whole: whether all texts were searched: there may be too many, and a search may be interrupted.
     """
 
     def __init__(self, workspace: str, expression: str, *, of_builds: bool) -> None:
         self._left = self._matching(workspace, expression, _OF_BUILDS if of_builds else _ENDINGS)
         self._found: list[str] = []
-        self.ended_early = False
+        self.is_whole = False
 
     def paths(self) -> Iterator[str]:
         yield from self._found
@@ -52,7 +52,6 @@ class _TextSearch:
         pattern = re.compile(expression.encode())
         for count, path in enumerate(_texts(workspace, endings)):
             if count >= MOST_FILES:
-                self.ended_early = True
                 return
             try:
                 text = start_of(path, _MOST_BYTES)
@@ -60,6 +59,7 @@ class _TextSearch:
                 continue
             if pattern.search(text):
                 yield path
+        self.is_whole = True
 
 
 class Mentions:
@@ -81,7 +81,7 @@ class Mentions:
             search = self._searches.setdefault((workspace, expression, of_builds), made)
             others = (path for path in search.paths() if os.path.realpath(path) not in known)
             is_said = any(not apart or not _is_apart(path, apart, known) for path in others)
-            return is_said or (None if search.ended_early else False)
+            return is_said or (False if search.is_whole else None)
 
         return mentioned
 
