@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.model.launch.scope import Malformed
+from urdfctl.model.launch.slips import slips
 from urdfctl.names import nearest
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
@@ -47,15 +48,14 @@ def malformed(element: Element) -> Iterator[Malformed]:
         return
     allowed = (*form.required, *form.optional, *_EVERYWHERE)
     missing = [name for name in form.required if name not in element.attrs]
-    for name in element.attrs:
-        if name not in allowed and ":" not in name:
-            meant = nearest(name, [*missing, *form.optional])
-            hint = f"; did you mean '{meant}'?" if meant else ""
-            message = f"<{element.tagName}> has no attribute '{name}'{hint}"
-            yield Malformed(element.at[name], message, refused=meant in missing)
-            missing = [other for other in missing if other != meant]
+    unknown = slips((name for name in element.attrs if name not in allowed and ":" not in name), missing, form.optional)
+    for name, meant in unknown.items():
+        hint = f"; did you mean '{meant}'?" if meant else ""
+        message = f"<{element.tagName}> has no attribute '{name}'{hint}"
+        yield Malformed(element.at[name], message, refused=meant in missing)
     for name in missing:
-        yield Malformed(element.at, f"<{element.tagName}> has no '{name}', which roslaunch requires")
+        if name not in unknown.values():
+            yield Malformed(element.at, f"<{element.tagName}> has no '{name}', which roslaunch requires")
     for name in _NEVER_EMPTY.get(element.tagName, ()):
         if not element.attrs.get(name, "x").strip():
             yield Malformed(element.at[name], f"'{name}' of <{element.tagName}> is empty")

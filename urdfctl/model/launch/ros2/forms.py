@@ -7,9 +7,10 @@ the names are those that the parse() methods of launch and launch_ros ask for, i
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from urdfctl.model.launch.scope import Malformed
+from urdfctl.model.launch.slips import slips
 from urdfctl.names import is_slip, nearest
 from urdfctl.source.launch.frontend import Entity
 from urdfctl.startup.records import NamedTuple
@@ -123,22 +124,23 @@ def _attributes(entity: Entity, form: _EntityForm) -> Iterator[Malformed]:
     allowed = (*form.required, *form.optional)
     given = {*entity.attributes, *(child.tag for child in entity.children)}
     missing = [name for name in form.required if name not in given]
-    for name, value in entity.attributes.items():
-        if ":" in name or name.removesuffix("-sep") in allowed:  # `value-sep`: what parts the values of a list
-            continue
-        meant = _meant(name, [*missing, *form.optional])
+    # `value-sep`: what parts the values of a list
+    others = (name for name in entity.attributes if ":" not in name and name.removesuffix("-sep") not in allowed)
+    unknown = slips(others, missing, form.optional, alike=_meant)
+    for name, meant in unknown.items():
         hint = f"; did you mean '{meant}'?" if meant else _INSTEAD.get((entity.tag, name), "")
-        yield Malformed(value.at, f"<{entity.tag}> has no attribute '{name}', and launch refuses the file{hint}")
-        missing = [other for other in missing if other != meant]
+        message = f"<{entity.tag}> has no attribute '{name}', and launch refuses the file{hint}"
+        yield Malformed(entity.attributes[name].at, message)
     for name in missing:
-        yield Malformed(entity.at, f"<{entity.tag}> has no '{name}', which launch requires")
+        if name not in unknown.values():
+            yield Malformed(entity.at, f"<{entity.tag}> has no '{name}', which launch requires")
     if form is _PARAM and not given & {"name", "from"}:
         yield Malformed(entity.at, f"<{entity.tag}> has neither 'name' nor 'from'; launch requires one of them")
     if {*_CONDITIONS} <= given:
         yield Malformed(entity.at, f"<{entity.tag}> has both 'if' and 'unless'; launch takes one of them")
 
 
-def _meant(name: str, known: list[str]) -> str | None:
+def _meant(name: str, known: Collection[str]) -> str | None:
     """The attribute that is probably meant by a name: that of another language, or one with a slip."""
     if _RENAMED.get(name) in known:
         return _RENAMED[name]
