@@ -42,8 +42,8 @@ def _faults_in(packages: Packages, files: Files, folder: str) -> BuildFaults | N
     missing, project = packages.once(
         key, lambda: (list(missing_sources(text, folder, os.path.basename(folder))), unregistered_project(text))
     )
-    name = package_name(os.path.join(folder, "package.xml")) or os.path.basename(folder)
+    package = (package_name(os.path.join(folder, "package.xml")) or os.path.basename(folder)) if project else ""
     return BuildFaults(
         absent=tuple((name, Place(source, start, end=start + len(name))) for name, start in missing),
-        unregistered=((name, Place(source, project[0], end=project[1])),) if project else (),
+        unregistered=((package, Place(source, project[0], end=project[1])),) if project else (),
     )

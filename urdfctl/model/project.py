@@ -131,9 +131,6 @@ class BuildFaults(NamedTuple):
     unregistered: tuple[tuple[str, Place], ...] = ()
 
 
-NO_BUILD_FAULTS = BuildFaults()
-
-
 class Project(NamedTuple):
     """One robot in one variant. A run has several projects.
 
@@ -188,7 +185,7 @@ class Project(NamedTuple):
     together: bool = False
     evidence: Evidence | None = None
     own: OwnTypes = NO_OWN_TYPES
-    build: BuildFaults = NO_BUILD_FAULTS
+    build: BuildFaults = BuildFaults()
     moveit: MoveIt | None = None
     todos: tuple[tuple[str, Place], ...] = ()
     mentioned: Mentioned = mentions_unknown

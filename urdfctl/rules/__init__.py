@@ -10,7 +10,7 @@ from importlib import import_module
 
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.fault import Fault
-from urdfctl.model.project import NO_BUILD_FAULTS, Project
+from urdfctl.model.project import Project
 from urdfctl.model.stage import Stage, StageDependsOn
 from urdfctl.rule import Rule
 from urdfctl.rules.installed import installed_rules
@@ -129,7 +129,7 @@ def _of_mistakes(project: Project) -> Iterable[str]:
 
 
 def _has_started_files(project: Project) -> bool:
-    return project.launch is not None or bool(project.listed or project.build != NO_BUILD_FAULTS)
+    return project.launch is not None or bool(project.listed or any(project.build))
 
 
 def _without_launch(project: Project) -> Iterable[str] | None:

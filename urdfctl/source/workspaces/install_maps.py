@@ -115,7 +115,7 @@ def missing_sources(text: str, folder: str, package: str) -> Iterator[tuple[str,
 
     Only literal names outside conditions and functions count. Nothing is yielded if the build may make files.
     """
-    plain = re.sub(_COMMENT, lambda comment: " " * len(comment.group()), text)
+    plain = _without_comments(text)
     if _installs_more(plain):
         return
     project = re.search(_PROJECT, plain)
@@ -142,11 +142,16 @@ def unregistered_project(text: str) -> tuple[int, int] | None:
 
     text: the file, with one character for each byte.
     """
-    plain = re.sub(_COMMENT, lambda comment: " " * len(comment.group()), text)
+    plain = _without_comments(text)
     project = re.search(_PROJECT, plain)
     if project is None or not re.search(_OF_AMENT, plain) or re.search(_REGISTERS, plain):
         return None
     return project.span(1)
+
+
+def _without_comments(text: str) -> str:
+    """A CMakeLists.txt with blanks in the place of its comments."""
+    return re.sub(_COMMENT, lambda comment: " " * len(comment.group()), text)
 
 
 def _blocks(text: str) -> tuple[list[int], list[int]]:
