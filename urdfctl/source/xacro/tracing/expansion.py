@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property, partial
 from types import FrameType
-from typing import Any, cast
+from typing import Any
 
 from urdfctl.source.opaque import AnyArgument
 from urdfctl.source.xacro.expansion import Expander
@@ -29,7 +29,8 @@ class TracingExpander(Expander):
     def install(self) -> None:
         """Replace the helpers of the private xacro."""
         super().install()
-        recorder, module = self.recorder, cast("Any", self.module)
+        recorder = self.recorder
+        module: Any = self.module
         table = module.Table
         evaluate, look_up = module.eval_text, table.__getitem__
         resolve, bind = table._resolve_, table._setitem
