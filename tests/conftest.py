@@ -40,9 +40,11 @@ def pytest_configure() -> None:
 
 
 @pytest.hookimpl(optionalhook=True)
-def pytest_xdist_auto_num_workers() -> int:
+def pytest_xdist_auto_num_workers() -> int | None:
     """One more than there are processors: many tests wait for a process, a limit of time or a browser."""
-    return (os.cpu_count() or 1) + 1
+    from urdfctl.run.limits import processors  # not before coverage begins
+
+    return None if "PYTEST_XDIST_AUTO_NUM_WORKERS" in os.environ else processors() + 1
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -1,4 +1,4 @@
-"""The command as a process that is forked from one which has imported all of urdfctl: a third of a new process's time.
+"""The command as a fork of a process that has imported all of urdfctl: importing is most of a short command's time.
 
 Each run has its own folder, environment and streams, and starts from what is imported, before anything was run.
 """
