@@ -71,6 +71,26 @@ def test_how_a_workspace_is_made_stands_in_lists_of_repositories_and_scripts_and
     assert Mentions().beside(str(tmp_path), [])("/ros2_controllers", of_builds=True) is True
 
 
+@pytest.mark.parametrize(
+    ("name", "is_said"),
+    [
+        ("Dockerfile", True),
+        ("docker/Dockerfile", True),
+        ("arm/scripts/install.sh", True),
+        ("base/README.md", True),
+        ("base/.github/workflows/test.yml", True),
+        ("base/doc/notes.md", False),
+    ],
+)
+def test_how_a_workspace_is_made_does_not_stand_deep_in_the_package_of_another_robot(
+    name: str, is_said: bool, folder: Folder
+) -> None:
+    files = {"arm/package.xml": "<package/>", "base/package.xml": "<package/>", "arm/arm.urdf": "<robot/>"}
+    folder.write({**files, name: "git clone https://github.com/arms/ros2_controllers"})
+    say = Mentions().beside(str(folder.path), [str(folder.path / "arm/arm.urdf")])
+    assert say("/ros2_controllers", of_builds=True) is is_said
+
+
 def test_it_is_unknown_in_a_workspace_with_too_many_texts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mentions, "MOST_FILES", 2)
     for number in range(3):

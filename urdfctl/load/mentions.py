@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterator
 from urdfctl.model.project import Mentioned
 from urdfctl.source.disk.files import start_of
 from urdfctl.source.disk.gate import walk
+from urdfctl.source.workspaces.packages import package_around
 
 _ENDINGS = (
     *(".launch", ".xml", ".py", ".yaml", ".yml", ".sdf", ".world", ".md", ".rst", ".txt", ".sh", ".bash", ".zsh"),
@@ -37,8 +38,8 @@ class _TextSearch:
     is_whole: whether all texts were searched: there may be too many, and a search may be interrupted.
     """
 
-    def __init__(self, workspace: str, expression: str, *, of_builds: bool) -> None:
-        self._left = self._matching(workspace, expression, _OF_BUILDS if of_builds else _ENDINGS)
+    def __init__(self, texts: Iterator[str], expression: str) -> None:
+        self._left = self._matching(texts, expression)
         self._found: list[str] = []
         self.is_whole = False
 
@@ -48,9 +49,9 @@ class _TextSearch:
             self._found.append(path)
             yield path
 
-    def _matching(self, workspace: str, expression: str, endings: tuple[str, ...]) -> Iterator[str]:
+    def _matching(self, texts: Iterator[str], expression: str) -> Iterator[str]:
         pattern = re.compile(expression.encode())
-        for count, path in enumerate(_texts(workspace, endings)):
+        for count, path in enumerate(texts):
             if count >= MOST_FILES:
                 return
             try:
@@ -66,7 +67,7 @@ class Mentions:
     """The texts of workspaces, each searched once for each expression."""
 
     def __init__(self) -> None:
-        self._searches: dict[tuple[str, str, bool], _TextSearch] = {}
+        self._searches: dict[tuple[str, str, frozenset[str | None] | None], _TextSearch] = {}
 
     def beside(self, workspace: str, read: Collection[str]) -> Mentioned:
         """Return a function that returns whether a text of a workspace, other than those that were read, says what a
@@ -77,8 +78,9 @@ class Mentions:
 
         def mentioned(expression: str, apart: str = "", *, of_builds: bool = False) -> bool | None:
             known = frozenset(map(os.path.realpath, read))
-            made = _TextSearch(workspace, expression, of_builds=of_builds)
-            search = self._searches.setdefault((workspace, expression, of_builds), made)
+            around = frozenset(map(package_around, map(os.path.dirname, read))) if of_builds else None
+            texts = _texts(workspace, _ENDINGS) if around is None else _texts(workspace, _OF_BUILDS, packages=around)
+            search = self._searches.setdefault((workspace, expression, around), _TextSearch(texts, expression))
             others = (path for path in search.paths() if os.path.realpath(path) not in known)
             is_said = any(not apart or not _is_apart(path, apart, known) for path in others)
             return is_said or (False if search.is_whole else None)
@@ -98,8 +100,15 @@ def _is_apart(path: str, expression: str, read: Collection[str]) -> bool:
     return not included and re.search(expression.encode(), text) is not None
 
 
-def _texts(folder: str, endings: tuple[str, ...]) -> Iterator[str]:
-    for current, folders, names in walk(folder):
+def _texts(workspace: str, endings: tuple[str, ...], packages: Collection[str | None] | None = None) -> Iterator[str]:
+    """The texts of a workspace with such names.
+
+    packages: those that are searched whole; of others only what is beside their package.xml. None for all.
+    """
+    for current, folders, names in walk(workspace):
+        is_whole = packages is None or "package.xml" not in names or current in packages or current == workspace
+        if not is_whole:
+            folders[:] = _SHOWN.intersection(folders)
         folders[:] = sorted(name for name in folders if name not in _PRUNED and (name[0] != "." or name in _SHOWN))
         for name in sorted(names):
             if name not in _STARTING_NOTHING and (name.endswith(endings) or "." not in name.lstrip(".")):

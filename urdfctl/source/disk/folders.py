@@ -7,33 +7,39 @@ more levels than Python's stack.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 Folder = tuple[str, list[str], list[str]]
 """The path of a folder, and the names of the folders and of the other files in it."""
 
 
-def walk(folder: str) -> Iterator[Folder]:
+def walk(folder: str, admits: Callable[[str], bool] | None = None) -> Iterator[Folder]:
     """Yield a folder and those below it as os.walk does, each before what is in it.
 
     A name that is removed from the list of folders is not gone into. Links to folders are yielded, but not followed.
     What cannot be read is skipped, such as a path that is longer than the system allows.
+
+    admits: returns whether what a link leads to may be looked at. One that may not counts as a file.
     """
     pending = [folder]
     while pending:
         current = pending.pop()
         folders: list[str] = []
         others: list[str] = []
+        links: set[str] = set()
         try:
             with os.scandir(current) as entries:
                 for entry in entries:
-                    (folders if _is_folder(entry) else others).append(entry.name)
+                    is_link = entry.is_symlink()
+                    if is_link:
+                        links.add(entry.name)
+                    is_looked_at = not is_link or admits is None or admits(entry.path)
+                    (folders if is_looked_at and _is_folder(entry) else others).append(entry.name)
         except OSError:
             continue
         yield current, folders, others
-        paths = (os.path.join(current, name) for name in reversed(folders))
-        pending += (path for path in paths if not os.path.islink(path))
+        pending += (os.path.join(current, name) for name in reversed(folders) if name not in links)
 
 
 def _is_folder(entry: os.DirEntry[str]) -> bool:

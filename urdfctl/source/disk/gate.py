@@ -153,13 +153,7 @@ def walk(folder: str) -> Iterator[Folder]:
 
     A link that leads out counts as a file, whatever it leads to.
     """
-    for current, folders, names in all_folders(folder) if admits(folder) else ():
-        linked = [name for name in folders if os.path.islink(os.path.join(current, name))]
-        for name in linked:
-            if not admits(os.path.join(current, name)):
-                folders.remove(name)
-                names.append(name)
-        yield current, folders, names
+    yield from all_folders(folder, admits) if admits(folder) else ()
 
 
 def matching(pattern: str) -> list[str]:

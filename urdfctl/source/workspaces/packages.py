@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from itertools import islice
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from urdfctl.source.disk import gate
@@ -94,28 +95,19 @@ class Crawl:
 
 def package_folders(root: str) -> Iterator[str]:
     """Yield the folders below `root` that contain a package.xml. Like colcon, does not search inside a package."""
-    pending, walked = [root], 0
-    while pending and walked < _MOST_FOLDERS:
-        folder = pending.pop()
-        walked += 1
-        entries = gate.entries_in(folder)
-        names = {entry.name for entry in entries}
-        if names & _IGNORE_FILES:
-            continue
-        if "package.xml" in names:
+    for folder, folders, others in islice(gate.walk(root), _MOST_FOLDERS):
+        is_package = "package.xml" in others
+        if not _IGNORE_FILES.isdisjoint((*folders, *others)):
+            folders.clear()
+        elif is_package:
             yield folder
-            if folder != root:
-                continue
-        pending.extend(entry.path for entry in entries if _is_walked(entry))
+        if is_package and folder != root:
+            folders.clear()
+        folders[:] = filter(_is_searched, folders)
 
 
-def _is_walked(entry: os.DirEntry[str]) -> bool:
-    if entry.name.startswith(".") or entry.name in _PRUNED:
-        return False
-    try:
-        return entry.is_dir(follow_symlinks=False)
-    except OSError:
-        return False
+def _is_searched(name: str) -> bool:
+    return not name.startswith(".") and name not in _PRUNED
 
 
 class PackageIndex:
@@ -239,8 +231,10 @@ class Packages:
         around = list(self._ancestors())[2:3]
         if os.path.basename(self._folder) != "config" or not around:
             return []
-        folders = sorted(entry.path for entry in gate.entries_in(around[0]) if _is_walked(entry))
-        return [folder for folder in folders if self._index.name_of(folder)]
+        beside = (
+            entry.path for entry in gate.entries_in(around[0]) if _is_searched(entry.name) and not entry.is_symlink()
+        )
+        return [folder for folder in sorted(beside) if self._index.name_of(folder)]
 
     def find(self, name: str) -> str:
         """Return the folder of a package. Raises PackageNotFound if no package has this name."""
