@@ -124,6 +124,7 @@ SWITCHES = {
     "split": Switch(("one start", "spawners apart", "manager apart", "three starts"), possible.not_moveit),
     "planner": Switch(("none", "other arguments", "with spawners"), possible.planner),
     "around": Switch(("nothing", "rviz", "plain", "handed on"), possible.around),
+    "told": Switch(("nowhere", "readme", "document", "script"), possible.told),
     "event": Switch(("none", "on exit", "on start", "timer"), possible.event),
     "condition": Switch(("none", "if", "unless", "expression", "equals", "substitution", "python"), possible.condition),
     "manager description": Switch(("remap", "parameter", "topic"), possible.manager_description),

@@ -256,6 +256,12 @@ def param_file(system: System, idioms: Idioms, _position: str) -> bool:
     return ros2(system, idioms, "") and possible and not _is_section_wrong(system)
 
 
+def told(system: System, idioms: Idioms, _position: str) -> bool:
+    """A text says which arguments the only start of one robot needs."""
+    one = idioms["split"] == "one start" and idioms["around"] == "nothing" and not system.is_fleet
+    return one and idioms["argued"] != "nothing" and idioms["defaults"] == "written" and not system.moveit
+
+
 def around(system: System, idioms: Idioms, position: str) -> bool:
     """Another file around one that starts everything; one that is given any file does not know its arguments."""
     if position == "handed on" and idioms["address"] == "required":

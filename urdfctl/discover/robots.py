@@ -9,6 +9,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from copy import copy
 from fnmatch import fnmatchcase
 
+from urdfctl.discover.documented import Documentation, is_document
 from urdfctl.discover.generated import written_by_xacro
 from urdfctl.discover.launch_files import (
     is_broken,
@@ -46,6 +47,7 @@ class DiscoveredFiles:
     launch_candidates: launch files in folders that may say which files belong together.
     mentioned: launch files in folders that others seem to include.
     controllers_candidates: files in folders that look like controller files.
+    documents: texts in folders that may say how launch files are started.
     """
 
     def __init__(self) -> None:
@@ -58,9 +60,15 @@ class DiscoveredFiles:
         self.launch_candidates: list[str] = []
         self.mentioned: list[str] = []
         self.controllers_candidates: list[str] = []
+        self.documents: list[str] = []
         self.around: list[str] = []
         self.focus: list[str] = []
         self.despite: list[str] = []
+
+    @property
+    def documentation(self) -> Documentation:
+        """Return what the documents say about starting launch files."""
+        return Documentation(self.documents)
 
     def unread(self, files: Collection[str]) -> list[str]:
         """Return the descriptions in folders that are not among some files: unused libraries and fragments."""
@@ -158,6 +166,7 @@ def _classify(files: Sequence[str], found: DiscoveredFiles, excluded: Callable[[
     followed = (path for path, text in launches.items() if path in started or is_broken(path, text))
     found.launch_candidates += (path for path in followed if not excluded(path))
     found.mentioned += (path for path in only_mentioned(launches, started) if not excluded(path))
+    found.documents += (path for path in files if is_document(path) and not excluded(path))
     left_out = _left_out(robots.values())
     whole = (path for path in roots(robots) if not is_fragment(path, robots[path], launches.values(), left_out))
     found.candidates += (path for path in whole if not excluded(path) and path not in generated)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
+from urdfctl.discover.documented import is_document
 from urdfctl.source.disk.gate import opened, walk
 from urdfctl.source.disk.gitignore import GitIgnore
 from urdfctl.source.disk.shown import open_text
@@ -38,7 +39,8 @@ def files_below(folder: str, *, ignored: list[str] | None = None) -> Iterator[st
             if not (name.startswith(".") or name in _PRUNED or git.ignores(os.path.join(current, name), is_folder=True))
         )
         for name in files:
-            if name.endswith(_LOOKED_AT) or (name.endswith(".py") and os.path.basename(current) == "launch"):
+            is_launch = name.endswith(".py") and os.path.basename(current) == "launch"
+            if name.endswith(_LOOKED_AT) or is_launch or is_document(name):
                 path = os.path.join(current, name)
                 if not git.ignores(path, is_folder=False):
                     yield path

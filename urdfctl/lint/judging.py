@@ -11,9 +11,18 @@ from urdfctl.discover.backups import is_backup
 from urdfctl.discover.launch_files import takes_arguments
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.lint.chosen import chosen_starts
+from urdfctl.lint.documented import documented_starts
 from urdfctl.lint.findings.weakening import as_started, as_unused, as_used
 from urdfctl.lint.joining import Joined, is_lonely, joined, starts_in, targets_near
-from urdfctl.lint.planning import Arguments, Plan, PlannedTarget, TargetOrigin, is_launched_already, with_bringups
+from urdfctl.lint.planning import (
+    Arguments,
+    Plan,
+    PlannedTarget,
+    TargetOrigin,
+    is_launched_already,
+    is_robot,
+    with_bringups,
+)
 from urdfctl.lint.results import TargetResult, Unjoined
 from urdfctl.lint.unjoined import unjoined
 from urdfctl.load.target import Target
@@ -104,6 +113,7 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
     files = plan.files
     started = _launched([entry for entry in plan.targets if entry.is_launched], linted, linter)
     started += _launched(_not_followed(files, started), linted, linter)
+    started += _documented(files, started, linted, linter)
     launches = Launches(started, [(entry, pair) for entry, pair in started if entry.is_reported(pair[1])])
     reported = _described(plan.targets, launches, linted)
     together = _with_chosen(_together(launches.started, reported, linted), launches.started, linter, linted)
@@ -233,27 +243,54 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
 
     results = _outer(list(zip(entries, linted(entries), strict=True)))
     known = {os.path.abspath(entry.target.path) for entry in entries}
-    needy = [entry for entry, (_, result) in results if lacks_robot(result) and not entry.target.launch]
-    choices = linter.variants([entry.target for entry in needy]) if needy else []
+    given, replaced = _with_arguments(results, linter)
+    results = [(entry, pair) for entry, pair in results if entry.target not in replaced]
+    results += _without_parts(list(zip(given, linted(given), strict=True)))
     more: list[PlannedTarget] = []
-    replaced: set[Target] = set()
-    for entry, targets in zip(needy, choices, strict=True):
-        if any(target.guessed for target in targets):
-            more += [entry._replace(target=target) for target in targets]
-            replaced.add(entry.target)
-    for entry, (_, result) in results:
+    for entry, (target, result) in results:
         bringup = result.bringup
         if bringup is not None:
-            more += [
-                entry._replace(target=Target(path, launch=result.launch, namespace=namespace))
-                for path, namespace in bringup.others
-            ]
-            given = bringup.includes if result.joining.described_in else ()  # their defaults are not used
+            more += [entry._replace(target=other) for other in _other_robots(target, result)]
+            used = bringup.includes if result.joining.described_in else ()  # their defaults are not used
             inner = [path for path in bringup.unfollowed if os.path.abspath(path) not in known]
             known.update(map(os.path.abspath, inner))
-            more += [entry._replace(target=Target(path, guessed=path in given)) for path in inner]
-    kept = [(entry, pair) for entry, pair in results if entry.target not in replaced]
-    return [*kept, *zip(more, linted(more), strict=True)]
+            more += [entry._replace(target=Target(path, guessed=path in used)) for path in inner]
+    return [*results, *zip(more, linted(more), strict=True)]
+
+
+def _other_robots(target: Target, result: TargetResult) -> Iterator[Target]:
+    """Yield a target for each other robot that a launch file starts."""
+    for path, namespace in result.bringup.others if result.bringup else ():
+        if target.arguments:
+            yield target._replace(namespace=namespace)
+        else:
+            yield Target(path, launch=result.launch, namespace=namespace)
+
+
+def _with_arguments(results: LaunchedTargets, linter: TargetLinter) -> tuple[list[PlannedTarget], set[Target]]:
+    """The launch files with the arguments that they need, or are documented to be given; and the targets that those
+    which need some replace."""
+    more: list[PlannedTarget] = []
+    replaced: set[Target] = set()
+    alone = [(entry, lacks_robot(result)) for entry, (_, result) in results if not entry.target.launch]
+    asked = [(entry, is_needy) for entry, is_needy in alone if is_needy or entry.target.documented]
+    choices = linter.variants([entry.target for entry, _ in asked]) if asked else ()
+    for (entry, is_needy), targets in zip(asked, choices, strict=True):
+        given = [target for target in targets if target.arguments and (is_needy or not target.guessed)]
+        more += [entry._replace(target=target) for target in given]
+        if given and (is_needy or all(target.arguments for target in targets)):
+            replaced.add(entry.target)
+    return more, replaced
+
+
+def _without_parts(given: LaunchedTargets) -> LaunchedTargets:
+    """The results of launch files with arguments, without those with a guessed file that is only a part of a robot."""
+    whole = {entry.target.path for entry, (_, result) in given if result.complete and is_robot(result)}
+    return [
+        (entry, pair)
+        for entry, pair in given
+        if not (pair[0].guessed and entry.target.path in whole and (pair[1].library or not is_robot(pair[1])))
+    ]
 
 
 def _not_followed(files: DiscoveredFiles, started: LaunchedTargets) -> list[PlannedTarget]:
@@ -262,7 +299,20 @@ def _not_followed(files: DiscoveredFiles, started: LaunchedTargets) -> list[Plan
     known = {path for _, (_, result) in started for path in (result.launch or result.path, *_included(result))}
     names = {os.path.basename(path) for path in known}
     left = (path for path in files.mentioned if os.path.basename(path) not in names)
-    return [PlannedTarget(Target(path, guessed=takes_arguments(path)), TargetOrigin.LAUNCHED) for path in left]
+    texts = files.documentation
+    targets = (Target(path, guessed=takes_arguments(path), documented=texts.arguments(path)) for path in left)
+    return [PlannedTarget(target, TargetOrigin.LAUNCHED) for target in targets]
+
+
+def _documented(
+    files: DiscoveredFiles, started: LaunchedTargets, lint_targets: LintTargets, linter: TargetLinter
+) -> LaunchedTargets:
+    """The launch files that others include, with the arguments with which people start them alone."""
+    included = {path for _, (_, result) in started for path in _included(result)}
+    texts = files.documentation
+    inner = [Target(p, documented=texts.arguments(p)) for p in files.mentioned if os.path.abspath(p) in included]
+    found = documented_starts(inner, [pair for _, pair in started], linter.variants, lint_targets)
+    return [(PlannedTarget(pair[0], TargetOrigin.LAUNCHED), pair) for pair in found]
 
 
 def _included(result: TargetResult) -> tuple[str, ...]:

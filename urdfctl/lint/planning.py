@@ -142,8 +142,9 @@ def planned(
         targets.update({Target(path, arguments): TargetOrigin.NAMED for path in files.launches})
     configured = {os.path.abspath(path) for robot in robots for path in robot.launches}
     candidates = (path for path in files.launch_candidates if os.path.abspath(path) not in configured)
-    targets.update({Target(path): TargetOrigin.LAUNCHED for path in candidates})
-    targets.update({Target(path): TargetOrigin.AROUND for path in files.around})
+    texts = files.documentation
+    targets.update({Target(path, documented=texts.arguments(path)): TargetOrigin.LAUNCHED for path in candidates})
+    targets.update({Target(path, documented=texts.arguments(path)): TargetOrigin.AROUND for path in files.around})
     focus = tuple(files.focus)
     return [PlannedTarget(target, origin, focus) for target, origin in targets.items()]
 

@@ -1,4 +1,5 @@
-"""The arguments to start a launch file with, if it brings no robot together without any.
+"""The arguments to start a launch file with: those that are documented, and if it brings no robot together without any,
+those that are guessed.
 
 Values of a required argument come from the names of the files that exist: `urdf/$(arg model).urdf.xacro`.
 """
@@ -8,7 +9,7 @@ from __future__ import annotations
 import glob
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import chain, islice
 
 from urdfctl.model.launch import Launch
@@ -38,11 +39,44 @@ class LaunchVariant(NamedTuple):
     is_guessed: bool = False
 
 
-def launch_variants(read: Read) -> list[LaunchVariant]:
-    """Return the arguments to start a launch file with: none if it needs none, or if nothing is known about them.
+def launch_variants(read: Read, documented: Iterable[Mapping[str, str]] = ()) -> list[LaunchVariant]:
+    """Return the arguments to start a launch file with: none if it needs none, or if nothing is known about them; and
+    those that are documented, where something else is started with them.
 
     A launch file that finds its robot may still need an argument by which the robot's parameter files are loaded.
     """
+    told: dict[tuple[object, ...], LaunchVariant] = {}
+    for arguments in documented:
+        launch = read(arguments)
+        if launch and launch.robots and _declares(launch, arguments) and _is_whole(launch):
+            told.setdefault(_started(launch), LaunchVariant(tuple(arguments.items())))
+    if not told:
+        return _guesses(read)
+    guesses = [
+        one for one in _guesses(read) if not any({*one.arguments} <= {*other.arguments} for other in told.values())
+    ]
+    left = [one for one in guesses if _started(read(dict(one.arguments))) not in told]
+    default = read({})
+    if default is None or any(value is None for _, value in default.arguments):
+        return [*told.values(), *left]
+    return [LaunchVariant(), *(one for started, one in told.items() if started != _started(default)), *left]
+
+
+def _started(launch: Launch | None) -> tuple[object, ...]:
+    """What a launch file starts of robots and their controllers."""
+    if launch is None:
+        return ()
+    described = ((one.file.path or one.file.text, one.arguments, one.namespace) for one in launch.robots)
+    loads = (load.file.path for load in launch.loads if not load.in_node)
+    spawns = (spawn.full_name(name) for spawn in launch.spawns for name, _ in spawn.names)
+    return *described, *loads, *spawns, *(one.simulator for one in launch.simulations)
+
+
+def _declares(launch: Launch, arguments: Mapping[str, str]) -> bool:
+    return arguments.keys() <= {name for name, _ in launch.arguments}
+
+
+def _guesses(read: Read) -> list[LaunchVariant]:
     launch = read({})
     if launch is None:
         return [LaunchVariant()]
@@ -153,7 +187,7 @@ def _combined(bases: list[Arguments], mode: Arguments, modes: list[Arguments], r
     first = {**mode, **bases[0]}
     starting = [] if _controls(first, read) else [each for each in modes if _controls({**first, **each}, read)]
     complete = [{**base, **mode, **(starting[0] if starting else {})} for base in bases]
-    whole = [arguments for arguments in complete if _is_whole(arguments, read)]
+    whole = [arguments for arguments in complete if (launch := read(arguments)) and _is_whole(launch)]
     yield from map(_guessed, whole or complete)
     for other in starting[1:]:
         yield _guessed({**first, **other})
@@ -164,10 +198,9 @@ def _controls(arguments: Arguments, read: Read) -> bool:
     return bool(launch and launch.robots and (launch.spawns or any(not load.in_node for load in launch.loads)))
 
 
-def _is_whole(arguments: Arguments, read: Read) -> bool:
-    """Whether no file is missing that is loaded with these arguments."""
-    launch = read(arguments)
-    return launch is not None and not any(load.file.exists is False for load in launch.loads)
+def _is_whole(launch: Launch) -> bool:
+    """Whether no file is missing that is loaded."""
+    return not any(load.file.exists is False for load in launch.loads)
 
 
 def _robots(arguments: Arguments, read: Read) -> bool:

@@ -180,7 +180,7 @@ class Loader:
         return LoadedTarget(self._among_others(project, sources), described.root, sources, given)
 
     def variants(self, target: Target) -> list[Target]:
-        """Return a target for each choice of the arguments that a launch file needs.
+        """Return a target for each choice of the arguments that a launch file needs, or is documented to be given.
 
         It is the target itself if it needs none. Otherwise the arguments are guessed from the files that exist; or
         they are those with which the launch file includes another one.
@@ -192,9 +192,11 @@ class Loader:
 
         files, packages = self.reading(path)
         read = partial(self._launch, path, files, packages)
-        towards = target.towards
-        found = [variant_including(towards, read, files.read(path).data)] if towards else launch_variants(read)
-        return [target._replace(arguments=one.arguments, guessed=one.is_guessed) for one in found]
+        if target.towards:
+            found = [variant_including(target.towards, read, files.read(path).data)]
+        else:
+            found = launch_variants(read, map(dict, target.documented))
+        return [target._replace(arguments=one.arguments, guessed=one.is_guessed, documented=()) for one in found]
 
     def _fitting(self, target: Target, launch_file: LaunchFile, robot: Document) -> LaunchFile:
         """The launch file with those of its parameter files that fit the joints of a robot best."""

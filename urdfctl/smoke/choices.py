@@ -28,5 +28,5 @@ def choices_of(
         if is_launch(target.path) and not target.launch and lacks_robot(result)
     ]
     found = variants([targets[index] for index in needy]) if needy else []
-    guessed = ([target for target in choices if target.guessed][:_MOST] for choices in found)
-    return {index: choices for index, choices in zip(needy, guessed, strict=True) if choices}
+    given = ([target for target in choices if target.arguments][:_MOST] for choices in found)
+    return {index: choices for index, choices in zip(needy, given, strict=True) if choices}

@@ -7,6 +7,7 @@ from systems.render.actions import LaunchFile, ParamFile, packages_in, parts_of
 from systems.render.around import add_around
 from systems.render.description import FILE_ARGUMENTS, descriptions, xacro_arguments
 from systems.render.distractors import add_examples
+from systems.render.documents import add_documents
 from systems.render.launch import frontends, python, roslaunch
 from systems.render.launch.python_descriptions import FUNCTION, MODULE, helper
 from systems.render.launch.ros2_spawners import LISTED
@@ -56,6 +57,7 @@ def assembled(system: System, idioms: Idioms) -> Workspace:
         workspace.files[path] = dumped({"controllers": listed})
     workspace.is_fault_visible = idioms["parameters"] != "written"
     _add_module(plan, workspace)
+    add_documents(workspace, plan)
     if plan.needs_examples:
         add_examples(workspace, places)
     add_packages(workspace, plan)

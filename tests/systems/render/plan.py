@@ -182,9 +182,14 @@ def _declared(plan: Plan, file: LaunchFile, *, is_top: bool) -> tuple[tuple[str,
 def _from_environment(plan: Plan, name: str) -> Value:
     """The right value, by way of an environment variable that is not set if the switch says so."""
     right = plan.right[name]
-    if plan.idioms["defaults"] == "environment" and len(right) == 1 and isinstance(right[0], str) and right[0]:
-        return (Variable(f"START_{name}".upper(), right[0]),)
+    if plan.idioms["defaults"] == "environment" and is_typed(right):
+        return (Variable(f"START_{name}".upper(), str(right[0])),)
     return right
+
+
+def is_typed(value: Value) -> bool:
+    """Return whether a value can be typed in a terminal."""
+    return len(value) == 1 and isinstance(value[0], str) and bool(value[0])
 
 
 def _usual(plan: Plan, name: str) -> str:
@@ -193,6 +198,8 @@ def _usual(plan: Plan, name: str) -> str:
 
 def _default(plan: Plan, name: str, *, is_top: bool) -> Value | None:
     passing = plan.passing
+    if is_top and plan.idioms["told"] != "nowhere" and is_typed(plan.right[name]):
+        return None
     if is_top or passing == "default":
         return _from_environment(plan, name)
     return None if passing == "required" else plan.wrong[name]

@@ -1,0 +1,119 @@
+"""The arguments with which READMEs and scripts start launch files."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from folder import Folder
+
+from urdfctl.discover.documented import Documentation
+
+ROBOT = '<robot name="{0}"><link name="a"/><link name="b"/><joint name="j" type="fixed">{1}</joint></robot>'
+ENDS = '<parent link="a"/><child link="b"/>'
+LAUNCH = """\
+<launch>
+  <arg name="model" {default}/>
+  <param name="robot_description" textfile="$(dirname)/$(arg model).urdf"/>
+  <node pkg="controller_manager" type="spawner" name="s" args="arm_controller"/>
+</launch>
+"""
+MANIFEST = "<package format='2'><name>arm</name></package>"
+
+
+def documented(folder: Folder, text: str, name: str = "README.md", package: str = "arm") -> list[dict[str, str]]:
+    """The arguments that a text gives the launch file of a package, where only the text is in the searched folders."""
+    folder.write({"arm/package.xml": MANIFEST.replace("arm", package), "arm/launch/go.launch": "<launch/>", name: text})
+    texts = Documentation([str(folder.path / name)])
+    return [dict(arguments) for arguments in texts.arguments(str(folder.path / "arm/launch/go.launch"))]
+
+
+@pytest.mark.parametrize(
+    ("text", "arguments"),
+    [
+        ("roslaunch arm go.launch model:=small", {"model": "small"}),
+        ("Type `roslaunch arm go.launch model:=small`.", {"model": "small"}),
+        ("$ ros2 launch arm go.launch model:=small sim:=true  # slow", {"model": "small", "sim": "true"}),
+        ("ros2 launch --noninteractive arm go.launch model:=small", {"model": "small"}),
+        (
+            "roslaunch arm go.launch \\\n    model:=small \\\n    sim:=true\nmodel:=large",
+            {"model": "small", "sim": "true"},
+        ),
+        ("roslaunch src/arm/launch/go.launch model:=small", {"model": "small"}),
+        ("roslaunch arm go.launch name:='my arm' model:=\"small\".", {"name": "my arm", "model": "small"}),
+        ("roslaunch arm go.launch model:=small && rosrun x y z:=1", {"model": "small"}),
+        ("roslaunch arm go.launch ip:=<ip> model:=small", {"model": "small"}),
+    ],
+)
+def test_a_command_names_arguments(text: str, arguments: dict[str, str], folder: Folder) -> None:
+    assert documented(folder, text) == [arguments]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "roslaunch arm go.launch",
+        "roslaunch leg go.launch model:=small",
+        "roslaunch arm stop.launch model:=small",
+        "roslaunch arm go.launch model:=<model>",
+        "roslaunch arm go.launch model:=$MODEL",
+        "roslaunch arm go.launch sim:=[true|false]",
+        "roslaunch arm go.launch sim:=true/false",
+        "roslaunch arm go.launch name:=your_name",
+        "rosrun arm go.launch model:=small",
+    ],
+)
+def test_another_command_and_a_value_that_the_reader_chooses_name_none(text: str, folder: Folder) -> None:
+    assert documented(folder, text) == []
+
+
+def test_each_choice_counts_once_and_the_nearest_text_first(folder: Folder) -> None:
+    first = "roslaunch arm go.launch a:=1 b:=2\nroslaunch arm go.launch b:=2 a:=1\nroslaunch arm go.launch a:=2"
+    folder.write({"arm/README.md": "roslaunch arm go.launch a:=3"})
+    assert documented(folder, first) == [{"a": "3"}, {"a": "1", "b": "2"}, {"a": "2"}]
+
+
+@pytest.mark.parametrize("name", ["README.rst", "docs/use.md", "scripts/run.sh", "Makefile", "docker/Dockerfile"])
+def test_texts_in_the_folders_around_a_launch_file_count_wherever_the_search_begins(name: str, folder: Folder) -> None:
+    folder.write({f"arm/{name}": "roslaunch arm go.launch model:=small"})
+    assert documented(folder, "", name="other/README.md") == [{"model": "small"}]
+
+
+def started(folder: Folder, readme: str, launch: str, *paths: str) -> list[tuple[dict[str, str], str]]:
+    """What a launch file starts, as `urdfctl show` has it: its arguments, and the name of the description."""
+    robots = {f"arm/launch/{name}.urdf": ROBOT.format(name, ENDS) for name in ("small", "large", "other")}
+    folder.write({**robots, "arm/package.xml": MANIFEST, "arm/launch/go.launch": launch, "README.md": readme})
+    shown = folder.run("show", "--format", "json", *(paths or (".",)))
+    targets = json.loads(shown.stdout)["targets"]
+    found = [(one["launch_arguments"], one["robot"]) for one in targets if one["launch"]]
+    return [(arguments, robot.rpartition("/")[2]) for arguments, robot in found]
+
+
+def test_a_launch_file_is_checked_with_its_defaults_and_as_it_is_documented(folder: Folder) -> None:
+    readme = "roslaunch arm go.launch model:=large\nroslaunch arm go.launch model:=small\nroslaunch arm go.launch x:=1"
+    found = started(folder, readme, LAUNCH.format(default='default="small"'))
+    assert found == [({}, "small.urdf"), ({"model": "large"}, "large.urdf")]
+
+
+def test_a_launch_file_that_needs_an_argument_is_not_checked_without_it(folder: Folder) -> None:
+    optional = LAUNCH.format(default='default="small"').replace("<launch>", '<launch><arg name="ip"/>')
+    assert started(folder, "roslaunch arm go.launch ip:=10.0.0.1", optional) == [({"ip": "10.0.0.1"}, "small.urdf")]
+
+
+def test_a_documented_argument_that_leads_to_no_file_is_left_out(folder: Folder) -> None:
+    launch = LAUNCH.format(default='default="small"')
+    assert started(folder, "roslaunch arm go.launch model:=huge", launch) == [({}, "small.urdf")]
+
+
+def test_an_included_launch_file_that_people_start_alone_is_checked_so(folder: Folder) -> None:
+    outer = "<launch><include file='$(find arm)/launch/go.launch'/></launch>"
+    folder.write({"arm/launch/all.launch": outer})
+    found = started(folder, "roslaunch arm go.launch model:=large", LAUNCH.format(default='default="small"'))
+    assert found == [({}, "small.urdf"), ({"model": "large"}, "large.urdf")]
+
+
+def test_a_guessed_file_that_is_only_a_part_is_no_robot(folder: Folder) -> None:
+    macro = '<xacro:macro name="m"><link name="a"/></xacro:macro>'
+    folder.write({"arm/launch/part.urdf": f'<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{macro}</robot>'})
+    found = started(folder, "", LAUNCH.format(default=""))
+    assert [name for _, name in found] == ["large.urdf", "other.urdf", "small.urdf"]

@@ -1,0 +1,22 @@
+"""Texts that say with which arguments people start a launch file."""
+
+from __future__ import annotations
+
+from systems.render.plan import Plan, file_name, is_typed
+from systems.render.workspace import Workspace
+
+_PATHS = {"readme": "{package}/README.md", "document": "docs/start.md", "script": "{package}/scripts/start.sh"}
+
+
+def add_documents(workspace: Workspace, plan: Plan) -> None:
+    """Add the text that names the arguments of the only start, if the switch says so."""
+    kind = workspace.idioms["told"]
+    if kind == "nowhere":
+        return
+    (start,) = plan.starts
+    needed = (name for name, default in start.declared if default is None and is_typed(plan.right.get(name, ())))
+    given = [f"{name}:={plan.right[name][0]}" for name in needed]
+    program = "roslaunch" if plan.system.generation == 1 else "ros2 launch"
+    command = " ".join((program, start.package, file_name(plan, start), *given))
+    text = f"#!/bin/sh\n{command}\n" if kind == "script" else f"# Start\n\nSee `{start.stem}`:\n\n```\n{command}\n```\n"
+    workspace.files[_PATHS[kind].format(package=start.package)] = text

@@ -1,0 +1,122 @@
+"""The arguments with which READMEs and scripts start launch files: people start them so, whatever the defaults are."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+from itertools import chain, islice
+
+from urdfctl.source.disk.files import first_bytes, folders_upwards
+from urdfctl.source.disk.gate import names_in
+from urdfctl.source.disk.shown import remembered
+from urdfctl.source.workspaces.packages import package_around, package_name
+from urdfctl.source.workspaces.workspace import workspace_of
+from urdfctl.startup.records import NamedTuple
+
+Arguments = tuple[tuple[str, str], ...]
+
+_FOLDERS = ("", "doc", "docs", "script", "scripts", "docker")
+_STARTS = ("README", "Readme", "readme", "Makefile", "justfile", "Dockerfile", "docker-compose", "compose.")
+_ENDINGS = (".md", ".rst", ".sh", ".bash")
+_MOST_BYTES = 1 << 18
+_MOST_FILES = 32
+_MOST_CHOICES = 16
+"""Choices of arguments for one launch file."""
+_WORD = r"(?:[\w./~+$(){}<>\[\],:=*%@^…-]|\"[^\"\n]*\"|'[^'\n]*')+"
+_COMMAND = rf"\b(?:roslaunch|ros2[ \t]+launch)((?:(?:[ \t]|\\\r?\n)+{_WORD})+)"
+_ARGUMENT = r"(?<!\S)([A-Za-z_]\w*):=(\"[^\"\n]*\"|'[^'\n]*'|\S+)"
+_ENDS_SENTENCE = ".,:)"
+_PLACEHOLDER = r"(?i)[<>$^*|{}…]|\.\.\.|xxx|\byour|\[[^\]]*[a-z]|(?:true|false)/(?:true|false)"
+"""What stands for a value that the reader has to choose."""
+
+
+class _Command(NamedTuple):
+    """The start of a launch file. package: None if the launch file is named by its path."""
+
+    package: str | None
+    name: str
+    arguments: Arguments
+
+
+class Documentation:
+    """What the texts of a run say about starting launch files.
+
+    texts: those in the folders that are searched; those in the folders around a launch file are read besides.
+    """
+
+    def __init__(self, texts: Iterable[str] = ()) -> None:
+        self._texts = texts
+
+    @cached_property
+    def _elsewhere(self) -> list[_Command]:
+        return [command for path in self._texts for command in _in_text(path)]
+
+    def arguments(self, path: str) -> tuple[Arguments, ...]:
+        """Return the arguments with which texts start a launch file, each choice once; those of the nearest text first.
+
+        A value that stands for another one, such as `<ip>`, is left out.
+        """
+        path = os.path.abspath(path)
+        package = package_around(os.path.dirname(path))
+        name = package and package_name(os.path.join(package, "package.xml"))
+        found: dict[frozenset[tuple[str, str]], Arguments] = {}
+        for command in chain(*map(_commands, _folders_around(path)), self._elsewhere):
+            is_meant = command.name == os.path.basename(path) and command.package in (None, name)
+            if is_meant and command.arguments:
+                found.setdefault(frozenset(command.arguments), command.arguments)
+        return tuple(islice(found.values(), _MOST_CHOICES))
+
+
+def is_document(path: str) -> bool:
+    """Return whether a file may say how launch files are started."""
+    name = os.path.basename(path)
+    return name.startswith(_STARTS) or name.endswith(_ENDINGS)
+
+
+def _folders_around(path: str) -> Iterator[str]:
+    top = workspace_of(path)
+    for folder in folders_upwards(os.path.dirname(path)):
+        yield folder
+        if folder == top or not folder.startswith(top):
+            return
+
+
+@remembered
+def _commands(folder: str) -> tuple[_Command, ...]:
+    """The starts of launch files that the texts of a folder contain."""
+    texts = [path for inner in _FOLDERS for path in _texts(os.path.join(folder, inner) if inner else folder)]
+    return tuple(command for path in texts[:_MOST_FILES] for command in _in_text(path))
+
+
+def _texts(folder: str) -> Iterator[str]:
+    try:
+        names = names_in(folder)
+    except OSError:
+        return
+    yield from (os.path.join(folder, name) for name in names if is_document(name))
+
+
+@remembered
+def _in_text(path: str) -> tuple[_Command, ...]:
+    try:
+        text = first_bytes(path, _MOST_BYTES)
+    except OSError:
+        return ()
+    return tuple(_commands_in(text.decode("utf-8", "replace"))) if b"launch" in text else ()
+
+
+def _commands_in(text: str) -> Iterator[_Command]:
+    for words in re.findall(_COMMAND, text):
+        first, *rest = [word for word in words.replace("\\", " ").split() if not word.startswith("-")] or [""]
+        is_path = ".launch" in first
+        name = os.path.basename(first if is_path else rest[0] if rest else "")
+        yield _Command(None if is_path else first, name.rstrip(_ENDS_SENTENCE), tuple(_arguments(words)))
+
+
+def _arguments(words: str) -> Iterator[tuple[str, str]]:
+    for name, written in re.findall(_ARGUMENT, words):
+        value = written.rstrip(_ENDS_SENTENCE).strip("\"'")
+        if not re.search(_PLACEHOLDER, value):
+            yield name, value
