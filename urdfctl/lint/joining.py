@@ -293,7 +293,7 @@ def _may_be_meant(lonely: TargetResult, start: Start) -> bool:
     wanted, there = {joint for _, joint in lonely.joining.claimed}, start.joints
     if not wanted:
         wanted, there = names_without_namespace(spawned_by(lonely)), start.declared
-        if not there and not lonely.joining.declared:
+        if not there and (lonely.joining.manages or not lonely.joining.declared):
             return True
     return bool(wanted & there) or (bool(wanted) and all(nearest(name, there) for name in wanted))
 
