@@ -200,6 +200,8 @@ def parameters(system: System, idioms: Idioms, position: str) -> bool:
     """Each generation has its own ways to give parameters."""
     if system.moveit:
         return False
+    if idioms["fleet"] == "shared" and position in ("dictionary", "inline") and not _same_controllers(system):
+        return False
     if position == "dictionary":
         untyped = any(not one.typed for robot in system.robots for one in robot.controllers)
         return _real_ros2(system) and idioms["hardware"] == "fixed" and not untyped and not _is_section_wrong(system)
@@ -213,6 +215,11 @@ def parameters(system: System, idioms: Idioms, position: str) -> bool:
         is_same = idioms["fleet"] == "apart" or not any(robot.prefix for robot in system.robots)
         return system.generation == 1 and is_same
     return system.generation == 1 or idioms["sections"] not in ("replaced", "rewritten")
+
+
+def _same_controllers(system: System) -> bool:
+    """Whether a text in a file that robots share is right for all of them, or wrong for all."""
+    return all(robot.controllers == system.robots[0].controllers for robot in system.robots)
 
 
 def _real_ros2(system: System) -> bool:
