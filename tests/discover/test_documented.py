@@ -117,3 +117,27 @@ def test_a_guessed_file_that_is_only_a_part_is_no_robot(folder: Folder) -> None:
     folder.write({"arm/launch/part.urdf": f'<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{macro}</robot>'})
     found = started(folder, "", LAUNCH.format(default=""))
     assert [name for _, name in found] == ["large.urdf", "other.urdf", "small.urdf"]
+
+
+NEEDS_TWO = """\
+<launch>
+  <arg name="model"/>
+  <arg name="sim" default="true"/>
+  <param name="robot_description" textfile="$(dirname)/$(arg model).urdf"/>
+  <node unless="$(arg sim)" pkg="controller_manager" type="spawner" name="s" args="arm_controller"/>
+</launch>
+"""
+
+
+def test_a_command_without_the_argument_that_decides_which_robot_it_is_starts_nothing(folder: Folder) -> None:
+    found = started(folder, "roslaunch arm go.launch model:=<model> sim:=false", NEEDS_TWO)
+    assert [arguments for arguments, _ in found] == [{"model": name} for name in ("large", "other", "small")]
+
+
+def test_a_guess_stays_beside_a_documented_start_of_the_same_robot_in_another_mode(folder: Folder) -> None:
+    found = started(folder, "roslaunch arm go.launch model:=small sim:=false", NEEDS_TWO)
+    assert ({"model": "small", "sim": "false"}, "small.urdf") in found
+    assert ({"model": "small"}, "small.urdf") in found
+    needy = NEEDS_TWO.replace('name="sim" default="true"', 'name="sim"')
+    found = started(folder, "roslaunch arm go.launch model:=small sim:=false", needy)
+    assert ({"model": "small"}, "small.urdf") not in found

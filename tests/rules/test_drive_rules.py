@@ -74,3 +74,13 @@ def test_the_default_base_frame_must_be_a_link_if_it_is_published(tmp_path: Path
     assert all(
         one.endswith("has no 'base_frame_id', and the robot has no link 'base_link' (its default)") for one in messages
     )
+
+
+@pytest.mark.parametrize(("frame", "told"), [("one/base", 0), ("/one/base", 0), ("one/bse", 1), ("two/base", 1)])
+def test_a_base_frame_may_have_a_namespace_or_be_a_link_with_a_slash(tmp_path: Path, frame: str, told: int) -> None:
+    urdf = completed("robot.urdf", WHEELS).replace('"base"', '"one/base"')
+    (tmp_path / "robot.urdf").write_text(urdf, encoding="utf-8")
+    text = DRIVE + indent(f"base_frame_id: {frame}\n", "    ")
+    (tmp_path / "controllers.yaml").write_text(text, encoding="utf-8")
+    target = Target(str(tmp_path / "robot.urdf"), controllers=(str(tmp_path / "controllers.yaml"),))
+    assert len(robots.findings(target, ("UC445",), distro="kilted", workspace=str(tmp_path))) == told

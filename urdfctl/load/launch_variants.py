@@ -45,21 +45,38 @@ def launch_variants(read: Read, documented: Iterable[Mapping[str, str]] = ()) ->
 
     A launch file that finds its robot may still need an argument by which the robot's parameter files are loaded.
     """
+    guesses = _guesses(read)
+    told = _told(documented, guesses, read)
+    if not told:
+        return guesses
+    default = read({})
+    required = {name for name, value in default.arguments if value is None} if default else set()
+    left = [one for one in guesses if one.is_guessed and not _lacks(dict(one.arguments), required, told.values())]
+    left = [one for one in left if _started(read(dict(one.arguments))) not in told]
+    if default is None or required:
+        return [*told.values(), *left]
+    return [LaunchVariant(), *(one for started, one in told.items() if started != _started(default)), *left]
+
+
+def _lacks(guess: Arguments, required: set[str], told: Iterable[LaunchVariant]) -> bool:
+    """Whether a documented choice has all of a guess, and another required argument."""
+    choices = [dict(one.arguments) for one in told]
+    return any(guess.items() <= choice.items() and required & (choice.keys() - guess.keys()) for choice in choices)
+
+
+def _told(
+    documented: Iterable[Mapping[str, str]], guesses: Iterable[LaunchVariant], read: Read
+) -> dict[tuple[object, ...], LaunchVariant]:
+    """The documented choices with which a robot is started whose files exist, by what is started with them."""
     told: dict[tuple[object, ...], LaunchVariant] = {}
+    deciding = {name for one in guesses if one.is_guessed for name, _ in one.arguments}
     for arguments in documented:
         launch = read(arguments)
         if launch and launch.robots and _declares(launch, arguments) and _is_whole(launch):
-            told.setdefault(_started(launch), LaunchVariant(tuple(arguments.items())))
-    if not told:
-        return _guesses(read)
-    guesses = [
-        one for one in _guesses(read) if not any({*one.arguments} <= {*other.arguments} for other in told.values())
-    ]
-    left = [one for one in guesses if _started(read(dict(one.arguments))) not in told]
-    default = read({})
-    if default is None or any(value is None for _, value in default.arguments):
-        return [*told.values(), *left]
-    return [LaunchVariant(), *(one for started, one in told.items() if started != _started(default)), *left]
+            needed = {name for name, default in launch.arguments if not default} & deciding
+            if needed <= arguments.keys():
+                told.setdefault(_started(launch), LaunchVariant(tuple(arguments.items())))
+    return told
 
 
 def _started(launch: Launch | None) -> tuple[object, ...]:

@@ -70,7 +70,7 @@ def _missing_frame(reader: Reader, names: KnownNames) -> Iterator[Finding]:
     if given.value.kind is not ValueKind.STRING or not given.value.is_known or not given.value.text:
         return
     name = given.value.text.rpartition("/")[2]
-    if name in names:
+    if name in names or given.value.text.strip("/") in names:
         return
     right = names.meant_by(name)
     hint = f"; did you mean '{right}'?" if right else ""
