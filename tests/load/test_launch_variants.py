@@ -40,6 +40,12 @@ def test_values_come_from_the_files_that_exist(folder: Folder, default: str) -> 
     assert found == [{"model": "large"}, {"model": "small"}]
 
 
+def test_a_backup_is_no_choice(folder: Folder) -> None:
+    described = DESCRIPTION.replace(".urdf.xacro", "")
+    found = variants(folder, NEEDS_MODEL.format("", described), **{"small.urdf.xacro.bak": ROBOT, "small.old": ROBOT})
+    assert found == [{"model": "large.urdf.xacro"}, {"model": "small.urdf.xacro"}]
+
+
 def test_a_launch_file_with_a_robot_needs_none(folder: Folder) -> None:
     assert variants(folder, NEEDS_MODEL.format('default="small"', DESCRIPTION)) == [{}]
 

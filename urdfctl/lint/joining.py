@@ -77,10 +77,11 @@ class Joined(NamedTuple):
 
 
 def is_lonely(result: TargetResult) -> bool:
-    """Return whether a result is of a launch file that loads or spawns controllers, and names no robot to start."""
+    """Return whether a result is of a launch file that runs a controller manager, or loads or spawns controllers, and
+    names no robot to start."""
     if not is_launch(result.path) or result.links is not None or result.bringup is None or result.joining.lost:
         return False
-    return bool(result.joining.declared or result.bringup.spawned)
+    return bool(result.joining.declared or result.bringup.spawned or result.joining.manages)
 
 
 def targets_near(path: str) -> list[Target]:

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import chain, islice
 
 from urdfctl.model.launch import Launch
+from urdfctl.model.launch.parts import FILE_ENDINGS
 from urdfctl.source.disk.gate import matching
 from urdfctl.startup.records import NamedTuple
 
@@ -186,10 +187,11 @@ def _values(name: str, mode: Arguments, read: Read) -> list[str]:
 
 
 def _in_files(path: str) -> Iterator[str]:
-    """The texts that make a path with marks the path of a file."""
+    """The texts that make a path with marks the path of a file; not of one with another ending, such as a backup."""
     if not os.path.isabs(path):
         return
-    matches = map(_pattern(path).fullmatch, matching("*".join(map(glob.escape, path.split(_MARK)))))
+    files = matching("*".join(map(glob.escape, path.split(_MARK))))
+    matches = (_pattern(path).fullmatch(file) for file in files if file.endswith(FILE_ENDINGS))
     yield from (match[1] for match in matches if match)
 
 
