@@ -9,7 +9,9 @@ from itertools import islice
 from typing import Any
 
 from urdfctl.source.launch.calls import Calls, entities_of
+from urdfctl.source.launch.classes import assign, attribute_of, created
 from urdfctl.source.launch.frames import Frame, bound
+from urdfctl.source.launch.nodes import inside_quotes, place_of
 from urdfctl.source.launch.operations import (
     binary,
     compared,
@@ -30,6 +32,8 @@ from urdfctl.source.launch.terms import (
     ImportedName,
     Items,
     Member,
+    OwnClass,
+    OwnObject,
     Perhaps,
     Table,
     Term,
@@ -38,7 +42,7 @@ from urdfctl.source.launch.terms import (
     perhaps,
 )
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.source.span import BOM, Place, SourceText
+from urdfctl.source.span import Place, SourceText
 
 _MOST_STEPS = 100_000
 _MOST_DEPTH = 100
@@ -100,14 +104,7 @@ class Evaluation:
 
     def at(self, node: ast.expr | ast.stmt) -> Place:
         """Return the place of a node, from its first to its last byte."""
-        starts = self.source.line_starts()
-        bom = len(BOM) if self.source.data.startswith(BOM) else 0
-
-        def offset(line: int, column: int) -> int:
-            return starts[min(line, len(starts)) - 1] + column + (bom if line == 1 else 0)
-
-        end = offset(node.end_lineno or node.lineno, node.end_col_offset or node.col_offset)
-        return Place(self.source, offset(node.lineno, node.col_offset), end=end)
+        return place_of(self.source, node)
 
     def may_go_on(self) -> bool:
         """Count a step, and return whether the limits of steps and of nesting allow it."""
@@ -142,6 +139,10 @@ class Evaluation:
             if isinstance(table, Table):
                 key = self.value(target.slice, frame)
                 table.put(key, value if frame.sure else one_of([value, UnknownTerm(self.at(target))], self.at(target)))
+        elif isinstance(target, ast.Attribute):
+            of = self.value(target.value, frame)
+            if isinstance(of, OwnObject):
+                assign(of, target.attr, value, sure=frame.sure)
         elif isinstance(target, ast.Starred):
             self.bind(target.value, UnknownTerm(self.at(target)), frame)
 
@@ -190,7 +191,7 @@ class Evaluation:
         at = self.at(node)
         value = node.value
         if isinstance(value, str):
-            return text_at(value, _inside(at, value))
+            return text_at(value, inside_quotes(at, value))
         return Constant(value, at) if value is None or isinstance(value, (bool, int, float)) else UnknownTerm(at)
 
     def _list(self, node: ast.List | ast.Tuple | ast.Set, frame: Frame) -> Term:
@@ -253,6 +254,8 @@ class Evaluation:
         if isinstance(of, ImportedName):
             path = f"{of.path}.{node.attr}"
             return self.member(path) or ImportedName(path, at)
+        if isinstance(of, (OwnClass, OwnObject)):
+            return attribute_of(of, node.attr, at)
         if isinstance(of, Constant) and isinstance(of.value, str):
             if node.attr == "parent":
                 return Constant(os.path.dirname(of.value), at)
@@ -368,16 +371,19 @@ class Evaluation:
                 keywords.update(value.entries)
         if isinstance(node.func, ast.Attribute):
             of = self.value(node.func.value, frame)
-            if not isinstance(of, ImportedName):
+            if isinstance(of, ImportedName):
+                path = f"{of.path}.{node.func.attr}"
+                function = self.member(path) or ImportedName(path, at)
+            elif isinstance(of, (OwnClass, OwnObject)):
+                function = attribute_of(of, node.func.attr, at)
+            else:
                 return self._calls.method(of, node.func.attr, (arguments, keywords), at, frame)
-            path = f"{of.path}.{node.func.attr}"
-            own = self.member(path)
-            if isinstance(own, Function):
-                return own.call(arguments, keywords, None)
-            return self._calls.function(path, arguments, keywords, at)
-        function = self.value(node.func, frame)
+        else:
+            function = self.value(node.func, frame)
         if isinstance(function, Function):
             return function.call(arguments, keywords, None)
+        if isinstance(function, OwnClass):
+            return created(function, arguments, keywords, at)
         if isinstance(function, ImportedName):
             return self._calls.function(function.path, arguments, keywords, at)
         return UnknownTerm(at)
@@ -390,12 +396,3 @@ class Evaluation:
             evaluation = evaluation.outer
         context = evaluation.context if evaluation else None
         return Constant(context.perform(of) if context else UNKNOWN, at)
-
-
-def _inside(at: Place, text: str) -> Place:
-    """The place of a literal's text without its quotes; the whole literal if the text is written differently."""
-    span = at.span
-    literal = span.source.data[span.start : span.end]
-    if len(literal) > 1 and literal[:1] in {b"'", b'"'} and literal[1:-1] == text.encode("utf-8", "replace"):
-        return Place(span.source, span.start + 1, end=span.end - 1)
-    return at

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from urdfctl.source.launch.frames import Frame
-from urdfctl.source.launch.terms import Constant, Function, Items, Table, Term
+from urdfctl.source.launch.terms import Constant, Function, Items, OwnClass, OwnObject, Table, Term
 from urdfctl.source.span import SourceText
 
 _KNOWN = frozenset(
@@ -42,7 +42,7 @@ class Modules:
             return None
         frame = self._frame(module, importer)
         term = frame.names.get(name) if frame else None
-        return term if isinstance(term, (Function, Constant, Items, Table)) else None
+        return term if isinstance(term, (Function, Constant, Items, Table, OwnClass, OwnObject)) else None
 
     def _frame(self, module: str, importer: str) -> Frame | None:
         source = self._find(module, importer) if len(self._frames) < _MOST_MODULES else None

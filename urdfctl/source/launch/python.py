@@ -11,6 +11,7 @@ import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 
+from urdfctl.source.launch.classes import class_of
 from urdfctl.source.launch.expressions import Evaluation
 from urdfctl.source.launch.frames import Frame, extend, merged
 from urdfctl.source.launch.modules import Modules
@@ -218,7 +219,7 @@ class Run:
         elif isinstance(node, ast.FunctionDef):
             frame.names[node.name] = self._function(node, frame)
         elif isinstance(node, ast.ClassDef):
-            frame.names[node.name] = UnknownTerm(self.at(node))
+            frame.names[node.name] = self._class(node, frame)
         elif isinstance(node, (ast.Import, ast.ImportFrom)):
             self._import(node, frame)
 
@@ -298,6 +299,12 @@ class Run:
             return ended
         frame.sure = was_sure
         return self.block(node.orelse, frame) if ended != "break" else None
+
+    def _class(self, node: ast.ClassDef, frame: Frame) -> Term:
+        inner = Frame({}, frame)
+        self.block([one for one in node.body if not isinstance(one, ast.FunctionDef)], inner)
+        bases = [self.value(base, frame) for base in node.bases]
+        return class_of(node, bases, inner, lambda one: self._function(one, frame), self.at(node))
 
     def _function(self, node: ast.FunctionDef, frame: Frame) -> Function:
         def body(inner: Frame) -> Term:

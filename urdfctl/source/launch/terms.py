@@ -133,6 +133,39 @@ class Function(NamedTuple):
     at: Place
 
 
+class OwnMethod(NamedTuple):
+    """A function of a class that the file defines.
+
+    kind: `staticmethod`, `classmethod`, `property`, or empty for a method of its objects.
+    """
+
+    function: Function
+    kind: str
+    at: Place
+
+
+class OwnClass(NamedTuple):
+    """A class that the file defines.
+
+    members: its methods and attributes, and those of the classes that it is derived from.
+    fields: those of a dataclass, in order; None for another class.
+    """
+
+    name: str
+    members: Mapping[str, Term]
+    fields: tuple[str, ...] | None
+    at: Place
+
+
+class OwnObject:
+    """An object of a class that the file defines, with the attributes that it was given."""
+
+    def __init__(self, of: OwnClass, at: Place) -> None:
+        self.of = of
+        self.at = at
+        self.attributes: dict[str, Term] = {}
+
+
 class OneOf(NamedTuple):
     """One of several terms; it is unknown which."""
 
@@ -147,7 +180,8 @@ class Perhaps(NamedTuple):
     at: Place
 
 
-Term = Constant | UnknownTerm | Items | Table | ImportedName | Called | Member | Function | OneOf | Perhaps
+_Own = OwnMethod | OwnClass | OwnObject
+Term = Constant | UnknownTerm | Items | Table | ImportedName | Called | Member | Function | OneOf | Perhaps | _Own
 
 
 class Context(NamedTuple):
