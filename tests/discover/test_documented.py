@@ -25,7 +25,7 @@ def documented(folder: Folder, text: str, name: str = "README.md", package: str 
     """The arguments that a text gives the launch file of a package, where only the text is in the searched folders."""
     folder.write({"arm/package.xml": MANIFEST.replace("arm", package), "arm/launch/go.launch": "<launch/>", name: text})
     texts = Documentation([str(folder.path / name)])
-    return [dict(arguments) for arguments in texts.arguments(str(folder.path / "arm/launch/go.launch"))]
+    return [dict(one.arguments) for one in texts.starts(str(folder.path / "arm/launch/go.launch"))]
 
 
 @pytest.mark.parametrize(
@@ -93,6 +93,14 @@ def test_a_launch_file_is_checked_with_its_defaults_and_as_it_is_documented(fold
     readme = "roslaunch arm go.launch model:=large\nroslaunch arm go.launch model:=small\nroslaunch arm go.launch x:=1"
     found = started(folder, readme, LAUNCH.format(default='default="small"'))
     assert found == [({}, "small.urdf"), ({"model": "large"}, "large.urdf")]
+
+
+def test_show_says_where_the_arguments_are_documented(folder: Folder) -> None:
+    readme = "# Arm\n\n    roslaunch arm go.launch model:=large\n"
+    started(folder, readme, LAUNCH.format(default='default="small"'))
+    assert "  arguments   model:=large  (as in README.md:3)\n" in folder.run("show", ".").stdout
+    targets = json.loads(folder.run("show", "--format", "json", ".").stdout)["targets"]
+    assert [one["arguments_from"] for one in targets if one["launch"]] == [None, "README.md:3"]
 
 
 def test_a_launch_file_that_needs_an_argument_is_not_checked_without_it(folder: Folder) -> None:

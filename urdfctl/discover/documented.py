@@ -15,8 +15,6 @@ from urdfctl.source.workspaces.packages import package_around, package_name
 from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 
-Arguments = tuple[tuple[str, str], ...]
-
 _FOLDERS = ("", "doc", "docs", "script", "scripts", "docker")
 _STARTS = ("README", "Readme", "readme", "Makefile", "justfile", "Dockerfile", "docker-compose", "compose.")
 _ENDINGS = (".md", ".rst", ".sh", ".bash")
@@ -32,12 +30,19 @@ _PLACEHOLDER = r"(?i)[<>$^*|{}…]|\.\.\.|xxx|\byour|\[[^\]]*[a-z]|(?:true|false
 """What stands for a value that the reader has to choose."""
 
 
+class DocumentedStart(NamedTuple):
+    """Arguments with which a text starts a launch file. place: `PATH:LINE`."""
+
+    arguments: tuple[tuple[str, str], ...]
+    place: str
+
+
 class _Command(NamedTuple):
     """The start of a launch file. package: None if the launch file is named by its path."""
 
     package: str | None
     name: str
-    arguments: Arguments
+    start: DocumentedStart
 
 
 class Documentation:
@@ -53,7 +58,7 @@ class Documentation:
     def _elsewhere(self) -> list[_Command]:
         return [command for path in self._texts for command in _in_text(path)]
 
-    def arguments(self, path: str) -> tuple[Arguments, ...]:
+    def starts(self, path: str) -> tuple[DocumentedStart, ...]:
         """Return the arguments with which texts start a launch file, each choice once; those of the nearest text first.
 
         A value that stands for another one, such as `<ip>`, is left out.
@@ -61,11 +66,11 @@ class Documentation:
         path = os.path.abspath(path)
         package = package_around(os.path.dirname(path))
         name = package and package_name(os.path.join(package, "package.xml"))
-        found: dict[frozenset[tuple[str, str]], Arguments] = {}
+        found: dict[frozenset[tuple[str, str]], DocumentedStart] = {}
         for command in chain(*map(_commands, _folders_around(path)), self._elsewhere):
             is_meant = command.name == os.path.basename(path) and command.package in (None, name)
-            if is_meant and command.arguments:
-                found.setdefault(frozenset(command.arguments), command.arguments)
+            if is_meant and command.start.arguments:
+                found.setdefault(frozenset(command.start.arguments), command.start)
         return tuple(islice(found.values(), _MOST_CHOICES))
 
 
@@ -104,15 +109,18 @@ def _in_text(path: str) -> tuple[_Command, ...]:
         text = first_bytes(path, _MOST_BYTES)
     except OSError:
         return ()
-    return tuple(_commands_in(text.decode("utf-8", "replace"))) if b"launch" in text else ()
+    return tuple(_commands_in(text.decode("utf-8", "replace"), path)) if b"launch" in text else ()
 
 
-def _commands_in(text: str) -> Iterator[_Command]:
-    for words in re.findall(_COMMAND, text):
+def _commands_in(text: str, path: str) -> Iterator[_Command]:
+    for match in re.finditer(_COMMAND, text):
+        words = match[1]
         first, *rest = [word for word in words.replace("\\", " ").split() if not word.startswith("-")] or [""]
         is_path = ".launch" in first
         name = os.path.basename(first if is_path else rest[0] if rest else "")
-        yield _Command(None if is_path else first, name.rstrip(_ENDS_SENTENCE), tuple(_arguments(words)))
+        line = text.count("\n", 0, match.start()) + 1
+        start = DocumentedStart(tuple(_arguments(words)), f"{os.path.abspath(path)}:{line}")
+        yield _Command(None if is_path else first, name.rstrip(_ENDS_SENTENCE), start)
 
 
 def _arguments(words: str) -> Iterator[tuple[str, str]]:

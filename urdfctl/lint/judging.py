@@ -300,7 +300,7 @@ def _not_followed(files: DiscoveredFiles, started: LaunchedTargets) -> list[Plan
     names = {os.path.basename(path) for path in known}
     left = (path for path in files.mentioned if os.path.basename(path) not in names)
     texts = files.documentation
-    targets = (Target(path, guessed=takes_arguments(path), documented=texts.arguments(path)) for path in left)
+    targets = (Target(path, guessed=takes_arguments(path), documented=texts.starts(path)) for path in left)
     return [PlannedTarget(target, TargetOrigin.LAUNCHED) for target in targets]
 
 
@@ -310,7 +310,7 @@ def _documented(
     """The launch files that others include, with the arguments with which people start them alone."""
     included = {path for _, (_, result) in started for path in _included(result)}
     texts = files.documentation
-    inner = [Target(p, documented=texts.arguments(p)) for p in files.mentioned if os.path.abspath(p) in included]
+    inner = [Target(p, documented=texts.starts(p)) for p in files.mentioned if os.path.abspath(p) in included]
     found = documented_starts(inner, [pair for _, pair in started], linter.variants, lint_targets)
     return [(PlannedTarget(pair[0], TargetOrigin.LAUNCHED), pair) for pair in found]
 

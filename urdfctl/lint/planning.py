@@ -143,8 +143,8 @@ def planned(
     configured = {os.path.abspath(path) for robot in robots for path in robot.launches}
     candidates = (path for path in files.launch_candidates if os.path.abspath(path) not in configured)
     texts = files.documentation
-    targets.update({Target(path, documented=texts.arguments(path)): TargetOrigin.LAUNCHED for path in candidates})
-    targets.update({Target(path, documented=texts.arguments(path)): TargetOrigin.AROUND for path in files.around})
+    targets.update({Target(path, documented=texts.starts(path)): TargetOrigin.LAUNCHED for path in candidates})
+    targets.update({Target(path, documented=texts.starts(path)): TargetOrigin.AROUND for path in files.around})
     focus = tuple(files.focus)
     return [PlannedTarget(target, origin, focus) for target, origin in targets.items()]
 

@@ -16,7 +16,6 @@ from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.origin.distro import without_prose
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
-from urdfctl.source.disk.files import is_launch
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.suppressions import Reach
@@ -64,7 +63,6 @@ def lint_target(
     loaded = loader.load(target)
     project, root = loaded.project, loaded.root
     robot, controllers = project.robot, project.controllers
-    launch_arguments = target.arguments if is_launch(target.path) else ()
 
     reached = Reach(root).contains if root is not None else _everywhere
     run = partial(lint, sources=list(loaded.sources.values()), selection=selection, reached=reached)
@@ -92,7 +90,7 @@ def lint_target(
         controllers=_controller_files(project),
         launch=project.launch.path if project.launch else None,
         arguments=loaded.arguments,
-        bringup=bringup_of(project.launch, launch_arguments, target.beside) if project.launch else None,
+        bringup=bringup_of(project.launch, target) if project.launch else None,
         distros=project.distros,
         nodes=tuple(node.name for node in controllers.nodes) if controllers else (),
         sections=tuple(s.name for s in controllers.others) if controllers and loader.settings.nodes else (),

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from urdfctl.load.target import LaunchStart
+from urdfctl.load.target import Target
+from urdfctl.source.disk.files import is_launch
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
@@ -20,6 +20,7 @@ class Bringup(NamedTuple):
     """What a launch file starts together.
 
     arguments: the launch arguments that were given.
+    told_at: where these are documented, as `PATH:LINE`; None if they are not.
     namespace: of the description; empty for the root, None if unknown or if there is no description.
     spawned: the names of controllers that are spawned, with their namespaces if known.
     includes: the launch files that it includes, and that were found.
@@ -41,6 +42,7 @@ class Bringup(NamedTuple):
     others: tuple[tuple[str, str | None], ...] = ()
     unfollowed: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
+    told_at: str | None = None
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Bringup:
@@ -52,8 +54,8 @@ class Bringup(NamedTuple):
         return cls(**{**data, **lists, "arguments": arguments, "others": others})
 
 
-def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...], beside: Sequence[LaunchStart] = ()) -> Bringup:
-    """Return what a launch file that is started with some arguments, and others beside it, start together."""
+def bringup_of(launch: Launch, target: Target) -> Bringup:
+    """Return what the launch file of a target, with its arguments, and others beside it start together."""
     description = launch.description
     spawned = (
         spawn.full_name(name) if spawn.namespace else name
@@ -63,7 +65,8 @@ def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...], beside: S
     )
     included = (reference.file for reference in launch.references if reference.use == "include" and reference.sure)
     return Bringup(
-        arguments=arguments,
+        arguments=target.arguments if is_launch(target.path) else (),
+        told_at=target.told_at,
         namespace=description.namespace if description else None,
         spawned=tuple(dict.fromkeys(spawned)),
         includes=tuple(dict.fromkeys(file.path for file in included if file.path and file.exists)),
@@ -72,5 +75,5 @@ def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...], beside: S
         complete=launch.complete,
         others=tuple((robot.file.path, robot.namespace) for robot in launch.others if robot.file.path),
         unfollowed=launch.unfollowed,
-        beside=tuple(os.path.abspath(start.path) for start in beside),
+        beside=tuple(os.path.abspath(start.path) for start in target.beside),
     )

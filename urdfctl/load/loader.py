@@ -195,8 +195,14 @@ class Loader:
         if target.towards:
             found = [variant_including(target.towards, read, files.read(path).data)]
         else:
-            found = launch_variants(read, map(dict, target.documented))
-        return [target._replace(arguments=one.arguments, guessed=one.is_guessed, documented=()) for one in found]
+            found = launch_variants(read, [dict(arguments) for arguments, _ in target.documented])
+        told = dict(target.documented)
+        return [
+            target._replace(
+                arguments=one.arguments, guessed=one.is_guessed, documented=(), told_at=told.get(one.arguments)
+            )
+            for one in found
+        ]
 
     def _fitting(self, target: Target, launch_file: LaunchFile, robot: Document) -> LaunchFile:
         """The launch file with those of its parameter files that fit the joints of a robot best."""

@@ -27,7 +27,8 @@ class Target(NamedTuple):
     namespace: that of the robot, if the launch file starts several with the same description.
     beside: the launch files that are started beside the one of the target, in another terminal.
     towards: a launch file that arguments of this one are sought for, with which it is included.
-    documented: the choices of arguments with which READMEs and scripts start the launch file.
+    documented: the choices of arguments with which READMEs and scripts start the launch file, each with its place.
+    told_at: where its arguments are documented.
     """
 
     path: str
@@ -40,14 +41,16 @@ class Target(NamedTuple):
     namespace: str | None = None
     beside: tuple[LaunchStart, ...] = ()
     towards: str | None = None
-    documented: tuple[tuple[tuple[str, str], ...], ...] = ()
+    documented: tuple[tuple[tuple[tuple[str, str], ...], str], ...] = ()
+    told_at: str | None = None
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Target:
         """Return the target that `_asdict` and JSON made `data` from."""
         beside = tuple(LaunchStart(path, _pairs(arguments)) for path, arguments in data["beside"])
         lists = {"arguments": _pairs(data["arguments"]), "controllers": tuple(data["controllers"]), "beside": beside}
-        return cls(**{**data, **lists, "documented": tuple(map(_pairs, data["documented"]))})
+        documented = tuple((_pairs(arguments), place) for arguments, place in data["documented"])
+        return cls(**{**data, **lists, "documented": documented})
 
 
 def _pairs(data: list[list[Any]]) -> tuple[tuple[str, str], ...]:

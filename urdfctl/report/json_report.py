@@ -39,6 +39,7 @@ def target_document(target: TargetResult) -> dict[str, Any]:
         "controllers": [shown(path) for path in target.controllers],
         "launch": shown(target.launch) if target.launch else None,
         "launch_arguments": dict(bringup.arguments),
+        "arguments_from": shown(bringup.told_at) if bringup.told_at else None,
         "beside": [shown(path) for path in bringup.beside],
         "includes": [shown(path) for path in bringup.includes],
         "namespace": bringup.namespace,

@@ -83,7 +83,7 @@ def _started(run: LintRun) -> list[TargetResult]:
 
 def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:
     bringup = target.bringup or Bringup()
-    yield "arguments", " ".join(f"{name}:={value}" for name, value in bringup.arguments)
+    yield "arguments", _arguments(bringup)
     if target.launch and is_robot(target):
         yield "description", _described(target)
     yield "beside", ", ".join(map(shown, bringup.beside))
@@ -99,6 +99,11 @@ def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:
         yield "unknown", "some of what the launch file starts could not be determined"
     if not target.complete:
         yield "incomplete", "not all of the description could be expanded"
+
+
+def _arguments(bringup: Bringup) -> str:
+    words = " ".join(f"{name}:={value}" for name, value in bringup.arguments)
+    return f"{words}  (as in {shown(bringup.told_at)})" if bringup.told_at else words
 
 
 def _described(target: TargetResult) -> str:
