@@ -127,6 +127,23 @@ def test_commands_of_cmake_are_known_in_capitals(folder: Folder) -> None:
     assert after.startswith("PROJECT(arm)\nfind_package(ament_cmake REQUIRED)\n\ninstall(DIRECTORY urdf")
 
 
+LOOP = "foreach(dir {})\n  install(DIRECTORY ${{dir}}/ DESTINATION share/arm/${{dir}})\nendforeach()\n"
+
+
+def test_a_loop_over_lists_that_are_set_installs_only_what_they_name(folder: Folder) -> None:
+    lists = "set(LAUNCHES launch launch/config)\nset(ROBOTS urdf)\n"
+    loop = LOOP.format("${LAUNCHES} ${ROBOTS}")
+    cmake = f"project(arm)\nfind_package(catkin)\n{lists}{loop}catkin_package()\n"
+    files = {"CMakeLists.txt": cmake, "launch/config/a.rviz": "", "config/a.yaml": "a: 1\n", "urdf/arm.urdf": ROBOT}
+    assert "install(DIRECTORY config\n" in migrated(folder, files)["CMakeLists.txt"]
+
+
+def test_a_loop_over_a_list_that_is_not_known_may_install_all(folder: Folder) -> None:
+    cmake = f"project(arm)\nfind_package(catkin)\n{LOOP.format('${FOLDERS}')}catkin_package()\n"
+    build = migrated(folder, {"CMakeLists.txt": cmake, "config/a.yaml": "a: 1\n", "urdf/arm.urdf": ROBOT})
+    assert "DIRECTORY config" not in build["CMakeLists.txt"]
+
+
 def test_meshes_that_are_installed_among_the_headers_are_installed_for_robots_too(folder: Folder) -> None:
     rule = "install(DIRECTORY {} DESTINATION ${{CATKIN_PACKAGE_{}_DESTINATION}})\n"
     build = COMMENTED + rule.format("meshes", "INCLUDE") + rule.format("launch", "SHARE")

@@ -13,13 +13,23 @@ _ELSEWHERE = r"(?i)DESTINATION\s+[\"']?(?:include|bin|\$\{CATKIN_PACKAGE_INCLUDE
 
 def installs(text: str, folder: str) -> bool:
     """Return whether a build file has an install rule that names a folder, or takes folders from an unknown list."""
-    text = re.sub(r"#.*", "", text)
+    text = _with_lists(re.sub(r"#.*", "", text))
     rules = [rule for rule in re.findall(_INSTALL, text) if not re.search(_ELSEWHERE, rule)]
     lists = re.findall(r"(?is)foreach\s*\(.*?\)", text)
     if any(re.search(rf"(?<![\w/]){folder}\b", part) for part in [*rules, *lists]):
         return True
     is_known = bool(lists) and not any("$" in each for each in lists)
     return not is_known and any("${dir" in rule for rule in rules)
+
+
+def _with_lists(text: str) -> str:
+    """A build file with the variables that it sets once replaced by their values: lists of folders, mostly."""
+    values: dict[str, list[str]] = {}
+    for name, value in re.findall(r"(?i)\bset\s*\(\s*(\w+)\s+([^()]*)\)", text):
+        values.setdefault(name, []).append(value)
+    for name, (value, *more) in values.items():
+        text = text if more else text.replace(f"${{{name}}}", value)
+    return text
 
 
 def install_rule(*folders: str) -> str:
