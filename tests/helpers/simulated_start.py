@@ -50,6 +50,7 @@ def published(started: Started) -> dict[str, str]:
 
 def _of_gz(started: Started) -> Iterator[str]:
     gz = [one for one in started if one["kind"] == "include" and "gz_sim" in os.path.basename(one["file"])]
+    gz = [one for one in gz if "-g" not in one["arguments"].get("gz_args", "").split()]  # a window alone
     created = _nodes(started, "create")
     if created and not gz:
         yield "a robot is created, but gz is not started"

@@ -79,6 +79,26 @@ def test_a_world_that_is_empty_by_default_is_the_empty_one_of_gz(folder: Folder)
     assert faults(run(folder, {"launch/a.launch": launch(*lines)})) == []
 
 
+@pytest.mark.parametrize(
+    ("server", "options"),
+    [
+        ('"gzserver" args="-e ode --verbose $(find arm)/worlds/a.world"', ["-r", "-s", "-v4", "a.world"]),
+        ('"gzserver" args="-u"', ["-r", "-s", "empty.sdf"]),  # a paused simulation activates no controller
+        ('"gazebo" args="$(find arm)/worlds/a.world"', ["-r", "a.world"]),
+    ],
+)
+def test_a_server_and_its_window_are_one_simulation(folder: Folder, server: str, options: list[str]) -> None:
+    program = '<node name="{0}" pkg="gazebo_ros" type={1}/>'
+    window = program.format("gui", '"gzclient"') if "gzserver" in server else ""
+    lines = (program.format("sim", server), window, *SIMULATED[1:])
+    files = {"launch/a.launch": launch(*lines), "worlds/a.world": '<sdf version="1.6"><world name="w"/></sdf>'}
+    found = run(folder, files)
+    assert faults(found) == []
+    given = [one["arguments"]["gz_args"].split() for one in found if one["kind"] == "include"]
+    assert [[word.rpartition("/")[2] for word in words] for words in given] == [options, *([["-g"]] if window else [])]
+    assert len([one for one in found if one.get("executable") == "parameter_bridge"]) == 1
+
+
 def test_pass_all_args_gives_what_the_included_file_needs(folder: Folder) -> None:
     files = {
         "launch/a.launch": launch(

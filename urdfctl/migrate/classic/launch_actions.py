@@ -26,6 +26,8 @@ from urdfctl.startup.records import NamedTuple
 CLASSIC_PACKAGE = "gazebo_ros"
 CLASSIC_FILE = f"$(find {CLASSIC_PACKAGE})/launch/gazebo.launch.py"
 """The launch file that starts Gazebo Classic in ROS 2."""
+CLIENT_FILE = f"$(find {CLASSIC_PACKAGE})/launch/gzclient.launch.py"
+"""The launch file that opens a window of a simulator which is started already."""
 _EMPTY = "empty.sdf"
 
 
@@ -59,6 +61,8 @@ class Gz(NamedTuple):
             elif starts_classic(action):
                 its = self._simulator(dict(action.pairs))
                 yield from (one._replace(condition=action.condition) for one in its)
+            elif action.kind == "include" and action.value == parsed(CLIENT_FILE):
+                yield self._included(literal("-g"))._replace(condition=action.condition)
             elif is_spawner(action):
                 yield self._spawner(action)
             elif action.kind == "argument" and action.value is not None:
@@ -78,16 +82,17 @@ class Gz(NamedTuple):
         world = given.get("world", ())
         flags = joined(*(_option(option, given.get(option.argument, ())) for option in OPTIONS))
         is_empty = is_literal(world) and plain(world) in ("", *EMPTY_WORLDS)
-        yield Action(
-            "include",
-            value=parsed(f"$(find {self.names['package']})/launch/{self.names['launch']}"),
-            pairs=((self.names["argument"], joined(flags, literal(_EMPTY) if is_empty else world)),),
-        )
+        yield self._included(joined(flags, literal(_EMPTY) if is_empty else world))
         bridge = Action("node", "parameter_bridge", package=self.names["bridge"])
         if self.bridge:
             yield bridge._replace(pairs=(("config_file", parsed(f"$(find {self.bridge})/{BRIDGE_FILE}")),))
         else:
             yield bridge._replace(words=(literal(f"/clock@rosgraph_msgs/msg/Clock[{self.names['messages']}.Clock"),))
+
+    def _included(self, options: Text) -> Action:
+        """The action that starts gz with some options."""
+        file = parsed(f"$(find {self.names['package']})/launch/{self.names['launch']}")
+        return Action("include", value=file, pairs=((self.names["argument"], options),))
 
     def _spawner(self, action: Action) -> Action:
         words = [(plain(word) if is_literal(word) else "", word) for word in action.words]

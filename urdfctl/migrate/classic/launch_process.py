@@ -6,24 +6,12 @@ import ast
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.classic.starting import OPTIONS_WITH_VALUE
 from urdfctl.migrate.edits.python_edits import PythonFile, keyword, text_of
 from urdfctl.startup.records import NamedTuple
 
 _PROGRAMS = {"gazebo": (), "gzserver": ("-s",), "gzclient": ("-g",)}
 """The programs of Gazebo Classic, with the options of gz that do the same."""
-_VALUES = (
-    "-s",
-    "--server-plugin",
-    "-g",
-    "--gui-client-plugin",
-    "-e",
-    "--physics",
-    "--seed",
-    "--iters",
-    "-o",
-    "--profile",
-)
-"""Options of Gazebo Classic with a value, which gz has not, or with another meaning."""
 _PAUSED = ("-u", "--pause")
 
 
@@ -116,7 +104,7 @@ def _kept(words: Sequence[ast.expr]) -> Iterator[ast.expr]:
     rest = iter(words)
     for word in rest:
         text = text_of(word)
-        if text in _VALUES:
+        if text in OPTIONS_WITH_VALUE:
             next(rest, None)
         elif not text.startswith("-") and not text.isspace():
             yield word

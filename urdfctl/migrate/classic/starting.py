@@ -16,6 +16,19 @@ _FIXED = {SERVER: {"gui": "false"}}
 ARGUMENTS = ("world", "gui", "pause", "verbose", "server")
 """The arguments of those launch files that gz has, too."""
 EMPTY_WORLDS = ("worlds/empty.world", "empty.world")
+OPTIONS_WITH_VALUE = (
+    "-s",
+    "--server-plugin",
+    "-g",
+    "--gui-client-plugin",
+    "-e",
+    "--physics",
+    "--seed",
+    "--iters",
+    "-o",
+    "--profile",
+)
+"""Options of Gazebo Classic with a value, which gz has not, or with another meaning."""
 SPAWN = "spawn_entity.py"
 _RENAMED = {"-entity": "-name", "-model": "-name"}
 WITHOUT_SUCCESSOR = {

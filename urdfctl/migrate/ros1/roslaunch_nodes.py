@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
+from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE, CLIENT_FILE
 from urdfctl.migrate.classic.starting import SPAWN, WITHOUT_SUCCESSOR
 from urdfctl.migrate.launch.actions import (
     Action,
@@ -18,6 +18,7 @@ from urdfctl.migrate.launch.actions import (
     without_quotes,
     words_of,
 )
+from urdfctl.migrate.ros1.classic_programs import CLIENT, given_to_simulator
 from urdfctl.migrate.ros1.command_nodes import COMMANDS, published
 from urdfctl.migrate.ros1.described import described_for, names_description
 from urdfctl.migrate.ros1.description_commands import description_command
@@ -125,8 +126,7 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
         reading.unpauses |= any(plain(word) == "-unpause" for word in words)
         yield from [_spawned_model(reading, element, words)] if reading.target.started != "none" else []
     elif package == "gazebo_ros":
-        world = next((word for word in words if not plain(word).startswith("-") or not is_literal(word)), ())
-        yield from simulator_actions(reading, {"world_name": world} if world else {})
+        yield from _program_of_classic(reading, program, words)
     elif package == "robot_state_publisher":
         yield state_publisher(element, reading.target.apart)._replace(description=description)
     elif package == "joint_state_publisher":
@@ -313,6 +313,13 @@ def _topic_of(target: LaunchTarget, node: Element, parameter: Text) -> Text:
     if "$(" not in f"{published}{own}" and own != published:
         return literal("/".join(("", *filter(None, [published]), topic)))
     return literal(f"{space}{slash}{topic}")
+
+
+def _program_of_classic(reading: Notes, program: str, words: Sequence[Text]) -> Iterator[Action]:
+    if program != CLIENT:
+        yield from simulator_actions(reading, given_to_simulator(program, words))
+    elif reading.target.started != "none":
+        yield Action("include", value=parsed(CLIENT_FILE))
 
 
 def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Action]:
