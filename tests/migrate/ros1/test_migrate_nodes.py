@@ -85,6 +85,21 @@ def test_the_file_with_the_parameters_of_a_node_gets_the_form_of_ros_2(folder: F
     )
 
 
+def test_an_integer_is_a_double_where_the_node_of_ros_2_declares_one(folder: Folder) -> None:
+    inside = '<param name="yaw_offset" value="0"/><param name="zero_altitude" value="true"/>'
+    node = f'<node name="gps" pkg="robot_localization" type="navsat_transform_node">{inside}</node>'
+    after = migrated(folder, {"launch/arm.launch": f"<launch>{node}</launch>\n"})
+    assert '"yaw_offset": 0.0, "zero_altitude": True' in after["launch/arm.launch.py"]
+    assert "check that package" not in after["MIGRATION.md"]
+
+
+def test_a_file_is_found_from_the_folder_of_its_launch_file(folder: Folder) -> None:
+    launch = FILTER.format(more="").replace("$(find arm)/config", "$(dirname)/../config")
+    after = migrated(folder, {"launch/arm.launch": launch, "config/filter.yaml": "frequency: 30\n"})
+    assert after["config/filter.yaml"] == "/**:\n  ros__parameters:\n    frequency: 30.0\n"
+    assert 'ParameterFile([ThisLaunchFileDir(), "/../config/filter.yaml"])' in after["launch/arm.launch.py"]
+
+
 def test_a_file_that_ros_2_cannot_read_as_parameters_is_left_to_a_person(folder: Folder) -> None:
     after = migrated(folder, {"launch/arm.launch": FILTER.format(more=""), "config/filter.yaml": "a:\n- {b: 1}\n"})
     assert after["config/filter.yaml"].startswith("# TODO(urdfctl): write these parameters below ros__parameters")

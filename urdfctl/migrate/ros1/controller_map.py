@@ -9,7 +9,7 @@ from urdfctl.catalog.catalog import catalog_with
 from urdfctl.migrate.edits.markup import attribute, elements
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.launches import launch_roots
-from urdfctl.migrate.ros1.left_over import addressed_files
+from urdfctl.migrate.ros1.left_over import named_files
 from urdfctl.model.launch import ParameterLoad
 from urdfctl.source.span import SourceText
 from urdfctl.source.xml.dom import Element
@@ -66,10 +66,11 @@ def files_of_other_nodes(packages: MigratedPackages) -> frozenset[str]:
     of_all: set[str] = set()
     for root in packages.found(launch_roots).values():
         for element in elements(root):
-            written = attribute(element, "file") if element.tagName == "rosparam" else ""
             node = element.parentNode
             is_own = isinstance(node, Element) and node.tagName == "node" and attribute(node, "pkg") != _MANAGER
-            (of_nodes if is_own else of_all).update(addressed_files(packages, written) if written else ())
+            (of_nodes if is_own else of_all).update(
+                named_files(packages, element) if element.tagName == "rosparam" else ()
+            )
     return frozenset(of_nodes - of_all)
 
 

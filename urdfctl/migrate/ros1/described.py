@@ -9,7 +9,7 @@ from urdfctl.migrate.edits.markup import attribute, elements
 from urdfctl.migrate.launch.actions import Text, is_literal, parsed, plain, words_of
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.launches import launch_roots
-from urdfctl.migrate.ros1.left_over import addressed_files
+from urdfctl.migrate.ros1.left_over import named_files
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of
 from urdfctl.source.xml.dom import Element
 
@@ -158,7 +158,7 @@ def _including(packages: MigratedPackages) -> dict[str, list[tuple[str, str]]]:
     for path, root in roots.items():
         for one in elements(root):
             if one.tagName == "include":
-                for file in addressed_files(packages, attribute(one, "file")) & roots.keys():
+                for file in named_files(packages, one) & roots.keys():
                     including[file].append((path, namespace_of(one)))
     return including
 

@@ -16,11 +16,12 @@ _DOUBLES = {
     "state_publisher": r"publish_frequency",
     **dict.fromkeys(("ekf_localization_node", "ekf_node"), _FILTER),
     **dict.fromkeys(("ukf_localization_node", "ukf_node"), rf"{_FILTER}|alpha|kappa|beta"),
+    "navsat_transform_node": r"magnetic_declination_radians|yaw_offset|frequency|delay|transform_timeout",
     "twist_mux": r"timeout",
     "joy_node": r"deadzone|autorepeat_rate",
 }
 """For each program: the names of its doubles, by rclcpp's declare_parameter() in robot_state_publisher.cpp,
-robot_localization's ros_filter.cpp, twist_mux's params_helpers.hpp and joy.cpp."""
+robot_localization's ros_filter.cpp and navsat_transform.cpp, twist_mux's params_helpers.hpp and joy.cpp."""
 _INTEGER = re.compile(r"[+-]?\d+")
 _LIST = re.compile(r"(?m)^([ \t]*([\w-]+)[ \t]*:[ \t]*)\[([^\[\]{}]*)\]")
 _NUMBER = re.compile(r"(?<![\w.+-])[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\w.])")

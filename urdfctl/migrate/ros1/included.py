@@ -17,7 +17,7 @@ from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.classic_programs import SERVERS
 from urdfctl.migrate.ros1.described import description_names, is_description
 from urdfctl.migrate.ros1.launches import launch_roots
-from urdfctl.migrate.ros1.left_over import addressed_files
+from urdfctl.migrate.ros1.left_over import addressed_files, named_files
 from urdfctl.migrate.ros1.roslaunch_values import around
 from urdfctl.migrate.ros1.set_descriptions import is_overridden
 from urdfctl.source.xml.dom import Element
@@ -53,8 +53,8 @@ def included_file(packages: MigratedPackages, written: str, folder: str, depth: 
     sets: set[str] = set()
     starts = spawns = False
     describes: frozenset[str] = frozenset()
-    local = written.replace("$(dirname)", folder)
-    for path in sorted({local} & {*packages.files()} or addressed_files(packages, written)):
+    local = os.path.normpath(written.replace("$(dirname)", folder))
+    for path in sorted({local} & {*packages.files()} or addressed_files(packages, written, folder)):
         root = root_of(packages.read(path))
         if root is not None and root.tagName == "launch" and depth < _MOST_DEPTH:
             describes |= descriptions_in(packages, root, os.path.dirname(path), depth)
@@ -124,7 +124,7 @@ def split_arguments(packages: MigratedPackages) -> dict[str, set[str]]:
             given = [one for one in include.elements() if one.tagName == "arg"]
             texts = {one.attrs.get("name", ""): one.attrs.get("value", one.attrs.get("default", "")) for one in given}
             several = {name for name, text in texts.items() if len(words_of(parsed(_resolved(text, own)))) > 1}
-            for path in addressed_files(packages, include.attrs.get("file", "")) if several else ():
+            for path in named_files(packages, include) if several else ():
                 found.setdefault(path, set()).update(several)
     return found
 

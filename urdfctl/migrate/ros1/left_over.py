@@ -14,8 +14,9 @@ from urdfctl.migrate.ros1.launches import ENDINGS, doubled_names, launch_roots, 
 from urdfctl.source.disk.gate import matching
 from urdfctl.source.span import SourceSpan
 from urdfctl.source.workspaces.packages import package_name
+from urdfctl.source.xml.dom import Element
 
-_IN_PACKAGE = re.compile(r"\$\(find ([\w-]+)\)(/.*)")
+_IN_PACKAGE = re.compile(r"\$\((?:find ([\w-]+)|dirname)\)(/.*)")
 _ARGUMENT = re.compile(r"\$\((?:arg|eval|env|optenv) [^)]*\)")
 
 
@@ -26,7 +27,7 @@ def renamed_parameters(packages: MigratedPackages, old: Collection[str], new: st
             written = attribute(element, "file") if element.tagName == "rosparam" else ""
             head = written.rpartition("/")[0]
             tag = element.source.start_tag(element.start)
-            if addressed_files(packages, written) & {*old} and tag is not None:
+            if written and named_files(packages, element) & {*old} and tag is not None:
                 yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{head}/{os.path.basename(new)}")
 
 
@@ -41,19 +42,28 @@ def renamed_includes(packages: MigratedPackages, left: Collection[str], ending: 
         for element in elements(root) if root is not None else ():
             written = attribute(element, "file") if element.tagName == "include" else ""
             tag = element.source.start_tag(element.start)
-            if addressed_files(packages, written) - {*left} and tag is not None and written.endswith(ENDINGS):
+            if written.endswith(ENDINGS) and tag is not None and named_files(packages, element) - {*left}:
                 new = new_name(written, ending, packages.found(doubled_names))
                 yield Edit(SourceSpan(element.source, *tag.attributes["file"]), new)
 
 
-def addressed_files(packages: MigratedPackages, written: str) -> set[str]:
-    """Return the files of the packages that an address of ROS 1 means, with any values of its arguments."""
+def named_files(packages: MigratedPackages, element: Element) -> set[str]:
+    """Return the files of the packages that the `file` of an element of a launch file means."""
+    return addressed_files(packages, attribute(element, "file"), os.path.dirname(element.source.path))
+
+
+def addressed_files(packages: MigratedPackages, written: str, around: str = "") -> set[str]:
+    """Return the files of the packages that an address of ROS 1 means, with any values of its arguments.
+
+    around: the folder of the launch file; empty if it is not known.
+    """
     found = _IN_PACKAGE.fullmatch(written)
-    if found is None:
+    if found is None or not (found[1] or around):
         return set()
     pattern = "".join("*" if index % 2 else glob.escape(part) for index, part in enumerate(_split(found[2])))
-    folders = (os.path.dirname(path) for path in packages.files("package.xml") if package_name(path) == found[1])
-    return {path for folder in folders for path in matching(glob.escape(folder) + pattern)}
+    named = (os.path.dirname(path) for path in packages.files("package.xml") if package_name(path) == found[1])
+    folders = named if found[1] else (around,)
+    return {os.path.normpath(path) for folder in folders for path in matching(glob.escape(folder) + pattern)}
 
 
 def _split(text: str) -> Iterator[str]:

@@ -11,7 +11,7 @@ from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.doubles import with_doubles
 from urdfctl.migrate.ros1.launch_files import own_packages
 from urdfctl.migrate.ros1.launches import launch_roots
-from urdfctl.migrate.ros1.left_over import addressed_files
+from urdfctl.migrate.ros1.left_over import named_files
 from urdfctl.migrate.ros1.node_sections import has_nested_list
 from urdfctl.migrate.ros1.roslaunch_nodes import has_successor
 from urdfctl.migrate.ros1.roslaunch_values import given_by_name, root_around
@@ -63,7 +63,7 @@ def _loaded(packages: MigratedPackages, programs: dict[str, str]) -> dict[str, s
             written = attribute(element, "file") if element.tagName == "rosparam" else ""
             reader, name = _reader(element) if written else (None, "")
             is_known = reader is not None and has_successor(reader, own)
-            for file in addressed_files(packages, written):
+            for file in named_files(packages, element) if written else ():
                 found.setdefault(file, set()).add(name if is_known else None)
                 if reader is not None:
                     programs[file] = attribute(reader, "type")

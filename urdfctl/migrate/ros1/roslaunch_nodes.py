@@ -86,6 +86,7 @@ _RENAMED = {
     ("rqt_gui", "rqt_gui"): ("rqt_gui", "rqt_gui"),
     ("robot_localization", "ekf_localization_node"): ("robot_localization", "ekf_node"),
     ("robot_localization", "ukf_localization_node"): ("robot_localization", "ukf_node"),
+    ("robot_localization", "navsat_transform_node"): ("robot_localization", "navsat_transform_node"),
     ("map_server", "map_server"): ("nav2_map_server", "map_server"),
     ("amcl", "amcl"): ("nav2_amcl", "amcl"),
     ("teleop_twist_keyboard", "teleop_twist_keyboard.py"): ("teleop_twist_keyboard", "teleop_twist_keyboard"),
