@@ -85,6 +85,44 @@ def test_the_bridge_of_the_robots_topics_is_started(folder: Folder) -> None:
     assert '"config_file": [FindPackageShare("arm"), "/config/bridge.yaml"]' in after["launch/arm.launch.py"]
 
 
+WORLD_OF_ANOTHER = """\
+<launch>
+  <include file="$(find room)/launch/room.launch"/>
+  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/arm.xacro"/>
+  <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm"/>
+</launch>
+"""
+ROOM = '<launch><include file="$(find gazebo_ros)/launch/empty_world.launch"/></launch>\n'
+
+
+def in_a_room(folder: Folder, launch: str) -> dict[str, str]:
+    """A robot with a sensor, another robot, and the package with their world, after their migration."""
+    manifest = "<package format='2'><name>{}</name><buildtool_depend>catkin</buildtool_depend></package>"
+    plugin = '<plugin name="imu" filename="libgazebo_ros_imu_sensor.so"><topicName>imu</topicName></plugin>'
+    imu = f'<gazebo reference="upper"><sensor name="imu" type="imu">{plugin}</sensor></gazebo>\n'
+    robot = arm(transmission("EffortJointInterface"), PLUGIN + imu)
+    others = {"room/launch/room.launch": ROOM, "leg/urdf/leg.xacro": robot.replace('name="arm"', 'name="leg"')}
+    manifests = {f"{name}/package.xml": manifest.format(name) for name in ("arm", "room", "leg")}
+    folder.write({**others, **manifests, "arm/urdf/arm.xacro": robot, "arm/launch/arm.launch": launch})
+    ran = folder.run("migrate", ".", "--from", "noetic", "--to", "jazzy", "--in-place", "--force")
+    assert ran.returncode == 0, ran.stderr
+    return {name: (folder.path / name).read_text() for name in ("room/launch/room.launch.py", "MIGRATION.md")}
+
+
+def test_a_world_bridges_the_topics_of_the_robot_whose_launch_file_includes_it(folder: Folder) -> None:
+    after = in_a_room(folder, WORLD_OF_ANOTHER)
+    assert '[FindPackageShare("arm"), "/config/bridge.yaml"]' in after["room/launch/room.launch.py"]
+    told = after["MIGRATION.md"].partition("no launch file starts a bridge with this file")[0].splitlines()[-1]
+    assert told.startswith("- `leg/config/bridge.yaml`")
+
+
+def test_a_robot_whose_topics_no_launch_file_bridges_is_told(folder: Folder) -> None:
+    after = in_a_room(folder, WORLD_OF_ANOTHER.replace('<include file="$(find room)/launch/room.launch"/>', ""))
+    assert "/clock@rosgraph_msgs" in after["room/launch/room.launch.py"]
+    told = after["MIGRATION.md"].partition("no launch file starts a bridge with this file")[2]
+    assert "  - `arm/config/bridge.yaml`\n  - `leg/config/bridge.yaml`\n" in told
+
+
 @pytest.mark.parametrize("form", ["py", "xml"])
 def test_a_shell_splits_the_names_that_an_argument_has_for_a_spawner(folder: Folder, form: str) -> None:
     spawner = """\

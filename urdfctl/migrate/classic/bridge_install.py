@@ -1,4 +1,4 @@
-"""The install rule of the file for ros_gz_bridge."""
+"""The install rule of the file for ros_gz_bridge, and what is said of one that no launch file hands to a bridge."""
 
 from __future__ import annotations
 
@@ -12,8 +12,10 @@ from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.workspaces.packages import package_name
 
 _AUTHORITY = "ros_gz_bridge README: config_file"
+_IDLE = "no launch file starts a bridge with this file: start parameter_bridge with it as config_file"
 
 
 def _installed(packages: MigratedPackages) -> Iterator[Proposal]:
@@ -26,6 +28,17 @@ def _installed(packages: MigratedPackages) -> Iterator[Proposal]:
             rule = f"{install_rule(os.path.dirname(BRIDGE_FILE))}\n"
             entry = ReportEntry(EntryKind.DONE, f"{BRIDGE_FILE} is installed", file=source.path, authority=_AUTHORITY)
             yield Proposal((Edit(SourceSpan(source, at, at), rule),), entries=(entry,))
+        if _is_idle(packages, path):
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, _IDLE, file=path, authority=_AUTHORITY),))
+
+
+def _is_idle(packages: MigratedPackages, path: str) -> bool:
+    """Whether launch files start gz or robots in it, and none hands a file for the bridge to a bridge."""
+    folder = os.path.dirname(os.path.dirname(path))
+    name = (package_name(os.path.join(folder, "package.xml")) or "").encode()
+    texts = [packages.read(each).data for each in packages.files(".py", ".xml", ".launch")]
+    starts = [text for text in texts if b"ros_gz_sim" in text and b"launch" in text]
+    return bool(starts and name) and not any(name in text and BRIDGE_FILE.encode() in text for text in texts)
 
 
 BRIDGE_INSTALL = Step(

@@ -17,8 +17,21 @@ _LAUNCHES = (".py", ".launch", ".xml")
 def bridge_file_of(packages: MigratedPackages, launch: str) -> str | None:
     """Return the package with the file for the bridge of the robots that a launch file starts; None if none is known.
 
-    That is its own package, the only one that it or the launch files of the packages that it names do, or the only one.
+    That is its own package, the only one that it or the launch files of the packages that it names do, the only one of
+    the launch files that include it, or the only one.
     """
+    names = packages.found(_bridges)
+    found = _bridge_around(packages, launch) if names else None
+    if found is not None:
+        return found
+    above = {_bridge_around(packages, path) for path in _including(packages, launch)} - {None}
+    if len(above) == 1:
+        return above.pop()
+    return next(iter(names.values())) if len(names) == 1 else None
+
+
+def _bridge_around(packages: MigratedPackages, launch: str) -> str | None:
+    """The package with the file for the bridge that is a launch file's own, or the only one that it names."""
     names = packages.found(_bridges)
     own = package_around(os.path.dirname(launch)) or ""
     if own in names:
@@ -28,7 +41,17 @@ def bridge_file_of(packages: MigratedPackages, launch: str) -> str | None:
         named = [name for name in names.values() if _is_named(name, text)]
         if len(named) == 1:
             return named[0]
-    return next(iter(names.values())) if len(names) == 1 else None
+    return None
+
+
+def _including(packages: MigratedPackages, launch: str) -> Iterator[str]:
+    """The launch files that name another one, and its package or no package."""
+    folder = package_around(os.path.dirname(launch)) or ""
+    own = package_name(os.path.join(folder, "package.xml")) or ""
+    for path in packages.files(*_LAUNCHES):
+        text = packages.read(path).data if path != launch and b"launch" in packages.read(path).data else b""
+        if _is_named(os.path.basename(launch), text):
+            yield from [path] if _is_named(own, text) or package_around(os.path.dirname(path)) == folder else []
 
 
 def _bridges(packages: MigratedPackages) -> dict[str, str]:
