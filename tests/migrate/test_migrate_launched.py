@@ -124,6 +124,29 @@ def test_the_condition_of_a_rosparam_chooses_the_file_of_the_spawner(folder: Fol
     assert [word.rpartition("/")[2] for word in words if word.endswith(".yaml")] == [file]
 
 
+@pytest.mark.parametrize(("given", "file"), [("soft:=true", "soft.yaml"), ("soft:=false", "c.yaml")])
+def test_the_condition_of_a_group_chooses_the_file_of_the_spawner(folder: Folder, given: str, file: str) -> None:
+    stiff = f'<group unless="$(arg soft)">{LOADED}</group>'
+    soft = f'<group if="$(arg soft)">{LOADED.replace("c.yaml", "soft.yaml")}</group>'
+    lines = ('<arg name="soft" default="false"/>', *SIMULATED[:4], stiff, soft, SPAWNER)
+    found = run(folder, {"launch/a.launch": launch(*lines), "config/soft.yaml": EFFORT}, given)
+    assert faults(found) == []
+    words = next(one["words"] for one in found if one.get("executable") == "spawner")
+    assert [word.rpartition("/")[2] for word in words if word.endswith(".yaml")] == [file]
+    assert "no plugin of gz loads" not in (folder.path / "new" / "MIGRATION.md").read_text()
+
+
+def test_a_file_with_types_that_the_plugin_of_the_simulator_does_not_load_is_told(folder: Folder) -> None:
+    other = f'<group if="$(arg soft)">{LOADED.replace("c.yaml", "soft.yaml")}</group>'
+    stiff = f'<group unless="$(arg soft)">{LOADED}</group>'
+    lines = ('<arg name="soft" default="false"/>', *SIMULATED[:4], stiff, other, SPAWNER)
+    soft = f"{EFFORT.replace('JointEffort', 'JointPosition')}    pid: {{p: 1.0}}\n"
+    run(folder, {"launch/a.launch": launch(*lines), "config/soft.yaml": soft})
+    told = (folder.path / "new" / "MIGRATION.md").read_text()
+    said = "no plugin of gz loads '$(find arm)/config/soft.yaml', which declares ctl: name it in <parameters> too"
+    assert said in told
+
+
 def test_a_parameter_that_is_a_double_in_ros_2_is_one_whatever_an_argument_says(folder: Folder) -> None:
     rate = '<param name="publish_frequency" value="{}"/></node>'
     files = {

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from urdfctl.migrate.launch.actions import Text
+from urdfctl.migrate.launch.actions import Text, parsed
+from urdfctl.migrate.ros1.roslaunch_values import around
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
 
@@ -30,6 +31,25 @@ class LoadedFile(NamedTuple):
             wanted=None if condition == self.wanted else self.wanted,
             unwanted=None if condition == self.unwanted else self.unwanted,
         )
+
+
+def loaded_files(parent: Element) -> list[LoadedFile]:
+    """Return the files that a launch file loads around what is in an element: also in groups beside it, which have no
+    scope for parameters."""
+    outside = (parent, *around(parent))
+    found = []
+    for one in (child for outer in outside for child in outer.elements()):
+        if _loads(one):
+            found.append(LoadedFile(parsed(one.attrs["file"]), one.attrs.get("if"), one.attrs.get("unless")))
+        elif one.tagName == "group" and one not in outside and "ns" not in one.attrs:
+            wanted, unwanted = one.attrs.get("if"), one.attrs.get("unless")
+            inner = (each for each in one.elements() if _loads(each) and not {"if", "unless"} & each.attrs.keys())
+            found += [LoadedFile(parsed(each.attrs["file"]), wanted, unwanted) for each in inner]
+    return found
+
+
+def _loads(element: Element) -> bool:
+    return element.tagName == "rosparam" and "file" in element.attrs
 
 
 def choices_in(element: Element) -> list[str]:

@@ -13,7 +13,7 @@ from urdfctl.migrate.edits.markup import elements
 from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.written import WrittenLaunch, as_python, as_xml
 from urdfctl.migrate.options import Part
-from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.packages import OF_XML, MigratedPackages
 from urdfctl.migrate.ros1.described import description_names, idle_publishers, spaces_by_file
 from urdfctl.migrate.ros1.included import IncludedFile, descriptions_in, included_file, split_arguments
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
@@ -35,6 +35,7 @@ from urdfctl.source.xml.dom import Element
 _AUTHORITY = "docs.ros.org, Migrating launch files from ROS 1 to ROS 2"
 _MOVEIT = "moveit.picknik.ai, moveit_configs_utils: launch files are made by MoveItConfigsBuilder"
 _TYPE = re.compile(rb"\btype[\"']?:\s*[\"']?\w+_(?:controllers?|broadcaster)/")
+_PARAMETERS = re.compile(rb"<parameters>([^<]*)</parameters>")
 _ENDINGS = (".launch", ".launch.xml", ".test")
 _OF_MOVEIT = ("moveit_ros_move_group", "moveit_ros_planning", "moveit_setup_assistant", "moveit_ros_benchmarks")
 
@@ -64,12 +65,34 @@ def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:
             split=split,
             described_in=spaces,
             publisher=packages.found(idle_publishers).get(path),
+            undeclared=_undeclared_by(packages, os.path.dirname(path)),
         )
         yield from _migrated(packages, path, root, target)
 
 
 def _included_by(packages: MigratedPackages, path: str) -> Callable[[str], IncludedFile]:
     return lambda written: included_file(packages, written, os.path.dirname(path))
+
+
+def _undeclared_by(packages: MigratedPackages, folder: str) -> Callable[[str], list[str]]:
+    """What tells the controllers of a file, by its address in a folder, that no file of the simulator's plugin has."""
+
+    def undeclared(written: str) -> list[str]:
+        known = packages.found(type_names)
+        names = packages.found(_files_of_plugins)
+        own = addressed_files(packages, written, folder)
+        given = {(one.controller, one.value.text) for one in known if os.path.basename(one.path) in names}
+        declared = {one.controller: one.value.text for one in known if one.path in own}
+        return [name for name, kind in declared.items() if given and (name, kind) not in given]
+
+    return undeclared
+
+
+def _files_of_plugins(packages: MigratedPackages) -> frozenset[str]:
+    """The names of the files that the simulator's plugins load."""
+    texts = (packages.read(path).data for path in packages.files(*OF_XML))
+    written = (found for text in texts for found in _PARAMETERS.findall(text))
+    return frozenset(os.path.basename(one.decode("utf-8", "replace").strip()) for one in written)
 
 
 def _of_ros1(packages: MigratedPackages) -> Iterator[tuple[str, Element]]:

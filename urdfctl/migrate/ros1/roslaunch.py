@@ -14,7 +14,7 @@ from urdfctl.migrate.launch.actions import (
     literal,
     parsed,
 )
-from urdfctl.migrate.ros1.choices import LoadedFile, choices_in, chosen, without
+from urdfctl.migrate.ros1.choices import LoadedFile, choices_in, chosen, loaded_files, without
 from urdfctl.migrate.ros1.described import described_for, is_description, names_description
 from urdfctl.migrate.ros1.description_commands import about_command, command_in
 from urdfctl.migrate.ros1.doubles import as_double
@@ -34,7 +34,6 @@ from urdfctl.migrate.ros1.roslaunch_nodes import (
     simulator_actions,
 )
 from urdfctl.migrate.ros1.roslaunch_values import (
-    around,
     given_by_name,
     inline_parameters,
     parameter_name,
@@ -99,7 +98,7 @@ class LaunchReading(Notes):
         return starts and not is_set and (nodes or len(inner) > 1)
 
     def _children(self, parent: Element, root: Element) -> Iterator[Action]:
-        files = self._parameter_files(parent)
+        files = loaded_files(parent)
         node = parent.firstChild
         while node is not None:
             if isinstance(node, XmlText) and node.nodeType == COMMENT and "--" not in node.data:
@@ -299,15 +298,6 @@ class LaunchReading(Notes):
         is_its = element.attrs.get("pkg") == "robot_state_publisher"
         return descriptions_of(element, self.target.descriptions) if is_its else None
 
-    def _parameter_files(self, parent: Element) -> list[LoadedFile]:
-        found = []
-        for outer in (parent, *around(parent)):
-            loads = (one for one in outer.elements() if one.tagName == "rosparam" and "file" in one.attrs)
-            found += [
-                LoadedFile(parsed(one.attrs["file"]), one.attrs.get("if"), one.attrs.get("unless")) for one in loads
-            ]
-        return found
-
     def _param(self, element: Element) -> Iterator[Action]:
         name, names = element.attrs.get("name", ""), self.target.descriptions
         if is_description(element, names):
@@ -345,7 +335,11 @@ class LaunchReading(Notes):
                 f"the robot's description is in another package: let the plugin of {self.target.simulator} in it load"
             )
             self.left.append(f"{text} '{file}' by <parameters>")
-        elif not self.target.simulated and not self.target.has_manager:
+        elif self.target.simulated:
+            if names := ", ".join(self.target.undeclared(file)):
+                text = f"no plugin of {self.target.simulator} loads '{file}', which declares {names}"
+                self.left.append(f"{text}: name it in <parameters> too, on the same condition")
+        elif not self.target.has_manager:
             self.target = self.target._replace(has_manager=True)
             yield self._manager(element, parsed(file))
 
