@@ -85,6 +85,26 @@ def test_the_file_with_the_parameters_of_a_node_gets_the_form_of_ros_2(folder: F
     )
 
 
+def test_a_package_that_launch_or_xacro_looks_for_is_told_if_it_may_not_exist(folder: Folder) -> None:
+    included = '<xacro:include filename="$(find {})/urdf/hand.xacro"/>\n'
+    robot = arm(transmission("EffortJointInterface"), included.format("arm") + included.format("hand_description"))
+    launch = """\
+<launch>
+  <!-- $(find old_tools)/a.yaml -->
+  <arg name="world" default="$(find hall_worlds)/hall.world"/>
+  <arg name="limits" default="$(find fake_localization)/limits.yaml"/>
+  <node name="rviz" pkg="rviz" type="rviz" args="-d $(find urdf_tutorial)/urdf.rviz"/>
+</launch>
+"""
+    after = migrated(folder, {"urdf/arm.xacro": robot, "urdf/hand.xacro": "<robot/>", "launch/arm.launch": launch})
+    told = [line for line in after["MIGRATION.md"].splitlines() if "looks for it" in line]
+    assert [line.partition(": ")[2].partition(":")[0] for line in told] == [
+        "check that package 'hall_worlds' exists for jazzy",
+        "no distro of ROS 2 has package 'fake_localization'",
+        "check that package 'hand_description' exists for jazzy",
+    ]
+
+
 def test_an_integer_is_a_double_where_the_node_of_ros_2_declares_one(folder: Folder) -> None:
     inside = '<param name="yaw_offset" value="0"/><param name="zero_altitude" value="true"/>'
     node = f'<node name="gps" pkg="robot_localization" type="navsat_transform_node">{inside}</node>'

@@ -15,32 +15,51 @@ _LOST: Mapping[str, str] = {
     "ar_track_alvar": "",
     "base_local_planner": _NAV2,
     "clear_costmap_recovery": _NAV2,
+    "combined_robot_hw": "several <ros2_control> elements",
     "costmap_2d": "nav2_costmap_2d",
     "dwa_local_planner": _NAV2,
     "dynamic_reconfigure": "the parameters of a node",
     "eigen_conversions": "tf2_eigen",
+    "fake_localization": "",
+    "freenect_camera": "",
     "freenect_launch": "",
     "global_planner": _NAV2,
     "gmapping": "slam_toolbox",
+    "hector_gazebo": "the sensors of the simulator",
     "hector_gazebo_plugins": "the sensors of the simulator",
+    "hector_mapping": "slam_toolbox",
     "hector_slam": "slam_toolbox",
     "joint_limits_interface": "joint_limits",
+    "joint_trajectory_action": "joint_trajectory_controller",
     "kdl_conversions": "tf2_kdl",
+    "move_base_msgs": "nav2_msgs",
     "moveit_commander": "moveit_py",
     "nav_core": "nav2_core",
     "navfn": "nav2_navfn_planner",
+    "navigation": "navigation2",
     "nodelet": "rclcpp_components",
-    "openni_launch": "",
     "openni2_launch": "openni2_camera",
+    "openni_launch": "",
     "robot_pose_ekf": "robot_localization",
     "rosconsole": "the logging of rclpy or rclcpp",
     "rosserial": "micro-ROS",
     "rosserial_arduino": "micro-ROS",
+    "rosserial_client": "micro-ROS",
+    "rosserial_msgs": "micro-ROS",
     "rosserial_python": "micro-ROS",
+    "rosserial_server": "micro-ROS",
     "rotate_recovery": _NAV2,
+    "slam_gmapping": "slam_toolbox",
     "tf_conversions": "tf_transformations",
+    "yocs_cmd_vel_mux": "twist_mux",
+    "yocs_velocity_smoother": "nav2_velocity_smoother",
 }
 """By name in ROS 1: what does its work in ROS 2; empty if nothing does."""
+
+
+def is_lost(name: str) -> bool:
+    """Return whether no distro of ROS 2 has a package of ROS 1."""
+    return name in _LOST
 
 
 def lost_dependencies(elements: list[Element]) -> Iterator[ReportEntry]:

@@ -14,6 +14,7 @@ from urdfctl.migrate.edits.markup import child, children, content, end_of, inden
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.build_file import ament_build_file
+from urdfctl.migrate.ros1.looked_up import looked_up_packages
 from urdfctl.migrate.ros1.lost_packages import lost_dependencies
 from urdfctl.migrate.shared.hardware import host_plugin, started_by_launch_files, system
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
@@ -57,6 +58,7 @@ _COMPILED = r"(?im)^\s*(?:add_executable|add_library|generate_messages|pybind11_
 
 
 def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
+    yield from looked_up_packages(packages)
     for path in packages.files("package.xml"):
         if os.path.basename(path) != "package.xml":
             continue
