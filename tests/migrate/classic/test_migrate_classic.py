@@ -118,6 +118,31 @@ def test_a_robot_loads_the_system_of_a_sensor_that_only_other_arguments_switch_o
     assert system not in migrated(folder, {"urdf/base.xacro": base(macro)})["urdf/base.xacro"]
 
 
+def test_a_robot_that_a_launch_file_gives_its_arguments_loads_the_systems_itself(folder: Folder) -> None:
+    name = '<link name="$(arg place)"/>\n'
+    launch = """\
+<launch>
+  <node pkg="robot_state_publisher" exec="robot_state_publisher">
+    <param name="robot_description" value="$(command 'xacro $(find-pkg-share base)/urdf/base.xacro place:=top')"/>
+  </node>
+</launch>
+"""
+    files = {"urdf/base.xacro": base(LIDAR + name)}
+    told = "load it in the world for the sensors of this robot"
+    assert told in migrated(folder, files)["urdf/base.xacro"]
+    after = migrated(folder, {**files, "launch/base.launch.xml": launch})["urdf/base.xacro"]
+    assert 'filename="gz-sim-sensors-system"' in after
+    assert told not in after
+
+
+def test_a_part_of_a_robot_needs_no_systems_of_its_own(folder: Folder) -> None:
+    part = f'<robot xmlns:xacro="http://www.ros.org/wiki/xacro">\n<link name="$(arg side)"/>\n{LIDAR}</robot>\n'
+    include = '<xacro:arg name="side" default="a"/>\n<xacro:include filename="$(find base)/urdf/eye.xacro"/>\n'
+    after = migrated(folder, {"urdf/eye.xacro": part, "urdf/base.xacro": base(include)})
+    assert "load it in the world" not in after["urdf/eye.xacro"]
+    assert 'filename="gz-sim-sensors-system"' in after["urdf/base.xacro"]
+
+
 def test_what_systems_and_sensors_publish_is_bridged(folder: Folder) -> None:
     after = migrated(folder, {"urdf/base.xacro": base(DRIVE + LIDAR), "launch/sim.launch.py": LAUNCH})
     entries = yaml.safe_load(after["config/bridge.yaml"])

@@ -42,7 +42,9 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
         return
     worlds = b"".join(packages.read(path).data for path in packages.files(".sdf", ".world"))
     done: set[str] = set()
-    for loaded in packages.loaded():
+    known = sorted(packages.loaded(), key=lambda one: not one.project.complete)  # with the arguments of a launch file
+    whole = {os.path.realpath(each) for one in known if one.project.complete for each in one.sources}
+    for loaded in known:
         robot, path = loaded.project.robot, os.path.realpath(loaded.project.path)
         if robot is None or path in done or not packages.may_change(path):
             continue
@@ -54,9 +56,10 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
         if not missing or root is None or not is_robot or root.close is None or CHOICE.encode() in root.source.data:
             continue
         done.add(path)
-        if not loaded.project.complete:
+        if not loaded.project.complete and path not in whole and robot.links:
             names = ", ".join(file for file, _ in missing)
             yield for_you(root.at, f"{names}: {_UNKNOWN}", authority=_AUTHORITY)
+        if not loaded.project.complete:
             continue
         step = step_of(root.source)
         lines = "".join(f'{step * 2}<plugin filename="{file}" name="{name}"/>\n' for file, name in missing)
