@@ -25,6 +25,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -49,7 +50,8 @@ CLASSIC = ("gazebo_ros2_control", "gazebo_ros_control")
 SCORED = ("joints", *KINDS)
 KNOWN_HARDWARE = (*CLASSIC, "gz_ros2_control", "ign_ros2_control", "_components", "transmission_interface")
 USES = {"joints": "joints", "interfaces": "interfaces", "types": "types", "plugins": "plugins"}
-SPELLINGS = (("ign_ros2_control", "gz_ros2_control"), ("ignition-gazebo-", "gz-sim-"))
+SPELLINGS = ((r"ign_ros2_control", "gz_ros2_control"), (r"(?:ignition-gazebo|gz-sim)\d*-", "gz-sim-"))
+DESCRIPTIONS = ("*.xacro", "*.urdf", "*.gazebo")
 
 
 class Score(NamedTuple):
@@ -93,11 +95,15 @@ def target_of(pair: dict[str, Any]) -> str:
     return OLDEST.get(named, named) if named else newest
 
 
-def simulator_of(after: Facts, kind: str) -> str | None:
-    """The simulator of a robot by the kind of its migration, or by its plugins; None if they name none or both."""
+def simulator_of(after: Facts, kind: str, folder: Path) -> str | None:
+    """The simulator of a robot by the kind of its migration, by its plugins, or by the texts of its files if it cannot
+    be expanded; None if they name none or both."""
     if kind == "classic-gz":
         return "gz"
     names = [name for (name,) in after["plugins"]]
+    if not names:
+        files = (path for pattern in DESCRIPTIONS for path in folder.rglob(pattern) if path.is_file())
+        names = [path.read_text(errors="replace") for path in files]
     classic = any(part in name for name in names for part in CLASSIC)
     gz = any(part in name for name in names for part in OF_GZ)
     return None if classic == gz else "gazebo-classic" if classic else "gz"
@@ -154,7 +160,7 @@ def _spelled(facts: Iterable[tuple[str, ...]]) -> set[tuple[str, ...]]:
     for fact in facts:
         last = fact[-1].removeprefix("lib").removesuffix(".so")
         for old, new in SPELLINGS:
-            last = last.replace(old, new).replace("IgnitionSystem", "GazeboSimSystem")
+            last = re.sub(old, new, last).replace("IgnitionSystem", "GazeboSimSystem")
         spelled.add((*fact[:-1], last))
     return spelled
 
@@ -164,7 +170,7 @@ def measured(pair: dict[str, Any], options: argparse.Namespace, folder: Path) ->
     before_folder, after_folder = (options.trees / pair["id"] / side for side in ("before", "after"))
     distro = target_of(pair)
     before, after = facts_of_folder(str(before_folder.resolve())), facts_of_folder(str(after_folder.resolve()), distro)
-    simulator = simulator_of(after, pair["kind"])
+    simulator = simulator_of(after, pair["kind"], after_folder)
     out = (options.keep or folder).resolve() / pair["id"]
     failure = migrated(before_folder.resolve(), out, distro, simulator)
     ours = facts_of_folder(str(out), distro)

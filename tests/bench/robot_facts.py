@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,8 @@ from urdfctl.source.opaque import UNKNOWN
 
 KINDS = ("interfaces", "types", "keys", "plugins", "sensors", "bridged", "spawned")
 _KNOWN_SOURCES = (UNKNOWN, "$(", "${", "<", "{{")
+_PLACEHOLDER = re.compile(r"^/?<\w+>(?=/)")
+"""A namespace that a launch file fills in."""
 _LIST_OF_TOPICS = (b"ros_topic_name", b"topic_name")
 _STATES_ONLY = "states only"
 
@@ -134,7 +137,14 @@ def _of_launch(project: Project, facts: dict[str, list[tuple[str, ...]]]) -> Non
     for node in launch.nodes:
         if node.executable.text in {"parameter_bridge", "image_bridge"}:
             words = (word.text for word in node.words if not word.text.startswith("-"))
-            facts["bridged"] += ((word.partition("@")[0].lstrip("/"),) for word in words if word and ":=" not in word)
+            topics = (word.partition("@")[0].lstrip("/") for word in words if word and ":=" not in word)
+            facts["bridged"] += ((_in_ros(topic, node.remaps),) for topic in topics)
+
+
+def _in_ros(topic: str, remaps: Sequence[tuple[str, str]]) -> str:
+    """The name in ROS of a topic that a bridge is given by its name in gz; a namespace before it is not counted."""
+    new = next((new for old, new in remaps if old.strip("/") == topic), topic).strip("/")
+    return topic if new.endswith(f"/{topic}") else new
 
 
 def _topics_in_files(folder: str) -> Iterator[str]:
@@ -150,4 +160,4 @@ def _topics_in_files(folder: str) -> Iterator[str]:
         for entry in entries if isinstance(entries, list) else ():
             topic = entry.get("ros_topic_name") or entry.get("topic_name") if isinstance(entry, dict) else None
             if isinstance(topic, str):
-                yield topic.lstrip("/")
+                yield _PLACEHOLDER.sub("", topic).lstrip("/")

@@ -182,3 +182,20 @@ def test_a_description_in_a_namespace_without_a_publisher_is_spawned_there(folde
     text = migrated(folder, files, "--simulator", "gz")["launch/moved.launch.py"]
     assert 'PushRosNamespace("mobile")' in text
     assert 'arguments=["-topic", "robot_description", "-name", "arm"]' in text
+
+
+def test_the_manager_of_one_of_several_robots_reads_the_description_that_is_started_with_it(folder: Folder) -> None:
+    described = DESCRIPTION.replace("arm.urdf", "{}.urdf")
+    named = '<xacro:arg name="side" default="left"/>\n'
+    files = {
+        "arm.urdf.xacro": robot("/$(arg side)").replace('<link name="base"/>', f'{named}<link name="base"/>'),
+        "ball.urdf.xacro": '<robot name="ball"><link name="ball"/></robot>\n',
+        "launch/arm.launch": launch(described.format("arm"), SPAWN),
+        "launch/ball.launch": launch(f'<group ns="ball">{described.format("ball")}{SPAWN}</group>'),
+    }
+    after = migrated(folder, files, "--simulator", "gz")
+    assert "<remapping>robot_description:=/robot_description</remapping>" in after["arm.urdf.xacro"]
+    inside = launch(f'<arg name="side"/><group ns="$(arg side)">{described.format("arm")}{SPAWN}</group>')
+    (folder.path / "new").rename(folder.path / "first")
+    after = migrated(folder, {**files, "launch/arm.launch": inside}, "--simulator", "gz")
+    assert "<remapping>" not in after["arm.urdf.xacro"]

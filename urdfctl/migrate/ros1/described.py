@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from itertools import pairwise
 
+from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.edits.markup import attribute, elements
 from urdfctl.migrate.launch.actions import Text, is_literal, parsed, plain, words_of
 from urdfctl.migrate.packages import MigratedPackages
@@ -98,6 +99,13 @@ def spaces_by_file(packages: MigratedPackages) -> dict[str, frozenset[str]]:
     for path, group in packages.found(_started_together).items():
         found[path] = frozenset(space for one in group for space in published.get(one, ())) or every
     return found
+
+
+def spaces_of_robots(packages: MigratedPackages, robots: Iterable[LoadedTarget]) -> frozenset[str]:
+    """Return those namespaces for the launch files of some robots; for all, if none starts them."""
+    by_file = packages.found(spaces_by_file)
+    found = (by_file[path] for one in robots for path in one.sources if path in by_file)
+    return frozenset(space for spaces in found for space in spaces) or packages.found(spaces_of_description)
 
 
 def _started_together(packages: MigratedPackages) -> dict[str, set[str]]:

@@ -30,7 +30,7 @@ from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_addresses import addresses, declared_again
 from urdfctl.migrate.ros1.controller_map import controller_maps
-from urdfctl.migrate.ros1.described import described_for, spaces_of_description
+from urdfctl.migrate.ros1.described import described_for, spaces_of_robots
 from urdfctl.migrate.ros1.followers import is_mimic_plugin, mimic_plugins
 from urdfctl.migrate.shared.hardware import host_plugin, simulated_by
 from urdfctl.migrate.shared.manager import BROADCASTER, RATE, manager_text
@@ -91,7 +91,8 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
     space = child(element, "robotNamespace")
     text = content(space) if space is not None else ""
     step = step_of(element.source)
-    remapping, note = _joined(packages, text)
+    spaces = spaces_of_robots(packages, robots)
+    remapping, note = _joined(packages, text, spaces)
     is_root = text.strip("/") == ""
     lines = ("" if is_root else f"{step}<namespace>{text}</namespace>\n") + (f"{step}{remapping}" if remapping else "")
     inner = f"<ros>\n{lines}</ros>" if lines else ""
@@ -101,7 +102,7 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
     created: tuple[tuple[str, str], ...] = ()
     if not files and (new := _new_file(packages, element, text)) is not None:
         files, created = [new[0]], (new[1:],)
-    edits += _chosen_namespaces(packages, element, step)
+    edits += _chosen_namespaces(packages, element, spaces, step)
     edits.append(_with_parameters(element, files, step, inner if space is None else ""))
     edits = [edit for edit in edits if edit.text or edit.span.start != edit.span.end]
     entries = [
@@ -124,19 +125,20 @@ def _migrated(packages: MigratedPackages, element: Element, robots: list[LoadedT
     yield Proposal((merged(edits), *_as_xacro(element, files)), created=created, entries=tuple(entries))
 
 
-def _chosen_namespaces(packages: MigratedPackages, element: Element, step: str) -> Iterator[Edit]:
+def _chosen_namespaces(
+    packages: MigratedPackages, element: Element, spaces: frozenset[str], step: str
+) -> Iterator[Edit]:
     """The edits of namespaces within conditions of xacro."""
     for choice in element.elements():
         space = child(choice, "robotNamespace") if choice.tagName in CONDITIONS else None
         if space is not None:
-            remapping, _ = _joined(packages, content(space))
+            remapping, _ = _joined(packages, content(space), spaces)
             text = f"<ros>\n{step}<namespace>{content(space)}</namespace>\n{step * bool(remapping)}{remapping}</ros>"
             yield Edit(span_of(space), indented(text, indent_of(space)).lstrip())
 
 
-def _joined(packages: MigratedPackages, space: str) -> tuple[str, str]:
+def _joined(packages: MigratedPackages, space: str, spaces: frozenset[str]) -> tuple[str, str]:
     """What makes the controller manager in a namespace read the description where it is published, and the entry."""
-    spaces = packages.found(spaces_of_description)
     published = described_for(spaces, space.strip("/"))
     if "$(" in published or published == space.strip("/") or packages.options.target not in since("jazzy"):
         return "", ""
