@@ -147,6 +147,18 @@ def test_a_file_with_types_that_the_plugin_of_the_simulator_does_not_load_is_tol
     assert said in told
 
 
+@pytest.mark.parametrize(
+    ("value", "given", "expected"),
+    [("true", [], True), ("$(arg sim)", ["sim:=true"], True), ("$(arg sim)", ["sim:=false"], False)],
+)
+def test_the_time_that_a_later_parameter_sets_is_that_of_all_nodes(
+    folder: Folder, value: str, given: list[str], expected: bool
+) -> None:
+    time = f'<arg name="sim" default="true"/><param name="use_sim_time" value="{value}"/>'
+    found = run(folder, {"launch/a.launch": launch(DESCRIPTION, PUBLISHER, time)}, *given)
+    assert [one["values"]["use_sim_time"] for one in found if "values" in one] == [expected]
+
+
 def test_a_parameter_that_is_a_double_in_ros_2_is_one_whatever_an_argument_says(folder: Folder) -> None:
     rate = '<param name="publish_frequency" value="{}"/></node>'
     files = {

@@ -50,6 +50,7 @@ from urdfctl.migrate.ros1.set_descriptions import (
     overriding,
     said,
 )
+from urdfctl.migrate.ros1.simulated_time import time_first
 from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
@@ -76,7 +77,7 @@ class LaunchReading(Notes):
 
         The files of a spawner are those that it may need.
         """
-        found = kept_apart(list(self._children(root, root)), self._included)
+        found = kept_apart(time_first(list(self._children(root, root))), self._included)
         spawns = must_run(found) or any(one.spawns for one in self._included.values())
         if (self.unpauses or spawns) and (started := running(found)) != found:
             found = started
