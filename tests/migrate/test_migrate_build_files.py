@@ -203,6 +203,17 @@ def test_modules_that_are_not_found_are_left_to_a_person(folder: Folder) -> None
     assert "setup.py installed the Python modules" in after["MIGRATION.md"]
 
 
+def test_a_setup_file_that_names_no_module_of_the_package_leaves_nothing_to_do(folder: Folder) -> None:
+    setup = "d = generate_distutils_setup()\nd['packages'] = ['arm_driver']\nsetup(**d)\n"
+    files = {"CMakeLists.txt": f"{COMMENTED}catkin_python_setup()\n", "urdf/arm.urdf": ROBOT, "setup.py": setup}
+    after = migrated(folder, {**files, "nodes/arm.py": "#!/usr/bin/env python3\n"})
+    assert "catkin_python_setup" not in after["CMakeLists.txt"]
+    assert "setup.py installed" not in after["MIGRATION.md"]
+    (folder.path / "new").rename(folder.path / "first")
+    after = migrated(folder, {**files, "nodes/arm_driver/__init__.py": ""})
+    assert "setup.py installed" in after["MIGRATION.md"]
+
+
 def test_headers_that_other_packages_include_are_still_exported(folder: Folder) -> None:
     build = COMMENTED.replace("catkin_package()  #", "catkin_package(INCLUDE_DIRS include)  #")
     after = migrated(folder, {"CMakeLists.txt": build, "urdf/arm.urdf": ROBOT, "include/arm/arm.h": ""})

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.migrate.ros1.python_modules import python_rules
+from urdfctl.migrate.ros1.python_modules import may_have_modules, python_rules
 from urdfctl.migrate.ros1.used_files import programs_in, used_in
 from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry
@@ -77,7 +77,7 @@ def ament_build_file(packages: MigratedPackages, source: SourceText, *, name: st
     text += "\nament_package()\n"
     what = "the build file uses ament_cmake and installs what launch files need"
     entries = [ReportEntry(EntryKind.DONE, what, file=source.path, authority=_AUTHORITY)]
-    if has_modules and not modules:
+    if has_modules and not modules and may_have_modules(packages, folder, name):
         entries.append(ReportEntry(EntryKind.FOR_YOU, _NO_MODULES, file=source.path, authority=_AUTHORITY))
     entries += _left(source, old)
     return Proposal((Edit(SourceSpan(source, 0, len(source.data)), text),), entries=tuple(entries))
