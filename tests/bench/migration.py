@@ -96,9 +96,9 @@ def target_of(pair: dict[str, Any]) -> str:
 
 
 def simulator_of(after: Facts, kind: str, folder: Path) -> str | None:
-    """The simulator of a robot by the kind of its migration, by its plugins, or by the texts of its files if it cannot
-    be expanded; None if they name none or both."""
-    if kind == "classic-gz":
+    """The simulator of a robot by the kind of its migration, a bridge, which only gz needs, its plugins, or the texts
+    of its files if it cannot be expanded; None if they name none or both."""
+    if kind == "classic-gz" or after["bridged"]:
         return "gz"
     names = [name for (name,) in after["plugins"]]
     if not names:

@@ -41,6 +41,22 @@ def after(folder: Folder, gazebo: str, *words: str) -> str:
     return text.removeprefix(head).removesuffix(f"</robot>{tail}")
 
 
+@pytest.mark.parametrize("told", ["true", "false", ""])
+def test_a_drive_that_publishes_the_states_of_its_wheels_has_a_system_for_them(folder: Folder, told: str) -> None:
+    states = f"<publishWheelJointState>{told}</publishWheelJointState>\n" if told else ""
+    drive = plugin("gazebo_ros_diff_drive", f"{states}<robotNamespace>/rover</robotNamespace>\n{WHEELS[1]}")
+    files = migrated(folder, {"urdf/base.xacro": base(drive)}, *TO_GZ)
+    system = """\
+    <plugin filename="gz-sim-joint-state-publisher-system" name="gz::sim::systems::JointStatePublisher">
+      <joint_name>left</joint_name>
+      <joint_name>right</joint_name>
+      <topic>rover/joint_states</topic>
+    </plugin>
+"""
+    assert (system in files["urdf/base.xacro"]) is (told == "true")
+    assert ("rover/joint_states" in files["config/bridge.yaml"]) is (told == "true")
+
+
 def test_a_drive_of_ros_1_gets_the_names_of_ros_2(folder: Folder) -> None:
     old = plugin(
         "gazebo_ros_diff_drive",

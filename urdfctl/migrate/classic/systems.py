@@ -21,6 +21,7 @@ class System(NamedTuple):
     has_tf: whether it publishes the transform of its odometry on a topic of its own.
     has_axles: whether it needs the measures of the vehicle, which Classic measures itself.
     odometry: the system that publishes its odometry, if it does not do so itself.
+    states: the setting of ROS 1 that makes it publish the states of its wheels, which a system of its own does in gz.
     """
 
     filename: str
@@ -31,6 +32,7 @@ class System(NamedTuple):
     has_tf: bool = False
     has_axles: bool = False
     odometry: System | None = None
+    states: str = ""
 
 
 _ODOMETRY = {
@@ -63,6 +65,13 @@ _DRIVE_TOPICS = {
     "odometry_topic": ("odom_topic", "odom"),
 }
 _DIFF_DRIVE = System("gz-sim-diff-drive-system", "gz::sim::systems::DiffDrive", _DRIVE, _DRIVE_TOPICS, has_tf=True)
+_STATES = System(
+    "gz-sim-joint-state-publisher-system",
+    "gz::sim::systems::JointStatePublisher",
+    {"joint_name": "joint_name", "jointName": "each:joint_name"},
+    {"topicName": ("topic", "joint_states")},
+)
+_STATES_OF_WHEELS = _STATES._replace(settings={"leftJoint": "joint_name", "rightJoint": "joint_name"}, topics={})
 _ACKERMANN = {
     "rear_left_joint": "left_joint",
     "front_left_joint": "left_joint",
@@ -89,7 +98,7 @@ _OF_PLANAR_MOVE = System(
     has_tf=True,
 )
 SYSTEMS: Mapping[str, System] = {
-    "gazebo_ros_diff_drive": _DIFF_DRIVE,
+    "gazebo_ros_diff_drive": _DIFF_DRIVE._replace(states="publishWheelJointState"),
     "gazebo_ros_skid_steer_drive": _DIFF_DRIVE,
     "gazebo_ros_ackermann_drive": System(
         "gz-sim-ackermann-steering-system",
@@ -107,12 +116,7 @@ SYSTEMS: Mapping[str, System] = {
         {"commandTopic": ("topic", "cmd_vel"), "command_topic": ("topic", "cmd_vel")},
         odometry=_OF_PLANAR_MOVE,
     ),
-    "gazebo_ros_joint_state_publisher": System(
-        "gz-sim-joint-state-publisher-system",
-        "gz::sim::systems::JointStatePublisher",
-        {"joint_name": "joint_name", "jointName": "each:joint_name"},
-        {"topicName": ("topic", "joint_states")},
-    ),
+    "gazebo_ros_joint_state_publisher": _STATES,
     "gazebo_ros_p3d": System(
         "gz-sim-odometry-publisher-system",
         "gz::sim::systems::OdometryPublisher",
@@ -178,7 +182,12 @@ def system_text(element: Element, system: System, step: str, more: Sequence[str]
     lines += (line for one in kept for line in indented(flush(one), step).splitlines())
     text = "\n".join([*lines, "</plugin>\n"])
     odometry = system.odometry if _publishes_odometry(element) else None
-    return text + system_text(element, odometry, step) if odometry is not None else text
+    text += system_text(element, odometry, step) if odometry is not None else ""
+    told = child(element, system.states) if system.states else None
+    if told is None or content(told).lower() not in {"true", "1"}:
+        return text
+    topic = f"<topic>{in_namespace(element, 'joint_states')}</topic>"
+    return text + system_text(element, _STATES_OF_WHEELS, step, (topic,))
 
 
 def flush(element: Element) -> str:
@@ -241,7 +250,7 @@ def comments_above(element: Element) -> list[str]:
 def dropped_settings(element: Element, system: System) -> list[str]:
     """Return the settings of Classic that a system of gz does not have, except those that say what is so anyway."""
     odometry = (*system.odometry.settings, *system.odometry.topics) if system.odometry is not None else ()
-    known = (*system.settings, *system.topics, *system.kept, *odometry, *_ELSEWHERE)
+    known = (*system.settings, *system.topics, *system.kept, *odometry, system.states, *_ELSEWHERE)
     return [one.tagName for one in element.elements() if one.tagName not in known and ":" not in one.tagName]
 
 
