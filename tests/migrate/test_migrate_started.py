@@ -247,6 +247,20 @@ ELSEWHERE = """\
 """
 
 
+def test_a_plugin_that_switches_interfaces_is_that_of_ros2_control(folder: Folder) -> None:
+    plugin = PLUGIN.replace("libgazebo", "libhwi_switch_gazebo").replace("/arm", "/")
+    robot = arm(
+        transmission("EffortJointInterface"),
+        plugin.replace("<robotSim", "<filterJointsParam>a</filterJointsParam><robotSim"),
+    )
+    spawner = ELSEWHERE.replace("vendor_description)", "arm)/urdf").replace("arm.urdf.xacro", "arm.xacro")
+    after = migrated(folder, {"urdf/arm.xacro": robot, "config/c.yaml": CONTROLLERS, "launch/arm.launch": spawner})
+    assert 'filename="gz_ros2_control-system"' in after["urdf/arm.xacro"]
+    assert "<parameters>$(find arm)/config/c.yaml</parameters>" in after["urdf/arm.xacro"]
+    assert "filterJointsParam" not in after["urdf/arm.xacro"]
+    assert "built for Gazebo Classic" not in after["MIGRATION.md"]
+
+
 def test_a_robot_of_another_package_in_gazebo_has_its_manager_there(folder: Folder) -> None:
     files = {"launch/arm.launch": ELSEWHERE, "config/c.yaml": CONTROLLERS}
     text = " ".join(migrated(folder, files, "--simulator", "gz")["launch/arm.launch.py"].split())

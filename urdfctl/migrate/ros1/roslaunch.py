@@ -51,6 +51,7 @@ from urdfctl.migrate.ros1.set_descriptions import (
     said,
 )
 from urdfctl.migrate.ros1.simulated_time import time_first
+from urdfctl.names import shortened
 from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
@@ -337,7 +338,7 @@ class LaunchReading(Notes):
             )
             self.left.append(f"{text} '{file}' by <parameters>")
         elif self.target.simulated:
-            if names := ", ".join(self.target.undeclared(file)):
+            if names := shortened(self.target.undeclared(file), 3):
                 text = f"no plugin of {self.target.simulator} loads '{file}', which declares {names}"
                 self.left.append(f"{text}: name it in <parameters> too, on the same condition")
         elif not self.target.has_manager:

@@ -44,8 +44,10 @@ from urdfctl.source.workspaces.packages import package_around, package_name
 from urdfctl.source.xml.dom import Element
 
 CONTROL = "libgazebo_ros_control.so"
+_CONTROLS = (CONTROL, "libhwi_switch_gazebo_ros_control.so")
+"""The second is the first with joints that change their interface (cob_gazebo_ros_control), as any does in ros2_control."""
 _SIM_TYPES = ("gazebo_ros_control/DefaultRobotHWSim", "")
-_DROPPED = ("robotSimType", "legacyModeNS", "controlPeriod", "eStopTopic", "robotParam")
+_DROPPED = ("robotSimType", "legacyModeNS", "controlPeriod", "eStopTopic", "robotParam", "filterJointsParam")
 _AUTHORITY = "gz_ros2_control doc/index.rst; gazebo_ros2_control doc/index.rst"
 _JOINED = "gz_ros2_control gz_ros2_control_plugin.cpp: <ros><namespace>, <remapping>; controller_manager.cpp: robot_description"
 _MIMIC = "gz_ros2_control doc/index.rst: mimic joints by <mimic> of the URDF"
@@ -54,7 +56,7 @@ _MIMIC = "gz_ros2_control doc/index.rst: mimic joints by <mimic> of the URDF"
 def _plugins(packages: MigratedPackages) -> Iterator[Proposal]:
     robots = _robots_by_plugin(packages)
     for element in plugin_elements(packages):
-        if attribute(element, "filename") == CONTROL and not _has_successor(element):
+        if attribute(element, "filename") in _CONTROLS and not _has_successor(element):
             yield from _migrated(packages, element, robots.get(key_of_element(element), []))
 
 
@@ -213,7 +215,7 @@ def _new_file(packages: MigratedPackages, element: Element, namespace: str) -> t
     if not folder or not name or exists(path):
         return None
     own = (one for one in plugin_elements(packages) if one.source.path.startswith(folder + os.sep))
-    spaces = {_space(one) for one in own if attribute(one, "filename") == CONTROL}
+    spaces = {_space(one) for one in own if attribute(one, "filename") in _CONTROLS}
     is_any = "$" in namespace or len(spaces) > 1
     space = "/**" if is_any else f"/{namespace.strip('/')}" if namespace.strip("/") else ""
     manager = manager_text(space, {"joint_state_broadcaster": BROADCASTER}, RATE, simulated=True)

@@ -14,6 +14,7 @@ HARDWARE_OPTION = "--hardware PLUGIN"
 _HARDWARE = (b"<transmission", b"<ros2_control", b":ros2_control")
 _HOSTS = (
     b"libgazebo_ros_control.so",
+    b"libhwi_switch_gazebo_ros_control.so",
     b"libgazebo_ros2_control.so",
     b"gz_ros2_control-system",
     b"ign_ros2_control-system",
