@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+import shutil
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from pathlib import Path
@@ -150,6 +151,26 @@ def test_in_no_named_pose_links_touch_that_are_tested_or_never_touch(written: Fo
 CONTROL = """<ros2_control name="hw" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>
   <joint name="lift"><command_interface name="position"/><state_interface name="position">
     <param name="initial_value">{}</param></state_interface></joint></ros2_control></robot>"""
+
+
+def test_poses_and_tested_links_stay_within_the_soft_limits_in_which_moveit_plans(written: Folder) -> None:
+    def disabled() -> set[frozenset[str]]:
+        return {
+            frozenset((pair.get("link1", ""), pair.get("link2", "")))
+            for pair in semantic(written).findall("disable_collisions")
+        }
+
+    assert frozenset(("hand", "base_link")) not in disabled()
+    soft = '<safety_controller k_velocity="9" soft_lower_limit="{}" soft_upper_limit="{}"/>'
+    text = arm().replace('effort="90" velocity="2"/>', f'effort="90" velocity="2"/>{soft.format(-0.2, 0.2)}')
+    finger = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
+    shutil.rmtree("out")  # what is there would be taken for a person's
+    written.write({"six.urdf": text.replace(finger, finger + soft.format(0.005, 0.03))})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    assert frozenset(("hand", "base_link")) in disabled()
+    opened, closed = (semantic(written).find(f"group_state[@name='{name}']/joint") for name in ("open", "close"))
+    assert (opened.get("value"), closed.get("value")) == ("0.03", "0.005")  # type: ignore[union-attr]
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
 
 
 @pytest.mark.parametrize(("start", "status"), [(0.4, 0), (2.8, 2)])

@@ -53,7 +53,8 @@ def _linkage(mechanism: Mechanism, touching: TouchingLinks) -> Linkage:
     links = [LinkFacts(mechanism.root)]
     links += [LinkFacts(hinge.child, hinge.parent, hinge.name, _type_of(hinge)) for hinge in mechanism.hinges]
     rest = tuple(mechanism.start().items())
-    return Linkage(tuple(links), touching.pairs, touching.hulls, rest, touching.starting)
+    spans = tuple((hinge.name, *hinge.planned) for hinge in mechanism.hinges if hinge.planned != hinge.span)
+    return Linkage(tuple(links), touching.pairs, touching.hulls, rest, touching.starting, spans=spans)
 
 
 def _type_of(hinge: Hinge) -> str:

@@ -62,6 +62,9 @@ def semantic_parts(
 ) -> list[SemanticPart]:
     """Return the elements of the SRDF. in_world: the description already has a link `world` that carries the robot."""
     joints = {joint.name: joint for joint in robot.joints}
+    for name, low, high in linkage.spans:
+        if name in joints:
+            joints[name] = joints[name]._replace(lower=low, upper=high)
     rest = dict(linkage.rest)
     parts = [_group(group, robot.joints) for group in groups]
     for group in groups:

@@ -111,7 +111,7 @@ class Linkage(NamedTuple):
 
     `pairs` are those that need no test for collisions, each with the reason. `hulls` are the links whose meshes were
     tested as convex hulls, for want of FCL. `rest` are the positions at which its joints start, `starting` the other
-    pairs that touch there.
+    pairs that touch there. `spans` are the ranges of the joints whose limits are narrower for planning.
     """
 
     links: tuple[LinkFacts, ...]
@@ -119,17 +119,19 @@ class Linkage(NamedTuple):
     hulls: tuple[str, ...]
     rest: tuple[tuple[str, float], ...]
     starting: tuple[tuple[str, str], ...] = ()
+    spans: tuple[tuple[str, float, float], ...] = ()
 
     @classmethod
     def from_json(cls, plain: Sequence[Any]) -> Linkage:
         """Return it from plain data."""
-        links, pairs, hulls, rest, starting = plain
+        links, pairs, hulls, rest, starting, spans = plain
         return cls(
             tuple(LinkFacts(*link) for link in links),
             tuple((one, other, reason) for one, other, reason in pairs),
             tuple(hulls),
             tuple((name, position) for name, position in rest),
             tuple((one, other) for one, other in starting),
+            spans=tuple((name, low, high) for name, low, high in spans),
         )
 
 

@@ -23,9 +23,7 @@ from urdfctl.startup.records import NamedTuple
 ADJACENT, DEFAULT, ALWAYS, NEVER = "Adjacent", "Default", "Always", "Never"
 _LISTED = 3
 _ALWAYS = 0.95
-"""A pair that touches in this part of the poses always touches, as for MoveIt's setup assistant."""
-_AT_LIMITS = 20
-"""In one of so many poses each joint is at one of its limits, where a gripper is open or closed."""
+"""A pair that touches in more than this part of the poses always touches, as for MoveIt's setup assistant."""
 
 LinkPair = tuple[str, str]
 
@@ -196,27 +194,25 @@ class _Meeting:
         most_apart = total - _ALWAYS * total
         counts = dict.fromkeys(_all_pairs(self._solid), 0)
         known: set[LinkPair] = set()
-        for n, pose in enumerate(chain(simple, (self._drawn(chance, n) for n in range(samples))), 1):
+        for n, pose in enumerate(chain(simple, (self._drawn(chance) for _ in range(samples))), 1):
             for pair in self._touching(pose, known):
                 counts[pair] += 1
-                if n - counts[pair] > most_apart:
+                if n - counts[pair] >= most_apart:
                     known.add(pair)  # it touches at times: whether it does again makes no difference
         never = [pair for pair, count in counts.items() if not count]
-        return never, [pair for pair, count in counts.items() if count and total - count <= most_apart]
+        return never, [pair for pair, count in counts.items() if count and total - count < most_apart]
 
-    def _drawn(self, chance: Random, number: int) -> dict[str, float]:
-        if number % _AT_LIMITS == 0:
-            return {hinge.name: chance.choice(hinge.span) for hinge in self._moving}
-        return {hinge.name: chance.uniform(*hinge.span) for hinge in self._moving}
+    def _drawn(self, chance: Random) -> dict[str, float]:
+        return {hinge.name: chance.uniform(*hinge.planned) for hinge in self._moving}
 
     def _simple_poses(self) -> Iterator[dict[str, float]]:
         """The poses that people name: where each joint starts, and with one joint or all at a limit."""
         usual = {hinge.name: _usual(hinge) for hinge in self._moving}
         yield {**usual, **self._mechanism.start()}
         for end in (0, 1):
-            yield {hinge.name: hinge.span[end] for hinge in self._moving}
-            yield from ({**usual, hinge.name: hinge.span[end]} for hinge in self._moving)
-            yield {**usual, **{hinge.name: hinge.span[end] for hinge in self._moving if hinge.type == "prismatic"}}
+            yield {hinge.name: hinge.planned[end] for hinge in self._moving}
+            yield from ({**usual, hinge.name: hinge.planned[end]} for hinge in self._moving)
+            yield {**usual, **{hinge.name: hinge.planned[end] for hinge in self._moving if hinge.type == "prismatic"}}
 
     def _touching(self, positions: Mapping[str, float], known: Collection[LinkPair]) -> set[LinkPair]:
         """The pairs that touch in a pose, without those that are known already."""
@@ -266,5 +262,5 @@ class _Meeting:
 
 
 def _usual(hinge: Hinge) -> float:
-    low, high = hinge.span
+    low, high = hinge.planned
     return 0.0 if low <= 0.0 <= high else (low + high) / 2

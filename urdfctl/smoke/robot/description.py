@@ -85,7 +85,16 @@ def _hinge(joint: Joint, control: ComponentPart | None) -> Hinge | None:
         else None,
         ranges=tuple(_ranges(control)) if control else (),
         initial=_initial(control) if control else None,
+        soft=_soft(next(joint.tag.named("safety_controller"), None)),
     )
+
+
+def _soft(safety: Tag | None) -> tuple[float, float] | None:
+    """The soft limits, 0 where they are not given."""
+    if safety is None:
+        return None
+    low, high = (_float(safety.attributes.get(name, "0"), 0.0) for name in ("soft_lower_limit", "soft_upper_limit"))
+    return low, high
 
 
 def _resistance(dynamics: Tag | None, name: str) -> float:

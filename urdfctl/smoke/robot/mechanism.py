@@ -61,6 +61,7 @@ class Hinge(NamedTuple):
     mimic: the leading joint with multiplier and offset.
     ranges: the command interfaces for which `<ros2_control>` gives a range, each with its minimum and maximum.
     initial: the position that `<ros2_control>` gives to start from, or None.
+    soft: the soft limits of `<safety_controller>`, or None.
     """
 
     name: str
@@ -78,6 +79,7 @@ class Hinge(NamedTuple):
     mimic: tuple[str, float, float] | None = None
     ranges: tuple[tuple[str, float, float], ...] = ()
     initial: float | None = None
+    soft: tuple[float, float] | None = None
 
     @property
     def moves(self) -> bool:
@@ -102,6 +104,15 @@ class Hinge(NamedTuple):
         if not math.isfinite(self.lower) or not math.isfinite(self.upper):
             return -math.pi, math.pi
         return self.lower, max(self.lower, self.upper)
+
+    @property
+    def planned(self) -> tuple[float, float]:
+        """The range in which MoveIt plans: its position limits, where soft limits narrow them."""
+        low, high = self.span
+        if self.soft is None or self.type == "continuous":
+            return low, high
+        low = max(low, self.soft[0])
+        return low, max(low, min(high, self.soft[1]))
 
     @property
     def start(self) -> float:
@@ -211,8 +222,9 @@ class Mechanism(NamedTuple):
     def from_json(cls, data: dict[str, Any]) -> Mechanism:
         """Return the mechanism that plain data holds, in which tuples are lists."""
         bodies = [LinkBody(**{**body, **_tuples(body, "centre", "inertia")}) for body in data["bodies"]]
+        several = ("axis", "mimic", "ranges", "soft")
         hinges = [
-            Hinge(**{**hinge, **_tuples(hinge, "axis", "mimic", "ranges"), "pose": Pose(*_tuple(hinge["pose"]))})
+            Hinge(**{**hinge, **_tuples(hinge, *several), "pose": Pose(*_tuple(hinge["pose"]))})
             for hinge in data["hinges"]
         ]
         return cls(data["root"], {body.name: body for body in bodies}, tuple(hinges))
