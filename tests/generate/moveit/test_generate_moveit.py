@@ -99,6 +99,13 @@ def test_what_is_written_has_no_errors_and_is_up_to_date_at_once(folder: Folder,
     assert texts_in(folder) == before
 
 
+def test_a_shape_without_a_size_is_tested_as_the_point_that_it_is_for_moveit(folder: Folder) -> None:
+    folder.write({"six.urdf": arm().replace('<box size="0.04 0.2 0.02"/>', '<box size="0 0 0"/>')})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    pairs = {frozenset((one.get("link1"), one.get("link2"))) for one in semantic(folder).findall("disable_collisions")}
+    assert frozenset(("turn_link", "hand")) in pairs
+
+
 def on_a_lift(*more: str) -> str:
     """Return the arm on a link that slides, beside a head and `more`."""
     limit = '<limit lower="0" upper="0.4" effort="900" velocity="1"/>'
@@ -303,6 +310,10 @@ NOT_WHOLE = "MoveIt needs a whole robot, and this one cannot be expanded"
         (
             arm().replace('<box size="0.04 0.2 0.02"/>', '<mesh filename="gone.stl"/>'),
             "the collision geometry of link 'hand' cannot be tested: 'gone.stl' was not found",
+        ),
+        (
+            arm().replace('<box size="0.04 0.2 0.02"/>', '<box size="0.04 -0.2 0.02"/>'),
+            "the collision geometry of link 'hand' cannot be tested: its box has no positive size",
         ),
         (
             arm().replace('<link name="tool0"/>', '<link name="tool0"/><link name="lost"/>'),

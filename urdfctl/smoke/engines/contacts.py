@@ -22,6 +22,8 @@ from urdfctl.startup.records import NamedTuple
 
 ADJACENT, DEFAULT, ALWAYS, NEVER = "Adjacent", "Default", "Always", "Never"
 _LISTED = 3
+_POINT = 1e-6
+"""The size in m of a shape whose size is 0: MoveIt tests it as a point, and an engine rejects it."""
 _ALWAYS = 0.95
 """A pair that touches in more than this part of the poses always touches, as for MoveIt's setup assistant."""
 
@@ -64,7 +66,7 @@ def testable(robot: Robot, find_mesh: Callable[[str], str | None]) -> Testable:
         given = [limit for limit in joint.tag.named("limit") if {"lower", "upper"} & {*limit.attributes}]
         if joint.type in ("revolute", "prismatic") and not given:
             raise Untestable(f"joint '{joint.name}' has no position limits, which planning needs")
-    made = engine_urdf(robot, mechanism, find_mesh, {}, standing=True)
+    made = engine_urdf(robot, mechanism, find_mesh, {}, standing=True, least=_POINT)
     for link, why in made.left_out.items():
         raise Untestable(f"the collision geometry of link '{link}' cannot be tested: {why}")
     solid = tuple(link.name for link in robot.links if link.name and any(link.tag.named("collision")))

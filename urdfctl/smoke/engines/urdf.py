@@ -49,13 +49,14 @@ def engine_urdf(
     *,
     standing: bool,
     damped: Collection[str] = (),
+    least: float = 0.0,
 ) -> EngineUrdf:
     """Return a robot for an engine.
 
     `find_mesh` returns the path of a mesh, or None. `wheels` holds the links of wheels with the radius that their
     controller uses: a wheel whose mesh cannot be used becomes a cylinder. Collision geometry is kept only if the robot
     is `standing` on the ground. Damping and friction are kept only for the `damped` joints, which are driven by effort:
-    a motor-driven joint has them in its motor.
+    a motor-driven joint has them in its motor. Shapes without a size get the `least` one, in m, if there is one.
     """
     left_out: dict[str, str] = {}
     shapes: dict[str, list[str]] = {}
@@ -63,7 +64,7 @@ def engine_urdf(
     for link in robot.links:
         name = link.name or ""
         for collision in link.tag.named("collision"):
-            why, text = _shape(collision, find_mesh)
+            why, text = _shape(collision, find_mesh, least)
             round_ = _rim(mechanism.bodies[name], turning[name].axis, wheels[name]) if name in wheels else ""
             if why:
                 left_out[name] = why
@@ -98,7 +99,7 @@ def quoted(text: str) -> str:
     return f'"{text}"'
 
 
-def _shape(collision: Tag, find_mesh: Callable[[str], str | None]) -> tuple[str, str]:
+def _shape(collision: Tag, find_mesh: Callable[[str], str | None], least: float) -> tuple[str, str]:
     """Why collision geometry is ignored (empty if it is not), and its text in the new URDF."""
     geometry = next(collision.named("geometry"), None)
     shape = geometry.children[0] if geometry and geometry.children else None
@@ -108,8 +109,8 @@ def _shape(collision: Tag, find_mesh: Callable[[str], str | None]) -> tuple[str,
     attributes = origin.attributes if origin else {}
     place = f"<origin xyz={quoted(attributes.get('xyz', '0 0 0'))} rpy={quoted(attributes.get('rpy', '0 0 0'))}/>"
     if shape.name in _SHAPES:
-        values = [(name, shape.attributes.get(name, "")) for name in _SHAPES[shape.name]]
-        if not all(_positive(value) for _, value in values):
+        values = [(name, _measured(shape.attributes.get(name, ""), least)) for name in _SHAPES[shape.name]]
+        if not all(value for _, value in values):
             return f"its {shape.name} has no positive size", ""
         inside = f"<{shape.name} {' '.join(f'{name}={quoted(value)}' for name, value in values)}/>"
     elif shape.name == "mesh":
@@ -124,12 +125,15 @@ def _shape(collision: Tag, find_mesh: Callable[[str], str | None]) -> tuple[str,
     return "", f"<collision>{place}<geometry>{inside}</geometry></collision>"
 
 
-def _positive(text: str) -> bool:
+def _measured(text: str, least: float) -> str:
+    """The size of a shape, with the least one for 0; empty if it is none."""
     try:
         numbers = [float(part) for part in text.split()]
     except ValueError:
-        return False
-    return bool(numbers) and all(0 < number < math.inf for number in numbers)
+        return ""
+    if not least:
+        return text if all(0 < number < math.inf for number in numbers) else ""
+    return " ".join(repr(max(number, least)) for number in numbers) if all(0 <= n < math.inf for n in numbers) else ""
 
 
 def _rim(body: LinkBody, axis: Vector, given: float) -> str:
