@@ -6,6 +6,7 @@ import math
 import random
 import shutil
 import xml.etree.ElementTree as ET
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,11 @@ from folder import Folder
 from generating import command
 from planned_arm import JAZZY, ROW, arm, mechanism, semantic
 
+from urdfctl.model.robot.build_robot import robot_of
+from urdfctl.smoke.engines import touching_links
 from urdfctl.smoke.engines.mujoco_engine import COMPILER
+from urdfctl.source.span import SourceText
+from urdfctl.source.xml.parsing import parse
 
 mujoco = pytest.importorskip("mujoco")
 
@@ -151,6 +156,31 @@ def test_in_no_named_pose_links_touch_that_are_tested_or_never_touch(written: Fo
 CONTROL = """<ros2_control name="hw" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>
   <joint name="lift"><command_interface name="position"/><state_interface name="position">
     <param name="initial_value">{}</param></state_interface></joint></ros2_control></robot>"""
+
+
+def test_links_that_one_joint_moves_against_each_other_are_tested_in_steps_of_its_range(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    met: Counter[frozenset[str]] = Counter()
+
+    def meet(self: Any, data: Any, one: int, other: int) -> bool:
+        del data
+        names = [self._model.body(self._model.geom_bodyid[shape]).name for shape in (one, other)]
+        met[frozenset(names)] += 1
+        return False
+
+    pytest.importorskip("fcl")
+    monkeypatch.setattr("urdfctl.smoke.engines.surfaces.Surfaces.meet", meet)
+    fingers, tested = frozenset(("left_finger", "right_finger")), []
+    wide = arm().replace('size="0.02 0.01 0.06"', 'size="0.02 0.2 0.06"')  # their hulls meet in each pose
+    for text in (wide, wide.replace('<mimic joint="left_finger_joint"/>', "")):
+        met.clear()
+        root = parse(SourceText("six.urdf", text.encode())).documentElement
+        assert root is not None
+        touching_links(robot_of(root), lambda _: None, 5000, 0)
+        tested.append(met[fingers])
+    assert 1500 < tested[0] < 2100
+    assert tested[1] > 5000
 
 
 def test_poses_and_tested_links_stay_within_the_soft_limits_in_which_moveit_plans(written: Folder) -> None:

@@ -22,6 +22,8 @@ from urdfctl.startup.records import NamedTuple
 
 ADJACENT, DEFAULT, ALWAYS, NEVER = "Adjacent", "Default", "Always", "Never"
 _LISTED = 3
+_STEPS = 2000
+"""Links that one joint moves against each other, as those of a gripper, are tested in so many steps of its range."""
 _POINT = 1e-6
 """The size in m of a shape whose size is 0: MoveIt tests it as a point, and an engine rejects it."""
 _ALWAYS = 0.95
@@ -146,6 +148,7 @@ class _Meeting:
         self._library: Any = mujoco
         self._urdf, self._mechanism, self._solid = urdf, mechanism, solid
         self._moving = [hinge for hinge in mechanism.hinges if hinge.moves]
+        self._between = _between(mechanism, solid)
         self._model: Any = None
         self._data: Any = None
 
@@ -174,6 +177,7 @@ class _Meeting:
         except (ValueError, AttributeError) as error:
             raise Untestable(f"MuJoCo rejects the robot: {' '.join(str(error).split())}") from None
         self._data = library.MjData(self._model)
+        self._found: dict[tuple[int, int, int], bool] = {}
         self._surfaces = Surfaces(library, self._model) if tests_surfaces() else None
         self._at = {hinge.name: int(self._model.joint(hinge.name).qposadr[0]) for hinge in self._moving}
         self._body = {self._model.body(name).id: name for name in self._solid}
@@ -235,9 +239,20 @@ class _Meeting:
         met = {(*shape, *link) for shape, link in zip(shapes.tolist(), links, strict=True)}
         for one, other, link, second in sorted(met):
             pair = self._pair(self._body[link], self._body[second])
-            if pair not in found and pair not in known and self._touch(one, other):
+            if pair not in found and pair not in known and self._touch_in(positions, pair, one, other):
                 found.add(pair)
         return found
+
+    def _touch_in(self, positions: Mapping[str, float], pair: LinkPair, one: int, other: int) -> bool:
+        """Whether two shapes of a pair touch, remembered for each step of the joint between them, if it is one."""
+        hinge = self._between.get(pair)
+        if hinge is None:
+            return self._touch(one, other)
+        low, high = hinge.planned
+        step = int((positions[hinge.name] - low) / (high - low) * _STEPS) if high > low else 0
+        if (one, other, step) not in self._found:
+            self._found[one, other, step] = self._touch(one, other)
+        return self._found[one, other, step]
 
     def _touch(self, one: int, other: int) -> bool:
         """Whether two shapes touch whose hulls do."""
@@ -261,6 +276,17 @@ class _Meeting:
     def _pair(self, one: str, other: str) -> LinkPair:
         order = self._solid.index
         return (one, other) if order(one) < order(other) else (other, one)
+
+
+def _between(mechanism: Mechanism, solid: Sequence[str]) -> dict[LinkPair, Hinge]:
+    """The pairs of links that a single joint moves against each other, alone or with those that follow it, and it."""
+    hinges = {hinge.name: hinge for hinge in mechanism.hinges if hinge.moves}
+    above = {link: {hinge.name for hinge in mechanism.above(link) if hinge.moves} for link in solid}
+    leader = {
+        name: hinge.mimic[0] if hinge.mimic and hinge.mimic[0] in hinges else name for name, hinge in hinges.items()
+    }
+    moved = {pair: {leader[name] for name in above[pair[0]] ^ above[pair[1]]} for pair in _all_pairs(solid)}
+    return {pair: hinges[next(iter(names))] for pair, names in moved.items() if len(names) == 1}
 
 
 def _usual(hinge: Hinge) -> float:
