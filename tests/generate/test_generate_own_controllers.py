@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,7 @@ PLUGIN = "the simulator's plugin in the robot"
 REMEDY = "leave it out by an argument of the robot"
 OTHERWISE = "name a description without the plugin, or leave it out by an argument"
 THE_TYPE = "the type of the robot's own controller"
+TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 SIMULATED = "gz_ros2_control/GazeboSimSystem"
 OWN_FILE = """controller_manager:
   ros__parameters:
@@ -62,7 +64,7 @@ def test_moveit_uses_the_controllers_that_the_plugin_of_a_simulated_robot_loads(
     listed = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["moveit_simple_controller_manager"]
     assert listed["controller_names"] == ["joint_trajectory_controller"]
     assert listed["joint_trajectory_controller"]["joints"] == [name for name, _, _ in ROW]
-    assert [group.get("name") for group in semantic(folder).findall("group")] == ["arm"]
+    assert [group.get("name") for group in semantic(folder).findall("group")] == ["arm", "gripper"]
     launched = Path("out/launch/control.launch.py").read_text()
     assert '"publisher"' in launched
     assert '"joint_trajectory_controller"' in launched
@@ -71,6 +73,22 @@ def test_moveit_uses_the_controllers_that_the_plugin_of_a_simulated_robot_loads(
     assert not Path("out/urdf/control.xacro").exists()
     assert command("lint", "out", "--format", "concise", "--fail-on", "error").returncode == 0
     assert command("gen-check", "out") == (0, "", "")
+
+
+def test_a_tool_that_no_own_controller_moves_is_an_end_effector_all_the_same(folder: Folder) -> None:
+    folder.write({"six.urdf": with_own_controllers(folder, SIMULATED)})
+    ran = command("gen-moveit", "six.urdf", *JAZZY)
+    assert "no controller of the robot moves group 'gripper', which MoveIt can plan for and not move" in ran.stderr
+    [effector] = semantic(folder).findall("end_effector")
+    assert effector.attrib == {"name": "gripper", "parent_link": "hand", "group": "gripper", "parent_group": "arm"}
+    moved = OWN_FILE.replace("    wrist:", f"    fist: {{type: {TRAJECTORY}}}\n    wrist:")
+    moved += "fist: {ros__parameters: {joints: [left_finger_joint], command_interfaces: [position],"
+    moved += " state_interfaces: [position, velocity]}}\n"
+    folder.write({"six.urdf": with_own_controllers(folder, SIMULATED, controllers=moved)})
+    ran = command("gen-moveit", "six.urdf", *JAZZY[:-1], "moved")
+    assert (ran.returncode, "moves group" in ran.stderr) == (0, False), ran.stderr
+    root = ET.parse("moved/config/six.srdf").getroot()
+    assert [one.attrib["group"] for one in root.findall("end_effector")] == ["fist"]
 
 
 def test_a_robot_with_mock_hardware_is_started_without_the_simulator_that_its_plugin_is_for(folder: Folder) -> None:

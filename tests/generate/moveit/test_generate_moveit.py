@@ -106,6 +106,30 @@ def test_a_shape_without_a_size_is_tested_as_the_point_that_it_is_for_moveit(fol
     assert frozenset(("turn_link", "hand")) in pairs
 
 
+def test_two_controllers_of_one_tool_have_a_group_together_that_is_its_end_effector(folder: Folder) -> None:
+    folder.write({"six.urdf": arm().replace('<mimic joint="left_finger_joint"/>', "")})
+    words = ["--controller=left_finger_controller=gripper:left_finger_joint", "--controller"]
+    words += ["right_finger_controller=gripper:right_finger_joint", "--controller"]
+    words += [f"arm_controller=trajectory:{','.join(name for name, _, _ in ROW)}"]
+    assert command("gen-moveit", "six.urdf", *JAZZY, *words).returncode == 0
+    root = semantic(folder)
+    groups = {one.get("name"): [part.get("name") for part in one] for one in root.findall("group")}
+    assert groups["finger"] == ["left_finger_joint", "right_finger_joint"]
+    assert [one.get("group") for one in root.findall("end_effector")] == ["finger"]
+    listed = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["moveit_simple_controller_manager"]
+    assert sorted(listed["controller_names"]) == ["arm_controller", "left_finger_controller", "right_finger_controller"]
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
+
+
+def test_a_trajectory_controller_of_a_joint_that_fingers_follow_moves_a_tool_whatever_its_name(folder: Folder) -> None:
+    folder.write({"six.urdf": arm().replace("finger", "part")})
+    words = ["--controller=end_controller=trajectory:left_part_joint", "--controller"]
+    words += [f"arm_controller=trajectory:{','.join(name for name, _, _ in ROW)}"]
+    assert command("gen-moveit", "six.urdf", *JAZZY, *words).returncode == 0
+    assert [one.get("group") for one in semantic(folder).findall("end_effector")] == ["end"]
+    assert [one.get("name") for one in semantic(folder).findall("group[chain]")] == ["arm"]
+
+
 def on_a_lift(*more: str) -> str:
     """Return the arm on a link that slides, beside a head and `more`."""
     limit = '<limit lower="0" upper="0.4" effort="900" velocity="1"/>'

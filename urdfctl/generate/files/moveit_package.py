@@ -13,6 +13,8 @@ from urdfctl.generate.files.moveit import usable_by_moveit
 from urdfctl.generate.files.planning_groups import LinkTree, PlanningGroup, planning_groups
 from urdfctl.generate.files.semantic import SemanticPart, semantic_parts, semantic_text, with_own_parts
 from urdfctl.generate.options import File, GeneratorOptions
+from urdfctl.generate.request.choice import chosen
+from urdfctl.generate.robot.anatomy import anatomy_of
 from urdfctl.generate.robot.facts import JointFacts, Linkage, RobotFacts
 from urdfctl.generate.robot.mounting import needs_world
 from urdfctl.generate.text.templates import Templates
@@ -53,7 +55,8 @@ def moveit_files(
     usable = [controller for controller, _ in usable_by_moveit(made)]
     if not usable:
         raise UserError("no controller of the robot is one that MoveIt uses: it needs --type trajectory or gripper")
-    groups = planning_groups(usable, linkage.links, options.planning_groups)
+    tools = anatomy_of(robot, chosen(robot)).tools
+    groups = planning_groups(usable, linkage.links, options.planning_groups, tools, bare=options.own)
     name, parts = robot.name or "robot", semantic_parts(robot, linkage, groups, in_world=needs_world(robot, options))
     semantic = f"config/{re.sub(r'[^A-Za-z0-9_.-]+', '_', name)}.srdf"
     notes: list[str] = []
@@ -61,6 +64,7 @@ def moveit_files(
         parts, notes = with_own_parts(parts, f"{options.output}/{semantic}", robot)
     notes += _about_start(linkage, parts)
     notes += _about_hulls(linkage.hulls)
+    notes += _about_bare(groups, {joint.name for one in usable for joint in one.task.joints})
     values = _values(options, robot, groups, linkage, parts)
     values.update(semantic=semantic, robot=name)
     files = [File(semantic, semantic_text(name, xml_command, parts))]
@@ -84,6 +88,12 @@ def _about_start(linkage: Linkage, parts: Sequence[SemanticPart]) -> list[str]:
                 return [f"{told}, as far as their convex hulls tell"]
             raise UserError(f"{told}: let it start elsewhere, by the initial_value of its joints in <ros2_control>")
     return []
+
+
+def _about_bare(groups: Sequence[PlanningGroup], moved: set[str]) -> list[str]:
+    """Which groups no controller moves, in words."""
+    bare = [group.name for group in groups if moved.isdisjoint(group.joints)]
+    return [f"no controller of the robot moves group '{name}', which MoveIt can plan for and not move" for name in bare]
 
 
 def _about_hulls(links: Sequence[str]) -> list[str]:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import count
 
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.parameters import GeneratedController
+from urdfctl.generate.robot.anatomy import Tool
 from urdfctl.generate.robot.facts import LinkFacts
 from urdfctl.names import did_you_mean
 from urdfctl.startup.records import NamedTuple
@@ -16,9 +18,9 @@ _TIPS = ("tool0", "tcp", "tool", "tip", "end_effector", "ee", "flange", "grasp",
 _ARM, _SHORT = 5, 3
 """An arm has at least this many joints; a chain that carries one has at most this many."""
 _TOOL = re.compile(r"gripper|finger|hand|jaw|claw", re.IGNORECASE)
-_OF_TYPE = re.compile(r"(?:^|_)(?:(?:joint_)?trajectory_)?controller$")
+_OF_TYPE = re.compile(r"(?:^|_)(?:(?:joint_)?traj(?:ectory)?_)?controller$")
 """What the name of a controller says of its type."""
-_UNNAMED = "arm"
+_UNNAMED, _HAND = "arm", "gripper"
 _GIVEN = re.compile(r"([^=:,]+)=([^=:,]+):([^=:,]+)")
 _LISTED = re.compile(r"([^=:]+)=([^=:]+)")
 
@@ -73,13 +75,22 @@ class LinkTree:
 
 
 def planning_groups(
-    made: Sequence[GeneratedController], links: Sequence[LinkFacts], given: Sequence[str]
+    made: Sequence[GeneratedController],
+    links: Sequence[LinkFacts],
+    given: Sequence[str],
+    tools: Sequence[Tool] = (),
+    *,
+    bare: bool = False,
 ) -> tuple[PlanningGroup, ...]:
-    """Return the groups for these controllers, and the `given` ones. UserError if one does not fit the robot."""
+    """Return the groups for these controllers, and the `given` ones. UserError if one does not fit the robot.
+
+    tools: those of the robot; several controllers of one have a group together.
+    bare: whether a tool without a controller has a group.
+    """
     tree = LinkTree(links)
     asked = [_asked(text, tree) for text in given]
     taken = {group.joints for group in asked} | {(group.name,) for group in asked}
-    groups = [_proposed(controller, tree) for controller in made]
+    groups = [*_of_controllers(made, tree, tools), *(_bare(made, tools) if bare else ())]
     groups = [*asked, *(group for group in groups if group.joints not in taken and (group.name,) not in taken)]
     names = [group.name for group in groups]
     for name in names:
@@ -92,15 +103,56 @@ def planning_groups(
     return (*joined.values(), *(group for group in whole if group.joints not in known))
 
 
-def _proposed(controller: GeneratedController, tree: LinkTree) -> PlanningGroup:
-    joints = tuple(joint.name for joint in controller.task.joints)
-    name = _OF_TYPE.sub("", controller.name) or _UNNAMED
-    ends = None if _is_tool(controller, joints) else _ends_of(joints, tree)
-    return PlanningGroup(name, joints, *(ends or (None, None)))
+def _of_controllers(
+    made: Sequence[GeneratedController], tree: LinkTree, tools: Sequence[Tool]
+) -> Iterator[PlanningGroup]:
+    """A group for each controller, or for those that move parts of one tool."""
+    hands = [{joint.name for joint in tool.joints} for tool in tools]
+    together = [[one for one in made if _joints_of(one) and hand.issuperset(_joints_of(one))] for hand in hands]
+    told: set[str] = set()
+    for controller in made:
+        shared = next((each for each in together if controller in each and len(each) > 1), None)
+        if shared is None:
+            yield _proposed(controller, tree, hands)
+        elif controller.name not in told:
+            told.update(one.name for one in shared)
+            yield PlanningGroup(_common(shared), tuple(name for one in shared for name in _joints_of(one)))
 
 
-def _is_tool(controller: GeneratedController, joints: Sequence[str]) -> bool:
-    if "Gripper" in controller.type.type:
+def _bare(made: Sequence[GeneratedController], tools: Sequence[Tool]) -> Iterator[PlanningGroup]:
+    """A group for each tool that no controller moves, so that it can be mounted and what it holds be attached."""
+    moved = {name for one in made for name in _joints_of(one)}
+    names = {_name_of(one) for one in made}
+    for tool in tools:
+        joints = tuple(joint.name for joint in tool.joints)
+        if moved.isdisjoint(joints):
+            name = next(one for n in count(1) if (one := _HAND if n == 1 else f"{_HAND}_{n}") not in names)
+            names.add(name)
+            yield PlanningGroup(name, joints)
+
+
+def _common(controllers: Sequence[GeneratedController]) -> str:
+    """The words that the names of several controllers have in common."""
+    words = [_name_of(one).split("_") for one in controllers]
+    return "_".join(word for word in words[0] if all(word in each for each in words)) or _HAND
+
+
+def _name_of(controller: GeneratedController) -> str:
+    return _OF_TYPE.sub("", controller.name) or _UNNAMED
+
+
+def _joints_of(controller: GeneratedController) -> tuple[str, ...]:
+    return tuple(joint.name for joint in controller.task.joints)
+
+
+def _proposed(controller: GeneratedController, tree: LinkTree, hands: Sequence[set[str]]) -> PlanningGroup:
+    joints = _joints_of(controller)
+    ends = None if _is_tool(controller, joints, hands) else _ends_of(joints, tree)
+    return PlanningGroup(_name_of(controller), joints, *(ends or (None, None)))
+
+
+def _is_tool(controller: GeneratedController, joints: Sequence[str], hands: Sequence[set[str]]) -> bool:
+    if "Gripper" in controller.type.type or any(hand.issuperset(joints) for hand in hands):
         return True
     return bool(_TOOL.search(controller.name)) and all(_TOOL.search(name) for name in joints)
 
