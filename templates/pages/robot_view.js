@@ -35,7 +35,7 @@ function matrixOf(p) {
 
 class RobotView {
   constructor(box, scene) {
-    this.box = box; this.scene = scene; this.positions = {}; this.chosen = null; this.group = new Set(); this.picked = [];
+    this.box = box; this.scene = scene; this.positions = {}; this.chosen = null; this.group = new Set(); this.untested = new Set(); this.picked = [];
     this.canvas = box.querySelector("canvas");
     this.own = box.querySelector(".own-colours"); this.frames = box.querySelector(".joint-frames");
     this.gl = this.canvas.getContext("webgl2", { antialias: true, stencil: true, preserveDrawingBuffer: true });
@@ -200,8 +200,8 @@ class RobotView {
 
   /* An outline around what has an error, also if something is before it, and around what is chosen. */
   drawOutlines(poses, ratio) {
-    const gl = this.gl, style = getComputedStyle(this.box), isMarked = name => name === this.chosen || this.group.has(name), isChosen = piece => isMarked(this.joints[piece.link]?.name);
-    const kinds = [["--error", piece => this.joints[piece.link]?.error && !isChosen(piece)], ["--chosen", piece => this.joints[piece.link] && isChosen(piece)]];
+    const gl = this.gl, style = getComputedStyle(this.box), isMarked = name => name === this.chosen || this.group.has(name), isChosen = piece => isMarked(this.joints[piece.link]?.name) || this.untested.has(piece.link);
+    const kinds = [["--error", piece => this.joints[piece.link]?.error && !isChosen(piece)], ["--chosen", isChosen]];
     gl.enable(gl.STENCIL_TEST); gl.disable(gl.DEPTH_TEST); gl.uniform1i(this.at.flat_colour, 1);
     for (const [name, wanted] of kinds) {
       const pieces = this.pieces.filter(wanted);
@@ -255,6 +255,7 @@ class RobotView {
       for (const [name, row] of this.rows) row.hidden = !name.toLowerCase().includes(text);
     });
     this.box.querySelector(".robot-groups")?.addEventListener("change", event => this.mark(event.target.value));
+    this.box.querySelector(".robot-untested")?.addEventListener("change", event => this.part(event.target.value));
     this.box.querySelector(".robot-poses")?.addEventListener("change", event => {
       const pose = this.scene.poses.find(one => one.name === event.target.value);
       if (pose) this.set(pose.positions);
@@ -307,6 +308,14 @@ class RobotView {
   mark(name) {
     this.group = new Set(this.scene.groups.find(group => group.name === name)?.joints ?? []);
     for (const [joint, row] of this.rows) row.classList.toggle("in-group", this.group.has(joint));
+    this.draw();
+  }
+
+  /* Outline the links that a planner does not test for collisions with a link, and say why. */
+  part(link) {
+    const others = this.scene.untested[link] ?? [];
+    this.untested = new Set(others.map(([other]) => other));
+    this.box.querySelector(".untested-links").textContent = others.map(([other, reason]) => reason ? `${other} (${reason})` : other).join(", ");
     this.draw();
   }
 

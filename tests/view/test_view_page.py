@@ -128,13 +128,18 @@ def test_planning_groups_and_their_poses_can_be_chosen(tmp_path: Path) -> None:
     assert all(moving >= set(group["joints"]) for group in scene["groups"])
     assert all(moving >= pose["positions"].keys() for pose in scene["poses"])
     assert text.count("<option>arm: home</option>") == 1
+    shown = {link: dict(others) for link, others in scene["untested"].items()}
+    assert shown["base_link"]["turret"] == shown["turret"]["base_link"] == "Adjacent"
+    pairs = re.findall("<disable_collisions ", (CHECKOUT / "samples/picker/config/picker.srdf").read_text("utf-8"))
+    assert sum(map(len, shown.values())) == 2 * len(pairs) > 0
 
 
 @needs_view
 def test_a_robot_without_planning_groups_offers_none(tmp_path: Path) -> None:
     page_file = tmp_path / "robot.html"
     assert command("view", str(CHECKOUT / "samples/radu"), "-o", str(page_file)).returncode == 0
-    assert '<select class="robot-groups">' not in page_file.read_text(encoding="utf-8")
+    text = page_file.read_text(encoding="utf-8")
+    assert not [name for name in ("robot-groups", "robot-untested") if f'<select class="{name}">' in text]
 
 
 @needs_browser
@@ -152,5 +157,9 @@ def test_a_chosen_group_is_outlined_and_a_pose_moves_its_joints(tmp_path: Path) 
         assert page.run("document.querySelectorAll('.robot-joints li.in-group').length") > 0
         page.run(f"{choose}('.robot-groups', '')")
         assert page.run("document.querySelectorAll('.robot-joints li.in-group').length") == 0
+        page.run(f"{choose}('.robot-untested', 'base_link')")
+        assert "turret (Adjacent)" in page.run("document.querySelector('.untested-links').textContent")
+        page.run(f"{choose}('.robot-untested', '')")
+        assert page.run("document.querySelector('.untested-links').textContent") == ""
         page.run(f"{choose}('.robot-poses', 'gripper: open')")
         assert page.refused == []

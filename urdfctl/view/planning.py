@@ -1,4 +1,4 @@
-"""The planning groups of a robot and their named poses, for the page that shows it in 3-D."""
+"""The planning groups of a robot, their named poses and the links that need no test, for its page in 3-D."""
 
 from __future__ import annotations
 
@@ -11,18 +11,32 @@ from urdfctl.model.project import Project
 from urdfctl.model.robot import Tag
 
 
-def planning_of(project: Project) -> dict[str, list[dict[str, Any]]]:
-    """Return the groups with their joints, and the poses with their positions in rad or m, as plain data.
+def planning_of(project: Project) -> dict[str, Any]:
+    """Return the groups with their joints, the poses with their positions in rad or m, and pairs, as plain data.
+
+    untested: for each link those that are not tested for collisions with it, each with the reason.
 
     There are none unless a launch file gives an SRDF to MoveIt, or one of the files is the SRDF of the robot.
     """
     semantic = project.moveit.semantic if project.moveit else None
     if semantic is None or project.robot is None:
-        return {"groups": [], "poses": []}
+        return {"groups": [], "poses": [], "untested": {}}
     groups = Groups(project.robot, semantic)
     named = [{"name": group.name.text, "joints": groups.active(group)} for group in semantic.groups]
     poses = [*_poses(semantic.tag, set(project.robot.joint_names))] if semantic.tag else []
-    return {"groups": [group for group in named if group["joints"]], "poses": poses}
+    links = {link.name for link in project.robot.links if link.name}
+    untested = _untested(semantic.tag, links) if semantic.tag else {}
+    return {"groups": [group for group in named if group["joints"]], "poses": poses, "untested": untested}
+
+
+def _untested(root: Tag, links: set[str]) -> dict[str, list[tuple[str, str]]]:
+    found: dict[str, list[tuple[str, str]]] = {}
+    for pair in root.named("disable_collisions"):
+        one, other, reason = (pair.attributes.get(name, "") for name in ("link1", "link2", "reason"))
+        if one in links and other in links:
+            found.setdefault(one, []).append((other, reason))
+            found.setdefault(other, []).append((one, reason))
+    return dict(sorted(found.items()))
 
 
 def _poses(root: Tag, known: set[str]) -> Iterator[dict[str, Any]]:
