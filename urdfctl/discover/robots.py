@@ -189,6 +189,22 @@ def roots(texts: Mapping[str, bytes]) -> list[str]:
     return [path for path in texts if not any(is_included(path, tail, package) for tail, package in included)]
 
 
+def included_from(paths: Iterable[str], others: Iterable[str]) -> set[str]:
+    """Return which of the other descriptions some descriptions include, themselves or by way of others.
+
+    Conditions do not count: also what is included only with other arguments is among them. All paths are absolute.
+    """
+    left, found, open_paths = set(others), set[str](), [path for path in paths if path.endswith(DESCRIPTIONS)]
+    while open_paths and left:
+        path = open_paths.pop()
+        for included, package in _included(path, text_of(path)):
+            reached = {other for other in left if is_match(other, included, package)}
+            left -= reached
+            found |= reached
+            open_paths += reached
+    return found
+
+
 def is_fragment(path: str, text: bytes, launches: Iterable[bytes], left_out: Collection[bytes] = ()) -> bool:
     """Return whether a description is meant to be included, though nothing here includes it.
 

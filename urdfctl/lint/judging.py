@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from urdfctl.discover.backups import is_backup
 from urdfctl.discover.launch_files import takes_arguments
-from urdfctl.discover.robots import DiscoveredFiles
+from urdfctl.discover.robots import DiscoveredFiles, included_from
 from urdfctl.lint.chosen import chosen_starts
 from urdfctl.lint.documented import documented_starts
 from urdfctl.lint.findings.weakening import as_started, as_unused, as_used
@@ -126,7 +126,7 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
     silent = tuple(result for result in launches.silent if id(result) not in together.replaced)
     run = LintRun(
         robots=_robots(reported, files),
-        targets=[*reported, *as_unused(linted(unused))],
+        targets=[*reported, *as_unused(linted(unused), _used_otherwise(unused, reported))],
         silent=silent,
         unjoined=_unjoined(launches, reported, together),
         despite=tuple(files.despite),
@@ -349,6 +349,13 @@ def _paired(
     pairs = dict(pairs_by_elimination(reported, [target.path for target in unused]))
     again = dict(zip(pairs, linted(list(pairs.values())), strict=True))
     return [again.get(target, (target, result)) for target, result in reported]
+
+
+def _used_otherwise(unused: Sequence[Target], reported: LintedTargets) -> set[str]:
+    """The files among unused ones that a robot includes with other arguments; all of them if there is no robot."""
+    paths = [os.path.abspath(target.path) for target in unused]
+    robots = any(result.links for _, result in reported)
+    return included_from(sorted(_files_read(reported)), paths) if robots else set(paths)
 
 
 def _files_read(targets: LintedTargets) -> set[str]:

@@ -69,7 +69,8 @@ Judge = Callable[[Reader], Iterator[Finding]]
 def in_each_distro(project: Project, judge: Judge, *, newest: bool = False) -> Iterator[Finding]:
     """Yield the findings of a judge on each node in all distros that have it, one finding for each place.
 
-    If only some of these distros give a finding, it is less severe, and a note names them.
+    If only some of these distros give a finding, it is less severe, and a note names them. It is also less severe if
+    the controller is known not to be started.
 
     newest: yield only findings that the newest of these distros gives too.
     """
@@ -84,8 +85,14 @@ def in_each_distro(project: Project, judge: Judge, *, newest: bool = False) -> I
         for by_distro in by_place.values():
             if not newest or readers[-1].distro in by_distro:
                 finding = _joined(by_distro, [reader.distro for reader in readers])
-                finding = finding._replace(severity=Severity.WARNING) if idle and _is_error(finding) else finding
+                finding = _of_idle(finding) if idle else finding
                 yield _of_fork(finding) if _is_forked(project, readers[-1]) else finding
+
+
+def _of_idle(finding: Finding) -> Finding:
+    """The finding on a controller that nothing starts here: one step less severe."""
+    milder = {Severity.ERROR: Severity.WARNING, Severity.WARNING: Severity.INFO}
+    return finding._replace(severity=milder.get(finding.severity, finding.severity)) if finding.severity else finding
 
 
 def _is_forked(project: Project, reader: Reader) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Remark, Severity
 from urdfctl.lint.planning import PlannedTarget, TargetOrigin
@@ -17,15 +17,21 @@ ASIDE = "the folder '{}' is not what the repository starts"
 UNUSED = "no robot uses this file"
 OTHER_ROBOT = "only for a robot that no launch file starts; the file also serves one that is started"
 LEFTOVER = "only where it is started with a launch file for ROS 1; its package is built for ROS 2"
+_MILDER = {Severity.ERROR: Severity.WARNING}
+_MILDER_ASIDE = {**_MILDER, Severity.WARNING: Severity.INFO}
 OF_PROSE = "only in the distro that the prose of a README names; set `distro` in urdfctl.toml if it is right"
 
 
-def weakened(together: Outcome, apart: Iterable[Outcome], why: str) -> Outcome:
-    """Return an outcome in which what its parts do not show apart is a warning at most, with a note that says why."""
+def weakened(together: Outcome, apart: Iterable[Outcome], why: str, *, aside: bool = False) -> Outcome:
+    """Return an outcome in which what its parts do not show apart is a warning at most, with a note that says why.
+
+    aside: whether nothing starts it: then what would be a warning is only info.
+    """
     known = {_key(diagnostic) for outcome in apart for diagnostic in outcome.diagnostics}
+    milder = _MILDER_ASIDE if aside else _MILDER
     return together._replace(
         diagnostics=[
-            diagnostic if _key(diagnostic) in known else _weakened(diagnostic, why)
+            diagnostic if _key(diagnostic) in known else _weakened(diagnostic, why, milder)
             for diagnostic in together.diagnostics
         ]
     )
@@ -36,10 +42,9 @@ def is_weakened(diagnostic: Diagnostic) -> bool:
     return any(note.message in (GUESSED, UNSTARTED, LEFTOVER, OF_PROSE) for note in diagnostic.notes)
 
 
-def _weakened(diagnostic: Diagnostic, why: str) -> Diagnostic:
-    note = Remark(why)
-    severity = Severity.WARNING if diagnostic.severity is Severity.ERROR else diagnostic.severity
-    return diagnostic._replace(severity=severity, notes=(*diagnostic.notes, note))
+def _weakened(diagnostic: Diagnostic, why: str, milder: Mapping[Severity, Severity]) -> Diagnostic:
+    severity = milder.get(diagnostic.severity, diagnostic.severity)
+    return diagnostic._replace(severity=severity, notes=(*diagnostic.notes, Remark(why)))
 
 
 def _key(diagnostic: Diagnostic) -> tuple[str, str, int, int]:
@@ -84,10 +89,10 @@ def folder_aside(path: str) -> str | None:
 
 
 def as_used(pairs: Iterable[Pair], named: Collection[str], started: Iterable[TargetResult]) -> list[Pair]:
-    """Return targets in which the findings of what is not started are warnings at most.
+    """Return targets in which the findings of what is not started are less severe.
 
-    That is what lies in folders of tests and copies; and what holds in a file of a started robot only for one that
-    nothing starts.
+    What lies in folders of tests and copies is less severe by one step. What holds in a file of a started robot only
+    for one that nothing starts is a warning at most.
 
     named: the paths that the user names: what is found there keeps its severity.
     started: the results of all launch files.
@@ -107,7 +112,7 @@ def _as_used(result: TargetResult, shared: dict[str, list[Outcome]]) -> TargetRe
     outcome = result.outcome
     folder = folder_aside(result.launch or result.path)
     if folder is not None:
-        outcome = weakened(outcome, [], ASIDE.format(folder))
+        outcome = weakened(outcome, [], ASIDE.format(folder), aside=True)
     elif result.launch is None and outcome.has_errors:
         started = {id(one): one for finding in outcome.diagnostics for one in shared.get(finding.at.file, ())}
         others = [finding for finding in outcome.diagnostics if finding.at.file not in shared]
@@ -115,6 +120,13 @@ def _as_used(result: TargetResult, shared: dict[str, list[Outcome]]) -> TargetRe
     return result._replace(outcome=outcome)
 
 
-def as_unused(pairs: Iterable[Pair]) -> list[Pair]:
-    """Return targets that no robot uses, with warnings at most."""
-    return [(target, result._replace(outcome=weakened(result.outcome, [], UNUSED))) for target, result in pairs]
+def as_unused(pairs: Iterable[Pair], included: Collection[str]) -> list[Pair]:
+    """Return targets that no robot uses, with findings that are less severe by one step.
+
+    included: the files that a robot includes with other arguments: what is found there is a warning at most.
+    """
+    return [(target, _as_unused(result, aside=result.path not in included)) for target, result in pairs]
+
+
+def _as_unused(result: TargetResult, *, aside: bool) -> TargetResult:
+    return result._replace(outcome=weakened(result.outcome, [], UNUSED, aside=aside))

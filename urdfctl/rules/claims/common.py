@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from urdfctl.catalog.distros import applies_to
+from urdfctl.catalog.distros import MAINTAINED, applies_to
 from urdfctl.control.claims import Claim
 from urdfctl.control.hardware.interfaces import Absence, ClaimKind
 from urdfctl.control.parameters.readers import controllers_in
@@ -32,14 +32,15 @@ def seen(project: Project) -> tuple[Session, ...]:
 def of_each_candidate(project: Project, judge: Judge) -> Iterator[Finding]:
     """Yield the findings of a judge on each controller that is or may be started, one finding for each place.
 
-    It is an error only if all distros that know the controller give one. Otherwise a note names the distros that do.
+    It is an error only if all distros that know the controller give one. Otherwise a note names the distros that do; if
+    neither the newest nor a maintained one is among them, it is only info.
     """
     by_controller: dict[int, dict[Place, dict[str, Finding]]] = {}
-    knowing: dict[int, int] = {}
+    knowing: dict[int, list[str]] = {}
     for session in seen(project):
         for candidate in session.candidates:
             key = id(candidate.controller)
-            knowing[key] = knowing.get(key, 0) + (candidate.type is not None)
+            knowing.setdefault(key, []).extend([session.distro] if candidate.type is not None else [])
             for finding in judge(session, candidate):
                 by_distro = by_controller.setdefault(key, {}).setdefault(finding.at, {})
                 by_distro.setdefault(session.distro, finding)
@@ -48,15 +49,16 @@ def of_each_candidate(project: Project, judge: Judge) -> Iterator[Finding]:
             yield _joined(by_distro, knowing[key])
 
 
-def _joined(by_distro: dict[str, Finding], distros: int) -> Finding:
-    """One finding for all distros, in the words of the newest."""
+def _joined(by_distro: dict[str, Finding], distros: list[str]) -> Finding:
+    """One finding for all distros, in the words of the newest; only info if none that is in use gives it."""
     *_, last = by_distro.values()
-    if len(by_distro) == distros and all(finding.severity is last.severity for finding in by_distro.values()):
+    if len(by_distro) == len(distros) and all(finding.severity is last.severity for finding in by_distro.values()):
         return last
     mildest = min((f.severity or Severity.ERROR for f in by_distro.values()), key=lambda severity: severity.weight)
-    if len(by_distro) < distros:
+    if len(by_distro) < len(distros):
         note = Note(applies_to(by_distro))
-        mildest = Severity.WARNING if mildest is Severity.ERROR else mildest
+        most = Severity.INFO if by_distro.keys().isdisjoint((distros[-1], *MAINTAINED)) else Severity.WARNING
+        mildest = min(mildest, most, key=lambda severity: severity.weight)
         last = last._replace(notes=(*last.notes, note))
     return last._replace(severity=mildest)
 

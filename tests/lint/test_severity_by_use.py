@@ -1,0 +1,117 @@
+"""What nothing starts is less severe: a file that no robot uses, a folder of tests, an idle controller."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from folder import Folder
+
+MASS = '<inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>'
+CRANE = f"""<robot name="crane" xmlns:xacro="http://www.ros.org/wiki/xacro">{{}}
+  <link name="mast"/>
+  <joint name="slew" type="continuous"><parent link="mast"/><child link="jib"/><axis xyz="0 0 1"{{}}/></joint>
+  <link name="jib">{MASS}</link>
+  {{}}
+</robot>"""
+HOOK = f"""<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <joint name="reel" type="continuous"><parent link="jib"/><child link="hook"/>
+    <dynamics damping="1" stiffness="3"/></joint>
+  <link name="hook">{MASS}</link>
+</robot>"""
+OPTIONAL = """<xacro:arg name="hook" default="false"/>
+  <xacro:if value="$(arg hook)"><xacro:include filename="hook.xacro"/></xacro:if>"""
+
+
+def severities(folder: Folder, code: str) -> list[tuple[str, str]]:
+    """Return the file and severity of each finding of a rule."""
+    report = folder.run("lint", ".", "--no-cache", "--distro=jazzy", "--select", code, "--format", "json").stdout
+    return [(finding["file"], finding["severity"]) for finding in json.loads(report)["findings"]]
+
+
+def test_a_warning_in_a_file_that_no_robot_uses_is_info(folder: Folder) -> None:
+    folder.write({"crane.urdf.xacro": CRANE.format("", "", ""), "hook.xacro": HOOK})
+    assert severities(folder, "UC163") == [("hook.xacro", "info")]
+
+
+def test_a_file_that_a_robot_includes_under_a_condition_is_in_use(folder: Folder) -> None:
+    folder.write({"crane.urdf.xacro": CRANE.format(OPTIONAL, "", ""), "hook.xacro": HOOK})
+    assert severities(folder, "UC163") == [("hook.xacro", "warning")]
+
+
+def test_a_file_that_is_included_by_one_under_a_condition_is_in_use_too(folder: Folder) -> None:
+    outer = HOOK.replace("<joint", '<xacro:include filename="inner.xacro"/><joint').replace(' stiffness="3"', "")
+    folder.write({"crane.urdf.xacro": CRANE.format(OPTIONAL, "", ""), "hook.xacro": outer, "inner.xacro": HOOK})
+    assert severities(folder, "UC163") == [("inner.xacro", "warning")]
+
+
+def test_where_there_is_no_robot_parts_keep_their_severity(folder: Folder) -> None:
+    folder.write({"hook.xacro": HOOK.replace("<robot", '<robot name="hook"')})
+    assert severities(folder, "UC163") == [("hook.xacro", "warning")]
+
+
+@pytest.mark.parametrize(("place", "severity"), [("urdf/crane.urdf", "warning"), ("test/crane.urdf", "info")])
+def test_a_warning_in_a_folder_of_tests_is_info(folder: Folder, place: str, severity: str) -> None:
+    folder.write({place: CRANE.format("", ' wobble="3"', "")})
+    assert severities(folder, "UC163") == [(place, severity)]
+
+
+def test_an_error_in_a_file_that_no_robot_uses_is_a_warning(folder: Folder) -> None:
+    folder.write({"crane.urdf.xacro": CRANE.format("", "", ""), "hook.xacro": HOOK.replace("continuous", "turning")})
+    assert severities(folder, "UC121") == [("hook.xacro", "warning")]
+
+
+CONTROL = """<ros2_control name="crane" type="system">
+    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+    <joint name="slew"><command_interface name="position"/><state_interface name="position"/></joint>
+  </ros2_control>"""
+CONTROLLERS = """
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+    tip: {type: range_sensor_broadcaster/RangeSensorBroadcaster}
+tip:
+  ros__parameters:
+    {sensor_name: tip, frame_id: boom, radiation_type: 1, field_of_view: 0.1, min_range: 0.1, max_range: 2.0}
+"""
+BRINGUP = """<launch>
+  <node pkg="robot_state_publisher" exec="robot_state_publisher">
+    <param name="robot_description" value="$(command 'xacro $(find-pkg-share crane)/crane.urdf')" type="str"/></node>
+  <node pkg="controller_manager" exec="ros2_control_node">
+    <param from="$(find-pkg-share crane)/controllers.yaml"/></node>
+  <node pkg="controller_manager" exec="spawner" args="{}"/>
+</launch>"""
+MANIFEST = "<package format='3'><name>crane</name><export><build_type>ament_cmake</build_type></export></package>"
+
+
+@pytest.mark.parametrize(("spawned", "severity"), [("states tip", "warning"), ("states", "info")])
+def test_a_warning_on_a_controller_that_is_not_spawned_is_info(folder: Folder, spawned: str, severity: str) -> None:
+    folder.write({"crane.urdf": CRANE.format("", "", CONTROL), "controllers.yaml": CONTROLLERS})
+    folder.write({"package.xml": MANIFEST, "launch/crane.launch.xml": BRINGUP.format(spawned)})
+    assert severities(folder, "UC473") == [("controllers.yaml", severity)]
+
+
+OF_PID = CONTROL.replace('name="position"/>', 'name="position_pid"/>', 1).replace(
+    "mock_components/GenericSystem", "gazebo_ros2_control/GazeboSystem"
+)
+POSITION = """
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+    turn: {type: position_controllers/JointGroupPositionController}
+turn:
+  ros__parameters: {joints: [slew]}
+"""
+
+
+def test_an_interface_that_only_older_distros_lack_is_info(folder: Folder) -> None:
+    plugin = '<gazebo><plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control"/></gazebo>'
+    folder.write({"crane.urdf": CRANE.format("", "", OF_PID + plugin), "controllers.yaml": POSITION})
+    given = folder.run("lint", "crane.urdf", "controllers.yaml", "--select", "UC450", "--format", "json").stdout
+    [finding] = json.loads(given)["findings"]
+    assert finding["severity"] == "info"
+    assert "applies to foxy, galactic" in [note["message"] for note in finding["notes"]]
+    older = folder.run("lint", "crane.urdf", "controllers.yaml", "--select", "UC450", "--distro=galactic").stdout
+    assert "error UC450" in older
