@@ -19,6 +19,8 @@ from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.urdf.bodies import Body, inertial_of, vanishing
 from urdfctl.rules.urdf.tree import Tree
 
+_GAZEBO = r"(?i)gazebo|ignition|\b(?:ros_)?gz\b|\bgz_|_gz\b"
+_SHOWS = r"\brviz2?\b|\brobot_state_publisher\b"
 _REFUSED = (
     "the plugin that runs the controllers refuses a robot with a joint that Gazebo does not have: no controller starts"
 )
@@ -73,7 +75,7 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
     older versions do so silently. Its control plugin then does not know the joint. This is an error if the robot certainly
     runs in Gazebo, and something of what it loses has a shape or is controlled. Real and mocked hardware is not affected:
     this is only worth knowing if the robot has such hardware, or the launch file starts no simulator, and nothing of the
-    robot is for Gazebo. MuJoCo takes masses from its own model, or from shapes.
+    robot is for Gazebo; or if nothing drives the robot, and the workspace shows it and says nothing of Gazebo. MuJoCo takes masses from its own model, or from shapes.
     """
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated or project.simulator == "mujoco":
@@ -81,14 +83,15 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
     if all(link.inertials for link in robot.links):
         return
     severity = Severity.ERROR if sure_simulator(project) in ("gz", "gazebo-classic") else None
-    if not robot.gazebos and _runs_elsewhere(project):
+    driven = _driven(project, robot)
+    if not robot.gazebos and (_runs_elsewhere(project) or _is_only_shown(project, driven)):
         severity = Severity.INFO
     lost = [body for body in vanishing(robot) if not any(inertial_of(link) for link in body.links)]
     if lost and not any(link.inertials for link in robot.links):
         message = "no link of the robot has an <inertial>; Gazebo drops all moving links"
         yield Finding(robot.at, message, severity=severity)
         return
-    tree, driven = Tree(robot), _driven(project, robot)
+    tree = Tree(robot)
     for body in lost:
         loss = f"and {body.lost} moving joints" if body.lost > 1 else "and its joint"
         joint = body.joint.name if body.joint else None
@@ -104,6 +107,13 @@ def _runs_elsewhere(project: Project) -> bool:
     if started_simulator(project) is not None:
         return False
     return has_other_hardware(project) or (project.launch is not None and project.launch.runs_without_simulator)
+
+
+def _is_only_shown(project: Project, driven: Collection[str | None]) -> bool:
+    """Whether nothing drives the robot, and the workspace shows it in RViz and says nothing of Gazebo."""
+    if driven or started_simulator(project) is not None or project.may_mention(_GAZEBO):
+        return False
+    return project.launch is not None or bool(project.mentioned(_SHOWS))
 
 
 def _is_refused(project: Project) -> bool:

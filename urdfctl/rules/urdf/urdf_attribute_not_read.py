@@ -67,7 +67,8 @@ def urdf_attribute_not_read(project: Project) -> Iterator[Finding]:
     """Attribute that nothing reads.
 
     urdfdom reads the attributes of each element by their names, and silently ignores all others: the value has no
-    effect. Often it belongs to another element, as damping into <dynamics>.
+    effect. Often it belongs to another element, as damping into <dynamics>. If the attribute moves nothing, as
+    `rpy="0 0 0"` in an <axis>, it is only worth knowing.
     """
     robot = robot_in(project)
     for tag, _, owner in read_tags(robot) if robot else ():
@@ -80,7 +81,13 @@ def urdf_attribute_not_read(project: Project) -> Iterator[Finding]:
             other = next((element for element, names in ATTRIBUTES.items() if name in names and len(name) > 4), None)  # noqa: PLR2004
             hint = f"; <{other}> has one of that name" if other else ""
             of = owner if tag.name in ("link", "joint") else f"<{tag.name}> of {owner}"
-            yield Finding(tag.at[name], f"attribute '{name}' of {of} is ignored{hint}")
+            severity = Severity.INFO if _is_neutral(name, tag.attributes[name]) else None
+            yield Finding(tag.at[name], f"attribute '{name}' of {of} is ignored{hint}", severity=severity)
+
+
+def _is_neutral(name: str, text: str) -> bool:
+    """Whether the attribute is a pose that changes nothing: all of its numbers are 0."""
+    return name in ATTRIBUTES["origin"] and not any(word.strip("+-.0") for word in text.split())
 
 
 def _is_slip(name: str, known: tuple[str, ...], given: object) -> bool:
