@@ -198,3 +198,14 @@ def test_warnings_that_depend_on_an_unknown_distro_are_one_from_three_in_a_file_
     assert len(grouped(dependent(name, line, "jazzy") for line, name in names[:2])) == 2
     assert len(grouped(dependent(name, line, "jazzy", Severity.ERROR) for line, name in names)) == 3
     assert len(grouped(dependent(name, line, "jazzy")._replace(notes=()) for line, name in names)) == 3
+
+
+def test_an_old_way_to_write_in_several_files_is_one_matter_but_not_where_it_is_an_error() -> None:
+    def bare(file: str, severity: Severity = Severity.WARNING) -> Diagnostic:
+        return fixed(found("interface has no prefix", 1, severity=severity, code="UC202", file=file), "x")
+
+    [one] = grouped([bare("/left.xacro"), bare("/right.xacro")])
+    assert likewise(one) == "also in /right.xacro:1"
+    assert one.fix is not None
+    assert [edit.at.file for edit in one.fix.edits] == ["/left.xacro", "/right.xacro"]
+    assert len(grouped([bare("/left.xacro", Severity.ERROR), bare("/right.xacro", Severity.ERROR)])) == 2

@@ -80,3 +80,53 @@ def test_a_reference_whose_prefix_is_wrong_is_not_left_out_by_a_condition(folder
     <link name="${side}_lamp"/></xacro:macro><xacro:lamp side="left"/><xacro:property name="side" value="rear"/>"""
     folder.write({"crane.urdf.xacro": CRANE.format(macro, "", COLOUR.format("lamp"))})
     assert severities(folder, "UC156") == [("crane.urdf.xacro", "warning")]
+
+
+ELSEWHERE = """<joint name="mount" type="fixed"><parent link="jib"/><child link="lamp"/></joint>
+  <link name="lamp"><visual><geometry><mesh filename="package://lamp_description/lamp.stl"/></geometry></visual></link>"""
+INCLUDED = '<xacro:include filename="$(find lamp_description)/lamp.xacro"/>'
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "severity"),
+    [
+        (
+            "crane.repos",
+            "repositories: {lamps: {type: git, url: 'https://example.com/acme/lamp_description.git'}}",
+            "info",
+        ),
+        ("README.md", "First `git clone git@example.com:acme/lamp_description`.", "info"),
+        ("setup.sh", "sudo apt-get install -y ros-noetic-lamp-description", "info"),
+        ("README.md", "The lamp is in lamp_description.", "warning"),
+        ("README.md", "git clone https://example.com/acme/lamp_description_old", "warning"),
+    ],
+)
+@pytest.mark.parametrize(("code", "part"), [("UC150", ELSEWHERE), ("UC003", INCLUDED)])
+def test_a_package_that_the_workspace_says_how_to_get_is_info(
+    folder: Folder, code: str, part: str, name: str, text: str, severity: str
+) -> None:
+    folder.write({"crane.urdf.xacro": CRANE.format("", "", part), "package.xml": MANIFEST, name: text})
+    assert severities(folder, code) == [("crane.urdf.xacro", severity)]
+
+
+def test_what_rosmon_reads_of_a_node_is_not_an_unknown_attribute(folder: Folder) -> None:
+    node = '<launch><node name="n" pkg="crane" type="hoist" {}="5"/></launch>'
+    folder.write({"launch/hoist.launch": node.format("rosmon-stop-timeout"), "package.xml": MANIFEST})
+    folder.write({"launch/other.launch": node.format("stop-timeout"), "crane.urdf": CRANE.format("", "", "")})
+    told = folder.run("lint", "launch/hoist.launch", "launch/other.launch", "--select=UC038", "--format=concise").stdout
+    assert "hoist.launch" not in told
+    assert "<node> has no attribute 'stop-timeout'" in told
+
+
+def test_an_included_launch_file_that_only_ends_in_xml_is_not_read_as_a_robot(folder: Folder) -> None:
+    outer = '<launch><include ns="move_group" file="$(find crane)/launch/planner.xml"/>{}</launch>'
+    outer = outer.format('<node name="move_group" pkg="moveit_ros_move_group" type="move_group"/>')
+    folder.write(
+        {
+            "package.xml": "<package><name>crane</name></package>",
+            "launch/crane.launch": outer,
+            "crane.urdf": CRANE.format("", "", ""),
+        }
+    )
+    folder.write({"launch/planner.xml": '<launch><param name="a" value="1"/></launch>'})
+    assert "UC101" not in folder.run("lint", ".", "--no-cache", "--select=UC101").stdout

@@ -252,7 +252,8 @@ def _launched(entries: list[PlannedTarget], lint_targets: LintTargets, linter: T
         if bringup is not None:
             more += [entry._replace(target=other) for other in _other_robots(target, result)]
             used = bringup.includes if result.joining.described_in else ()  # their defaults are not used
-            inner = [path for path in bringup.unfollowed if os.path.abspath(path) not in known]
+            launches = filter(is_launch, bringup.unfollowed)
+            inner = [path for path in launches if os.path.abspath(path) not in known]
             known.update(map(os.path.abspath, inner))
             more += [entry._replace(target=Target(path, guessed=path in used)) for path in inner]
     return [*results, *zip(more, linted(more), strict=True)]

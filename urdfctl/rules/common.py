@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from urdfctl.control.robots import is_all_there, is_fragment, is_whole, is_xacro, robot_in, whole_robot_in
 from urdfctl.model.robot import Tag
 from urdfctl.names import differ_by_kind, enumerated, fuller, is_only_slip, nearest
-from urdfctl.rule import Edit, Fix, Note, Project, Severity
+from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity
 from urdfctl.source.opaque import is_known
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.startup.per_object import once_per_object
@@ -21,6 +21,19 @@ if TYPE_CHECKING:
 
 _MOST_COMPARED = 20
 _CONDITION = rb"<xacro:(if|unless)\b"
+
+
+def fetched_apart(project: Project, package: str, finding: Finding) -> Finding:
+    """Return a finding on a package that is not here: only info if the workspace says how to get the package.
+
+    That is a list of repositories, a README or a script that clones a repository of this name or installs its Debian
+    package.
+    """
+    name = re.escape(package).replace("_", "[-_]")
+    if not project.mentioned(rf"(?:\bclone\b|://|\bapt(?:-get)? install\b)[^\n]*\b{name}\b", of_builds=True):
+        return finding
+    note = Note("a README, a script or a list of repositories says how to get it")
+    return finding._replace(severity=Severity.INFO, notes=(*finding.notes, note))
 
 
 def severity_where(project: Project, refusing: Iterable[str]) -> Severity:

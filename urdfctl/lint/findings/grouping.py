@@ -1,7 +1,8 @@
 """Group equal findings: one finding, with the places of the others.
 
 Findings of one file are equal if their words are. In several files they are one fault if these were copied from each
-other, so that the findings are on the same line of text, or if one cause is outside of them: a missing package or mesh.
+other, so that the findings are on the same line of text; if one cause is outside of them: a missing package or mesh;
+or if all are written in the same old way.
 """
 
 from __future__ import annotations
@@ -52,6 +53,9 @@ _OUTSIDE: dict[str, Key] = {
 }
 """What is missing or wrong outside of the files, by rule: findings in several files are one fault if it is the same."""
 
+_HABITS = ("UC018", "UC202")
+"""Rules on a way to write that older distros took: in all files of a workspace it is one matter."""
+
 
 def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
     """Return the findings, with equal ones of a file joined, in the order of their first places.
@@ -96,6 +100,8 @@ def _likeness(finding: Diagnostic) -> object:
     """What equal findings have in common: rule, file, severity, words, kind of fix, and the distros they apply to."""
     if finding.code in _OUTSIDE:
         return finding.code, finding.severity, _OUTSIDE[finding.code](finding)
+    if finding.code in _HABITS and finding.severity is not Severity.ERROR:
+        return finding.code, finding.severity, _kind(finding), _applies(finding)
     words = shape(finding.message)
     return finding.code, finding.at.file, finding.severity, words, _kind(finding), _applies(finding)
 

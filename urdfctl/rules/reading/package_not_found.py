@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
+from urdfctl.rules.common import fetched_apart
 from urdfctl.rules.reading.common import findings_of
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import SourceSpan
@@ -57,14 +58,15 @@ def package_not_found(project: Project) -> Iterator[Finding]:
     """Package used by the description was not found.
 
     `$(find pkg)` stops xacro if the package is not built or its workspace is not sourced. A package that package.xml
-    declares is not reported: the last line of the report names those that are not in the workspace. The name of the own
-    package with one letter wrong is an error: there is no robot.
+    declares is not reported: the last line of the report names those that are not in the workspace. If a README, a script
+    or a list of repositories says how to get it, this is only worth knowing. The name of the own package with one
+    letter wrong is an error: there is no robot.
     """
     for problem, finding in zip(
         project.of_kind(ProblemKind.PACKAGE_NOT_FOUND), findings_of(project, ProblemKind.PACKAGE_NOT_FOUND), strict=True
     ):
         if not problem.correct:
-            yield finding
+            yield fetched_apart(project, problem.subject, finding)
             continue
         severity = Severity.WARNING if problem.guessed else Severity.ERROR
         yield finding._replace(severity=severity, fix=_written_right(problem))

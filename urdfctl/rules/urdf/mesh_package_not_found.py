@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.robot import Mesh
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import is_known, robot_in
+from urdfctl.rules.common import fetched_apart, is_known, robot_in
 from urdfctl.rules.urdf.mesh_addresses import in_packages
 
 
@@ -60,7 +60,8 @@ def mesh_package_not_found(project: Project) -> Iterator[Finding]:
     """Mesh package was not found.
 
     RViz and Gazebo print an error and leave out the shape. For a package that is installed elsewhere, declare it in
-    package.xml, source its environment or use --package-path.
+    package.xml, source its environment or use --package-path. If a README, a script
+    or a list of repositories says how to get it, this is only worth knowing.
     """
     robot = robot_in(project)
     by_package: dict[str, list[Mesh]] = {}
@@ -79,4 +80,5 @@ def mesh_package_not_found(project: Project) -> Iterator[Finding]:
         else:
             hint = f"; did you mean '{file.nearest}'?" if file.nearest else ""
             message = f"mesh package '{package}' was not found in this workspace{count}{hint}"
-        yield Finding(meshes[0].at, message, fix=in_packages(meshes))
+        finding = Finding(meshes[0].at, message, fix=in_packages(meshes))
+        yield finding if file.meant or file.nearest else fetched_apart(project, package, finding)

@@ -39,6 +39,12 @@ _EVERYWHERE = ("if", "unless")
 _NEVER_EMPTY = {"node": ("pkg", "type", "name"), "param": ("name",), "include": ("file",)}
 
 
+def _is_of_others(name: str) -> bool:
+    """Whether an attribute is for another program: with a namespace, or one that rosmon reads (rosmon_core
+    src/launch/launch_config.cpp parseScopeAttributes())."""
+    return ":" in name or name.startswith("rosmon-") or name == "enable-coredumps"
+
+
 def malformed(element: Element) -> Iterator[Malformed]:
     """Yield what roslaunch does not take of an element that it reads."""
     form = _FORMS.get(element.tagName)
@@ -48,7 +54,8 @@ def malformed(element: Element) -> Iterator[Malformed]:
         return
     allowed = (*form.required, *form.optional, *_EVERYWHERE)
     missing = [name for name in form.required if name not in element.attrs]
-    unknown = slips((name for name in element.attrs if name not in allowed and ":" not in name), missing, form.optional)
+    others = (name for name in element.attrs if name not in allowed and not _is_of_others(name))
+    unknown = slips(others, missing, form.optional)
     for name, meant in unknown.items():
         hint = f"; did you mean '{meant}'?" if meant else ""
         message = f"<{element.tagName}> has no attribute '{name}'{hint}"
