@@ -279,6 +279,24 @@ def test_transmissions_in_the_root_of_a_ros2_robot_are_reported_once(robot: Robo
     assert robot.says(old.replace("NAME", "elbow"), distro="noetic") == ["warning UC202"]
 
 
+DRIVE = """<gazebo><plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+  <left_joint>shoulder</left_joint><right_joint>elbow</right_joint></plugin></gazebo>"""
+
+
+@pytest.mark.parametrize(
+    ("joint", "more", "severity"),
+    [("shoulder", "", "warning"), ("sholder", "", "info"), ("{name}_hip", "", "info"), ("shoulder", DRIVE, "info")],
+    ids=["a joint without control", "a joint that is not there", "braces without dollar", "a plugin moves it"],
+)
+def test_a_transmission_that_nothing_needs_is_only_a_leftover(
+    robot: Robot, joint: str, more: str, severity: str
+) -> None:
+    old = f"""<transmission name="old"><type>transmission_interface/SimpleTransmission</type>
+      <joint name="{joint}"><hardwareInterface>EffortJointInterface</hardwareInterface></joint>
+      <actuator name="motor"><mechanicalReduction>1</mechanicalReduction></actuator></transmission>"""
+    assert f"{severity} UC330" in robot.says(old + more, distro="humble")
+
+
 def test_hardware_that_arguments_choose_is_not_an_error(robot: Robot) -> None:
     part = component(f'<xacro:if value="false">{MOCK}</xacro:if>{ELBOW}')
     assert told(robot, part, "jazzy", name="robot.xacro") == ["info UC305"]
