@@ -115,3 +115,30 @@ def test_an_interface_that_only_older_distros_lack_is_info(folder: Folder) -> No
     assert "applies to foxy, galactic" in [note["message"] for note in finding["notes"]]
     older = folder.run("lint", "crane.urdf", "controllers.yaml", "--select", "UC450", "--distro=galactic").stdout
     assert "error UC450" in older
+
+
+OLD_PLUGIN = """<transmission name="slew_trans"><type>transmission_interface/SimpleTransmission</type>
+    <joint name="slew"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+    <actuator name="motor"><mechanicalReduction>1</mechanicalReduction></actuator></transmission>
+  <gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>"""
+OLD_START = """<launch>
+  <param name="robot_description" textfile="$(find crane)/crane.urdf"/>
+  {}
+  <rosparam file="$(find crane)/turn.yaml"/>
+  <node name="spawner" pkg="controller_manager" type="spawner" args="turn"/>
+</launch>"""
+DRIVER = '<node name="crane" pkg="crane_driver" type="crane_node"/>'
+GAZEBO = """<include file="$(find gazebo_ros)/launch/empty_world.launch"/>
+  <node name="model" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model crane"/>"""
+
+
+@pytest.mark.parametrize(("started", "severity"), [(DRIVER, "warning"), (GAZEBO, "error")])
+def test_joints_that_a_driver_of_ros1_names_itself_are_not_certainly_wrong(
+    folder: Folder, started: str, severity: str
+) -> None:
+    turn = "turn: {type: effort_controllers/JointGroupEffortController, joints: [axis_0, axis_1]}"
+    folder.write({"crane.urdf": CRANE.format("", "", OLD_PLUGIN), "turn.yaml": turn})
+    folder.write({"package.xml": "<package><name>crane</name></package>"})
+    folder.write({"launch/crane.launch": OLD_START.format(started)})
+    given = folder.run("lint", ".", "--no-cache", "--distro=noetic", "--select=UC440", "--format=json").stdout
+    assert [finding["severity"] for finding in json.loads(given)["findings"]] == [severity]

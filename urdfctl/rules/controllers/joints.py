@@ -6,8 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, claims
+from urdfctl.control.hardware.gazebo_ros1 import is_started_without_gazebo
 from urdfctl.control.hardware.interfaces import OfferedHardware, fixed_joints
 from urdfctl.control.hardware.offered import hardware_of
+from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.control.parameters.readers import Reader
 from urdfctl.model.robot import Robot
 from urdfctl.names import in_row
@@ -88,8 +90,16 @@ def severity_of(
     If it is unknown which controllers are started, the controller may be for another robot, unless its file is named
     with this one. This is less likely if the name resembles a joint of the robot (`meant`), or if the robot has
     `others` of the list. A driver may export more joints than the description lists, but none whose name is one of
-    theirs with a `slip`.
+    theirs with a `slip`. Drivers of ROS 1 name the joints themselves.
     """
     if project.started is None and not project.together and not (meant and others):
         return Severity.WARNING if meant or others else Severity.INFO
-    return Severity.ERROR if slip or (hardware.known and not hardware.open) else Severity.WARNING
+    sure = hardware.known and not hardware.open and not _is_driven(project)
+    return Severity.ERROR if slip or sure else Severity.WARNING
+
+
+def _is_driven(project: Project) -> bool:
+    """Whether the launch file of ROS 1 starts no Gazebo, but what may be a driver."""
+    if project.launch is None or project.ros != 1 or not is_started_without_gazebo(project):
+        return False
+    return not all(map(hosts_no_manager, project.launch.nodes))
