@@ -57,11 +57,10 @@ class Bringup(NamedTuple):
 def bringup_of(launch: Launch, target: Target) -> Bringup:
     """Return what the launch file of a target, with its arguments, and others beside it start together."""
     description = launch.description
-    spawned = (
-        spawn.full_name(name) if spawn.namespace else name
-        for spawn in launch.spawns
-        for name, _ in spawn.names
-        if UNKNOWN not in name
+    named = [(spawn, name) for spawn in launch.spawns for name, _ in spawn.names if UNKNOWN not in name]
+    spawned = (spawn.full_name(name) if spawn.namespace else name for spawn, name in named)
+    all_named = all(spawn.complete for spawn in launch.spawns) and len(named) == sum(
+        len(spawn.names) for spawn in launch.spawns
     )
     included = (reference.file for reference in launch.references if reference.use == "include" and reference.sure)
     return Bringup(
@@ -72,7 +71,7 @@ def bringup_of(launch: Launch, target: Target) -> Bringup:
         includes=tuple(dict.fromkeys(file.path for file in included if file.path and file.exists)),
         simulators=tuple(dict.fromkeys(simulation.simulator for simulation in launch.simulations if simulation.sure)),
         moveit=any(node.runs(*_MOVE_GROUP) for node in launch.nodes) or any(each.runs for each in launch.moveit),
-        complete=launch.complete,
+        complete=launch.complete and all_named,
         others=tuple((robot.file.path, robot.namespace) for robot in launch.others if robot.file.path),
         unfollowed=launch.unfollowed,
         beside=tuple(os.path.abspath(start.path) for start in target.beside),

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from urdfctl.source.launch.counting import counted
 from urdfctl.source.launch.frames import Frame, add, append, extend
+from urdfctl.source.launch.moveit_configs import chain_of, usual_controllers
 from urdfctl.source.launch.operations import listed, method, shown, text_at
 from urdfctl.source.launch.terms import (
     Called,
@@ -36,7 +37,6 @@ _ENVIRONMENT = frozenset({"os.getenv", "os.environ.get"})
 _GROWING = frozenset({"add_action", "add_entity"})
 _LOADING = frozenset({"yaml.safe_load", "yaml.load", "yaml.full_load"})
 _OF_DEBUGGER = frozenset({"ld", "condition_name", "commands_file", "extra_debug_args"})
-_LONGEST_CHAIN = 30
 _LISTS = frozenset({"list", "tuple", "sorted"})
 
 
@@ -134,14 +134,30 @@ class Calls:
 
     def package_of_builder(self, of: Term | None, at: Place) -> Term | None:
         """Return the folder that a MoveItConfigsBuilder, or what it made, reads; None for another term."""
-        for _ in range(_LONGEST_CHAIN):
-            if isinstance(of, Called) and of.short == "MoveItConfigsBuilder":
-                package = known_text(of.given("package_name"))
-                robot = known_text(of.given("robot_name", 0))
-                name = package or (robot and f"{robot}_moveit_config")
-                return self._share(Constant(name, at), at) if name else None
-            of = of.of if isinstance(of, (Called, Member)) else None
-        return None
+        chain = chain_of(of)
+        if chain is None:
+            return None
+        package = known_text(chain[0].given("package_name"))
+        robot = known_text(chain[0].given("robot_name", 0))
+        name = package or (robot and f"{robot}_moveit_config")
+        return self._share(Constant(name, at), at) if name else None
+
+    def looked_into(self, term: Term) -> Term:
+        """Return a term, or the dict that it is if a MoveItConfigsBuilder reads it from the file with MoveIt's
+        controllers."""
+        if not isinstance(term, Member) or term.name != "trajectory_execution":
+            return term
+        chain, folder = chain_of(term.of), known_text(self.package_of_builder(term.of, term.at))
+        if chain is None or folder is None:
+            return term
+        builder, calls = chain
+        given = calls[term.name].given("file_path", 0) if term.name in calls else None
+        named = known_text(given)
+        path = usual_controllers(folder, known_text(builder.given("robot_name", 0)) or "")
+        if given is not None:
+            path = os.path.join(folder, named) if named else None
+        content = self._load(path) if path else None
+        return content if isinstance(content, Table) else term
 
     def environment(self, arguments: Sequence[Term], at: Place) -> Term:
         """Return the term of an environment variable: its name, and its default if it has one."""
@@ -158,6 +174,7 @@ class Calls:
         given: the arguments, and those that are given by keyword.
         """
         arguments, keywords = given
+        of = self.looked_into(of)
         if name == "perform":
             return self._performed(of, at)
         if name == "find" and isinstance(of, Called) and of.short in _FINDING and arguments:

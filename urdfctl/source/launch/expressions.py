@@ -267,7 +267,7 @@ class Evaluation:
         return Member(of, node.attr, at)
 
     def _subscript(self, node: ast.Subscript, frame: Frame) -> Term:
-        of = self.value(node.value, frame)
+        of = self._calls.looked_into(self.value(node.value, frame))
         at = self.at(node)
         if isinstance(node.slice, ast.Slice):
             part = node.slice

@@ -14,8 +14,8 @@ from urdfctl.model.launch import Word
 from urdfctl.model.launch.ros2.texts import Content, Texts, table_of
 from urdfctl.model.launch.xacro_command import known_path
 from urdfctl.model.moveit import MoveItFiles
-from urdfctl.source.disk.gate import names_in
-from urdfctl.source.launch.terms import Called, Constant, Items, Member, OneOf, Table, Term, outside
+from urdfctl.source.launch.moveit_configs import chain_of, controllers_in, listed_names, usual_controllers
+from urdfctl.source.launch.terms import Called, Constant, Items, Table, Term, outside
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
@@ -31,12 +31,9 @@ LAUNCHES = frozenset(
 """The functions of moveit_configs_utils.launches."""
 INCLUDED_BY_DEMO = ("rsp", "move_group", "spawn_controllers")
 """The launch files of its package that `generate_demo_launch` includes whatever its arguments are, without ending."""
-_DEEPEST = 30
 _SEMANTIC = "robot_description_semantic"
 _KINEMATICS = "robot_description_kinematics"
 _PLANNING = "robot_description_planning"
-_CHOICES = ("moveit", "moveit2")
-_ENDING = "_controllers.yaml"
 _MANAGER = "moveit_simple_controller_manager"
 _OF_PIPELINE = ("planning_plugin", "planning_plugins", "request_adapters")
 _FILES = {_KINEMATICS: "config/kinematics.yaml", "joint_limits": "config/joint_limits.yaml"}
@@ -143,24 +140,21 @@ class Builder:
         """The file with MoveIt's controllers; None if the builder cannot choose one."""
         if self._given("trajectory_execution") is not None:
             return self.file("trajectory_execution", "")
-        folder = os.path.join(self.folder, "config")
-        names = [name.removesuffix(_ENDING) for name in _listed(folder) if name.endswith(_ENDING)]
-        chosen = names[0] if len(names) == 1 else next((n for n in (*_CHOICES, self.name) if n in names), None)
-        return os.path.join(folder, chosen + _ENDING) if chosen else None
+        return usual_controllers(self.folder, self.name)
 
     def _undecided(self) -> tuple[str, ...] | None:
         """The files with controllers of which the builder can choose none; None if the folder cannot be listed."""
-        names = _listed(os.path.join(self.folder, "config"))
-        if not names or self._given("trajectory_execution") is not None:
+        folder = os.path.join(self.folder, "config")
+        if not listed_names(folder) or self._given("trajectory_execution") is not None:
             return None
-        return tuple(sorted(name for name in names if name.endswith(_ENDING)))
+        return tuple(sorted(controllers_in(folder)))
 
     def _pipelines(self) -> Iterator[tuple[str, str]]:
         called = self.calls.get("planning_pipelines")
         given = called.given("pipelines", 1) if called else None
         folder = os.path.join(self.folder, "config")
         ending = "_planning.yaml"
-        names = [name.removesuffix(ending) for name in _listed(folder) if name.endswith(ending)]
+        names = [name.removesuffix(ending) for name in listed_names(folder) if name.endswith(ending)]
         if isinstance(given, Items):
             wanted = {self.texts.of(value) for value in given.values}
             names = [name for name in names if name in wanted]
@@ -179,16 +173,8 @@ class Builder:
 
 def builder_of(term: Term | None, texts: Texts) -> Builder | None:
     """Return the MoveItConfigsBuilder at the start of a chain of calls; None if there is none."""
-    calls: dict[str, Called] = {}
-    for _ in range(_DEEPEST):
-        if isinstance(term, Called) and term.short == "MoveItConfigsBuilder":
-            return Builder(term, calls, texts)
-        if isinstance(term, Called):
-            calls.setdefault(term.name, term)
-        if isinstance(term, OneOf):
-            return None
-        term = term.of if isinstance(term, (Called, Member)) else None
-    return None
+    chain = chain_of(term)
+    return Builder(*chain, texts) if chain else None
 
 
 def files_of_table(
@@ -241,10 +227,3 @@ def _folder(call: Called, texts: Texts) -> str:
         return UNKNOWN
     package = name if call.given("package_name") else f"{name}_moveit_config"
     return texts.sources.find(package, given.at) or outside(package)
-
-
-def _listed(folder: str) -> list[str]:
-    try:
-        return names_in(folder)
-    except OSError:
-        return []
