@@ -16,6 +16,7 @@ from urdfctl.load.mentions import Mentions
 from urdfctl.load.open_decisions import decisions_in, unread
 from urdfctl.load.origin.distro import Beside, detect_distro
 from urdfctl.load.origin.evidence import ament_package
+from urdfctl.load.spawned_models import with_spawned
 from urdfctl.load.target import Target
 from urdfctl.load.workspace_types import WorkspaceTypes
 from urdfctl.model.project import NO_OWN_TYPES, Evidence, OwnTypes, Project
@@ -287,9 +288,8 @@ class Loader:
         controllers: Sequence[str] = (),
         launch_file: LaunchFile | None = None,
     ) -> Project:
-        expansion, robot = described.expansion, described.robot
-        launch = launch_file.launch if launch_file else None
-        settings = self._settings_of_package(path)
+        expansion, launch = described.expansion, launch_file.launch if launch_file else None
+        robot, settings = with_spawned(described.robot, launch, files), self._settings_of_package(path)
         hosting = robot if settings.simulator != "none" else None  # no simulator loads the plugins of the robot
         controller_files = _controller_files(controllers, hosting, launch, files)
         sources = tuple(_sources(files, launch_file).values())

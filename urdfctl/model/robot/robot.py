@@ -176,6 +176,7 @@ class Robot(NamedTuple):
     version: the version attribute of the root element.
     meshes: the meshes of all links.
     tag: the root element.
+    spawned: the plugins for its controllers in the SDF file from which a launch file spawns it.
     """
 
     name: str | None
@@ -191,6 +192,7 @@ class Robot(NamedTuple):
     version: str | None = None
     meshes: tuple[Mesh, ...] = ()
     tag: Tag | None = None
+    spawned: tuple[Plugin, ...] = ()
 
     def joint(self, name: str) -> Joint | None:
         """Return the first joint with a name, if any."""
@@ -207,8 +209,8 @@ class Robot(NamedTuple):
 
     @property
     def plugins(self) -> tuple[Plugin, ...]:
-        """The plugins of all `<gazebo>` elements."""
-        return tuple(plugin for gazebo in self.gazebos for plugin in gazebo.plugins)
+        """The plugins of all `<gazebo>` elements, and of the model that is spawned in place of the description."""
+        return (*(plugin for gazebo in self.gazebos for plugin in gazebo.plugins), *self.spawned)
 
 
 @once_for_the_last

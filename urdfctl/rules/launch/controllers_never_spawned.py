@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 from urdfctl.control.hardware.simulator_plugins import control_plugins
 from urdfctl.control.hosts import hosts_no_manager
+from urdfctl.control.model_spawners import model_spawners
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.launch.common import ROS_2, manager_nodes
-from urdfctl.rules.launch.steps import SPAWNS_CONTROLLERS, declared_controllers, model_spawners, started_apart
+from urdfctl.rules.launch.steps import SPAWNS_CONTROLLERS, declared_controllers, started_apart
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
 from urdfctl.source.span import Place
 

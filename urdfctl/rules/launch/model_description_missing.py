@@ -5,20 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from urdfctl.control.model_spawners import model_spawners, option_name, option_of
 from urdfctl.control.parameters.spawner_options import MODEL_SOURCES, OF_MODEL_SPAWNERS
 from urdfctl.model.launch import Launch, Node, Word, joined
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.launch.common import ROS_2, state_publishers
-from urdfctl.rules.launch.steps import (
-    PUBLISHES_DESCRIPTION,
-    description_topic,
-    model_spawners,
-    option_name,
-    option_of,
-    started_apart,
-)
+from urdfctl.rules.launch.steps import PUBLISHES_DESCRIPTION, description_topic, started_apart
 from urdfctl.rules.launch_samples import PUBLISHER
 from urdfctl.source.opaque import UNKNOWN
 

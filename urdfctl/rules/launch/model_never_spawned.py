@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.hardware.simulator_plugins import control_plugins
+from urdfctl.control.model_spawners import model_spawners
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.launch.common import ROS_2
-from urdfctl.rules.launch.steps import SPAWNS_MODEL, model_spawners, started_apart
+from urdfctl.rules.launch.steps import SPAWNS_MODEL, started_apart
 from urdfctl.rules.launch_samples import CLASSIC_MANIFEST, CLASSIC_PLUGIN
 
 _LAUNCH = """

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from urdfctl.control.model_spawners import MODEL_SPAWNERS
 from urdfctl.model.launch import Node, Word
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.launch.steps import MODEL_SPAWNERS
 
 
 def _launched(package: str, program: str, *words: str) -> dict[str, str]:

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, since, until
 from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, control_plugins, namespace_of
+from urdfctl.control.model_spawners import model_spawners, option_of
 from urdfctl.model.launch import Launch, Node
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.launch.common import ROS_2, launch_of, state_publishers
-from urdfctl.rules.launch.steps import PUBLISHES_DESCRIPTION, description_topic, model_spawners, option_of
+from urdfctl.rules.launch.steps import PUBLISHES_DESCRIPTION, description_topic
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANIFEST, PUBLISHER, ROBOT
 
 _PUBLISHER = "robot_state_publisher"

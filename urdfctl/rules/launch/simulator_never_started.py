@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.model_spawners import model_spawners
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.launch.steps import STARTS_SIMULATOR, model_spawners
+from urdfctl.rules.launch.steps import STARTS_SIMULATOR
 
 _MODEL = '<node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm"/>'
 _ROS_1 = """

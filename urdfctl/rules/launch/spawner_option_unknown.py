@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from itertools import takewhile
 
 from urdfctl.catalog.distros import ROS2, in_words
+from urdfctl.control.model_spawners import model_spawners, option_name
 from urdfctl.control.parameters.spawner_options import DISTROS, INSTEAD, OF_MODEL_SPAWNERS
 from urdfctl.model.launch import Node, Spawn
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
 from urdfctl.rules.launch.common import ROS_2, is_spawner, launch_of, spawners
-from urdfctl.rules.launch.steps import model_spawners, option_name
 from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
 
 _MODEL = """

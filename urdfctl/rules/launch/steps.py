@@ -7,21 +7,12 @@ launch file, a script, the commands in a README) does the step: `Project.may_men
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import zip_longest
 
 from urdfctl.control.hosts import MANAGER
-from urdfctl.model.launch import Launch, Node, Word, joined
+from urdfctl.model.launch import Launch, Node, joined
 from urdfctl.rule import Project
 from urdfctl.rules.launch.common import manager_nodes
 
-MODEL_SPAWNERS = {
-    ("gazebo_ros", "spawn_model"): "-model",
-    ("gazebo_ros", "urdf_spawner"): "-model",
-    ("gazebo_ros", "spawn_entity.py"): "-entity",
-    ("ros_gz_sim", "create"): "-name",
-    ("ros_ign_gazebo", "create"): "-name",
-}
-"""The programs that spawn a model, with the option that names it."""
 SPAWNS_CONTROLLERS = (
     r"\bspawner\b|(?:load|start|switch)_controller|(?:Load|Switch)Controller|ros2 control |controller_manager\.launch_utils|"
     r"controllers?_spawner|generate_\w*controllers?_launch|controller_manager\s+(?:spawn|load|start)"
@@ -51,29 +42,6 @@ def started_apart(launch: Launch) -> str:
     if any(simulation.sure for simulation in launch.simulations):
         return f"{_OWN_SIMULATOR}|{_OWN_MANAGER}"
     return _OWN_MANAGER if any(node.sure for node in manager_nodes(launch)) else ""
-
-
-def model_spawners(launch: Launch) -> list[Node]:
-    """Return the nodes that spawn a model into a simulator."""
-    return [node for node in launch.nodes if (node.package.text, node.executable.text) in MODEL_SPAWNERS]
-
-
-def option_name(word: Word) -> str | None:
-    """Return the name of an option, without hyphens and value; None if the word is none, such as a negative number."""
-    name = word.text.lstrip("-").partition("=")[0]
-    is_number = name.lstrip(".")[:1].isdigit()
-    return name if word.text.startswith("-") and not is_number else None
-
-
-def option_of(node: Node, name: str) -> Word | None:
-    """Return the value of an option of a node, by its word or the parameter of the same name; None if not given."""
-    for word, after in zip_longest(node.words, node.words[1:]):
-        if option_name(word) == name:
-            _, is_joint, value = word.text.partition("=")
-            return Word(value, word.at) if is_joint else after
-    given = dict(node.values).get(name)
-    at = next((word.at for word in node.parameters if word.text == name), node.at)
-    return Word(given, at) if given else None
 
 
 def description_topic(node: Node, name: str = _DESCRIPTION) -> str:

@@ -13,6 +13,7 @@ from urdfctl.control.hardware.simulator_plugins import (
     started_simulator,
     written_plugins,
 )
+from urdfctl.control.model_spawners import spawns_unread_model
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.insertions import appended_to_robot, controllers_path, host_element
@@ -64,10 +65,14 @@ def control_plugin_missing(project: Project) -> Iterator[Finding]:
     the launch file starts it.
     """
     robot = whole_robot_in(project)
-    if robot is None or any(
-        sim_plugin.hosts_control or sim_plugin.any is None
-        for sim_plugin in written_plugins(project)
-        if sim_plugin.filename
+    if (
+        robot is None
+        or spawns_unread_model(project.launch)
+        or any(
+            sim_plugin.hosts_control or sim_plugin.any is None
+            for sim_plugin in written_plugins(project)
+            if sim_plugin.filename
+        )
     ):
         return
     for control in components(project):
