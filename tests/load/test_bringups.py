@@ -264,7 +264,10 @@ def test_a_path_of_another_machine_counts_in_a_robot_that_a_launch_file_starts(f
 def test_show_of_an_empty_folder_is_an_error(folder: Folder) -> None:
     folder.write({"empty/readme.txt": ""})
     ran = folder.run("show", "empty")
-    assert (ran.returncode, ran.stderr) == (2, "urdfctl: no robot, controller file or launch file in empty\n")
+    assert (ran.returncode, ran.stderr) == (
+        2,
+        "urdfctl: no robot, no controller file and no launch file that starts either in empty\n",
+    )
 
 
 # -- by elimination --------------------------------------------------------------------------------------------------

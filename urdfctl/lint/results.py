@@ -122,6 +122,7 @@ class Unjoined(NamedTuple):
     leftover: whether it is written for ROS 1, in a package for ROS 2.
     includes: whether it takes launch files from those packages.
     description: the one that it names, and that does not exist.
+    models: the files in SDF from which it spawns models.
     """
 
     path: str
@@ -133,11 +134,12 @@ class Unjoined(NamedTuple):
     includes: bool = False
     leftover: bool = False
     description: str = ""
+    models: tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Unjoined:
         """Return what `_asdict` and JSON made `data` from."""
-        lists = {name: tuple(data[name]) for name in ("joints", "controllers", "packages")}
+        lists = {name: tuple(data[name]) for name in ("joints", "controllers", "packages", "models")}
         return cls(**{**data, **lists})
 
 

@@ -27,9 +27,10 @@ def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjo
 
 
 def _is_absent(result: TargetResult) -> bool:
-    """Whether a result is of a launch file whose robot, or what starts it, does not exist or is in a package that is
-    not here."""
-    missing = result.joining.described_in or result.joining.started_in or result.joining.lost
+    """Whether a result is of a launch file whose robot, or what starts it, does not exist, is not known, is no
+    description that is read, or is in a package that is not here."""
+    facts = result.joining
+    missing = facts.described_in or facts.started_in or facts.lost or facts.unread or facts.models
     return is_launch(result.path) and result.links is None and bool(missing)
 
 
@@ -43,6 +44,7 @@ def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
         includes=bool(lonely.joining.started_in),
         leftover=lonely.joining.leftover,
         description=lonely.joining.lost,
+        models=lonely.joining.models,
     )
     if lonely.joining.leftover or not absent.controls or is_started_elsewhere(lonely):
         return absent

@@ -12,7 +12,9 @@ from urdfctl.startup.records import NamedTuple
 if TYPE_CHECKING:
     from urdfctl.model.launch import Launch
 
-_LISTS = ("joints", "declared", "described_in", "started_in")
+_LISTS = ("joints", "declared", "described_in", "started_in", "models")
+_DESCRIBED = (None, "robot_state_publisher", "ros2_control_node")
+"""The nodes that have the description of a robot that is started, the parameter server of ROS 1 among them."""
 
 
 class JoinFacts(NamedTuple):
@@ -28,6 +30,8 @@ class JoinFacts(NamedTuple):
         start a robot.
     leftover: whether the launch file is written for ROS 1, in a package for ROS 2.
     lost: the description that it names, and that does not exist; empty if there is none.
+    unread: without a robot: whether it starts one whose description is not known.
+    models: without a robot: the files in SDF from which models are spawned.
     waits: ROS 2: whether it certainly spawns controllers of a robot whose manager another launch file starts.
     """
 
@@ -41,6 +45,8 @@ class JoinFacts(NamedTuple):
     leftover: bool = False
     lost: str = ""
     waits: bool = False
+    unread: bool = False
+    models: tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> JoinFacts:
@@ -65,6 +71,8 @@ def join_facts(project: Project) -> JoinFacts:
         leftover=launch is not None and launch.is_leftover,
         lost=_lost(launch) if launch is not None else "",
         waits=project.robot is not None and launch is not None and _waits(launch),
+        unread=project.robot is None and launch is not None and _is_unread(launch),
+        models=_models(launch) if project.robot is None and launch else (),
     )
 
 
@@ -89,6 +97,20 @@ def _lost(launch: Launch) -> str:
     """The path of the first description that a launch file names, and that does not exist; empty if there is none."""
     missing = (each.file for each in launch.descriptions if each.sure and each.file.exists is False)
     return next((file.path or file.text for file in missing), "")
+
+
+def _is_unread(launch: Launch) -> bool:
+    """Whether a launch file starts a robot, and no description that it names is known."""
+    described = [each for each in launch.descriptions if each.node in _DESCRIBED]
+    return bool(described) and all(each.file.path is None for each in described)
+
+
+def _models(launch: Launch) -> tuple[str, ...]:
+    """The files in SDF from which a launch file spawns models."""
+    from urdfctl.control.model_spawners import model_spawners, option_of
+
+    named = (option_of(node, "file") for node in model_spawners(launch))
+    return tuple(dict.fromkeys(file.text for file in named if file is not None and file.text.endswith(".sdf")))
 
 
 def _described_in(launch: Launch) -> tuple[str, ...]:

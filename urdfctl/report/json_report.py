@@ -62,6 +62,7 @@ def unjoined_document(unjoined: Unjoined) -> dict[str, Any]:
         "packages": list(unjoined.packages),
     }
     lacks |= {"description": shown(unjoined.description)} if unjoined.description else {}
+    lacks |= {"models": list(map(shown, unjoined.models))} if unjoined.models else {}
     return {"launch": shown(unjoined.path), "robot": robot, "lacks": lacks}
 
 

@@ -54,8 +54,13 @@ def what_it_starts(unjoined: Unjoined) -> str:
         return f"controllers without a robot: {missing_fact(unjoined)}"
     if unjoined.description:
         return f"a robot whose description '{shown(unjoined.description)}' does not exist"
-    what = "launch files" if unjoined.includes else "a robot"
-    return f"{what} of {_quoted('package', unjoined.packages)}, not in this workspace"
+    if unjoined.packages:
+        what = "launch files" if unjoined.includes else "a robot"
+        return f"{what} of {_quoted('package', unjoined.packages)}, not in this workspace"
+    if unjoined.models:
+        files = _listed((f"'{shown(model)}'" for model in unjoined.models), _MOST_NAMES)
+        return f"a model from {files}; models in SDF are not checked"
+    return "a robot whose description could not be determined"
 
 
 def missing_fact(unjoined: Unjoined) -> str:

@@ -188,3 +188,42 @@ def test_an_argument_in_another_package_for_another_program_is_no_robot(folder: 
     written(folder, up=xml(PUBLISHER.format("hoist.urdf")), down=xml(viewed))
     folder.write({"urdf/hoist.urdf": HOIST.format("")})
     assert unjoined(folder) == []
+
+
+OPENED = """
+import yaml
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    chosen = yaml.safe_load(open('/etc/hoist.yaml'))['model']
+    given = {{'robot_description': open(chosen).read()}}
+    return LaunchDescription([Node(package={!r}, executable={!r}, parameters=[given])])
+"""
+CREATED = '<node pkg="ros_gz_sim" exec="create" args="-file $(find-pkg-share hoist)/{} -name hoist"/>'
+
+
+def told(folder: Folder) -> list[str]:
+    return [line for line in folder.run("show", ".").stdout.splitlines() if not line.startswith(" ")]
+
+
+def test_a_robot_whose_description_cannot_be_determined_is_named(folder: Folder) -> None:
+    written(folder, up=OPENED.format("robot_state_publisher", "robot_state_publisher"))
+    assert told(folder) == ["launch/up.launch.py  (starts a robot whose description could not be determined)"]
+
+
+def test_a_description_that_only_a_viewer_gets_starts_no_robot(folder: Folder) -> None:
+    written(folder, up=OPENED.format("rviz2", "rviz2"))
+    assert told(folder) == []
+
+
+def test_a_model_of_the_simulator_is_named_where_no_description_is_started(folder: Folder) -> None:
+    written(folder, up=xml(CREATED.format("hoist.sdf")))
+    folder.write({"hoist.sdf": "<sdf version='1.9'><model name='hoist'/></sdf>"})
+    assert told(folder) == ["launch/up.launch.xml  (starts a model from 'hoist.sdf'; models in SDF are not checked)"]
+
+
+def test_a_description_that_is_spawned_is_no_model_of_the_simulator(folder: Folder) -> None:
+    written(folder, up=xml(PUBLISHER.format("hoist.urdf"), CREATED.format("urdf/hoist.urdf")))
+    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    assert told(folder) == ["launch/up.launch.xml"]

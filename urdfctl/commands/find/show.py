@@ -42,7 +42,8 @@ def run_show(options: ShowOptions) -> int:
     outputs = [output_of(text, TEXT_OR_JSON) for text in options.formats or ("text",)]
     run = run_of(words, config, settings, shard=shard_of(options.shard), parallel=options.jobs or None)
     if not run.targets and not run.unjoined and options.shard is None:
-        raise UserError(f"no robot, controller file or launch file in {', '.join(paths) or 'this folder'}")
+        where = ", ".join(paths) or "this folder"
+        raise UserError(f"no robot, no controller file and no launch file that starts either in {where}")
     for name, file in outputs:
         text = _json(run) if name == "json" else "".join(f"{visible(line)}\n" for line in _lines(run))
         if file is not None:
