@@ -161,7 +161,7 @@ def _chosen(element: Element, files: list[str], fitting: list[str]) -> Iterator[
 def _as_xacro(element: Element, files: list[str]) -> Iterator[Edit]:
     """The edit that makes a plain URDF one for xacro, which expands the addresses of its controller files."""
     root = root_of(element.source)
-    if files and root is not None and not element.source.is_xacro:
+    if files and root is not None and not element.source.is_xacro and "xmlns:xacro" not in root.attrs:
         at = root.start + len(f"<{root.tagName}")
         yield Edit(SourceSpan(element.source, at, at), ' xmlns:xacro="http://www.ros.org/wiki/xacro"')
 
