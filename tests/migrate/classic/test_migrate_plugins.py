@@ -57,6 +57,17 @@ def test_a_drive_that_publishes_the_states_of_its_wheels_has_a_system_for_them(f
     assert ("rover/joint_states" in files["config/bridge.yaml"]) is (told == "true")
 
 
+@pytest.mark.parametrize("library", ["gazebo_ros_openni_kinect", "gazebo_ros_camera"])
+def test_a_depth_camera_of_ros_1_has_the_information_of_both_images(folder: Folder, library: str) -> None:
+    settings = "<cameraName>eye</cameraName>\n<cameraInfoTopicName>rgb/info</cameraInfoTopicName>"
+    files = migrated(folder, {"urdf/base.xacro": base(sensor("depth", library, settings))}, *TO_GZ)
+    entries = files["config/bridge.yaml"].split("\n- ")[1:]
+    infos = [entry for entry in entries if "CameraInfo" in entry]
+    names = [entry.split("\n")[0].partition(": ")[2] for entry in infos]
+    assert names == ["eye/rgb/info", *(["eye/depth/camera_info"] if "kinect" in library else [])]
+    assert len({entry.split("\n")[1] for entry in infos}) == 1
+
+
 def test_a_drive_of_ros_1_gets_the_names_of_ros_2(folder: Folder) -> None:
     old = plugin(
         "gazebo_ros_diff_drive",

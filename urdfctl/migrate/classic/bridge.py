@@ -275,7 +275,8 @@ def _of_element(
         yield from _of_plugin(attributes.get("filename", ""), texts)
         return
     topic, kind = texts.get("topic", ""), attributes.get("type", "")
-    known = dict(names.get(_key(topic), ()))
+    pairs = names.get(_key(topic), ())
+    known = dict(reversed(pairs))
     for ending, ros, gz in _OF_SENSORS.get(kind, ()) if _is_plain(topic) else ():
         if ending in known if known else (kind, ending) not in _UNASKED:
             above = topic.rpartition("/")[0]
@@ -284,6 +285,8 @@ def _of_element(
             in_ros = known.get(ending, "")
             is_same = _key(in_ros) == _key(in_gz) and (in_gz.startswith("/") or not in_ros.startswith("/"))
             yield Topic(in_gz, ros, gz, in_ros=in_ros if _is_plain(in_ros) and not is_same else "")
+            more = (name for its, name in pairs if its == ending and name != in_ros and _is_plain(name))
+            yield from (Topic(in_gz, ros, gz, in_ros=name) for name in more)
 
 
 def _of_plugin(filename: str, texts: Mapping[str, str]) -> Iterator[Topic]:

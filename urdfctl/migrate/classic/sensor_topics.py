@@ -60,6 +60,9 @@ _OF_CAMERAS: Mapping[str, Sequence[tuple[str, str, str]]] = {
     ),
 }
 """By type in gz: the ending of a topic in gz, its setting in ROS 1, and its name in ROS 2 below that of the camera."""
+_OF_DEPTH = ("/camera_info", "depthImageCameraInfoTopicName", "depth/camera_info")
+"""The same again for the image of the depth (gazebo_plugins, ROS 1: gazebo_ros_openni_kinect.cpp, and
+gazebo_ros_depth_camera.cpp): gz has one camera with both images."""
 
 
 class SensorPlugin(NamedTuple):
@@ -97,11 +100,12 @@ class SensorPlugin(NamedTuple):
         return name.lstrip("/")
 
     def in_ros(self, known: Sensor, kind: str, *, is_ros1: bool) -> Iterator[tuple[str, str]]:
-        """Yield the topics of the sensor in ROS, each after the ending of that in gz."""
+        """Yield the topics of the sensor in ROS, each after the ending of that in gz; an ending may have several."""
         if kind not in _OF_CAMERAS:
             yield "/points" if kind == "gpu_lidar" and self.is_cloud else "", self._name(known, kind, is_ros1=is_ros1)
             return
-        for ending, setting, output in _OF_CAMERAS[kind]:
+        has_both = is_ros1 and SENSORS.get(self.library) is _DEPTH
+        for ending, setting, output in (*_OF_CAMERAS[kind], *([_OF_DEPTH] if has_both else ())):
             yield ending, self._in_space(self._of_camera(setting, output, is_ros1=is_ros1))
 
     def _name(self, known: Sensor, kind: str, *, is_ros1: bool) -> str:
@@ -159,7 +163,7 @@ def _remappings(texts: Sequence[str]) -> Mapping[str, str]:
 def unread(plugin: Element, known: Sensor, kind: str, kept: Sequence[str]) -> Iterator[str]:
     """Yield the settings of a plugin that say something, and that gz does not have."""
     topics = (setting for _, setting, _ in _OF_CAMERAS.get(kind, ()))
-    read = {*kept, known.topic, *topics}
+    read = {*kept, known.topic, *topics, _OF_DEPTH[1]}
     for setting in plugin.elements():
         if setting.tagName not in read and ":" not in setting.tagName and not is_zero(setting):
             yield setting.tagName
