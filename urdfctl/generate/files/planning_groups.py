@@ -107,7 +107,7 @@ def _of_controllers(
     made: Sequence[GeneratedController], tree: LinkTree, tools: Sequence[Tool]
 ) -> Iterator[PlanningGroup]:
     """A group for each controller, or for those that move parts of one tool."""
-    hands = [{joint.name for joint in tool.joints} for tool in tools]
+    hands = [*({joint.name for joint in tool.joints} for tool in tools), *_of_grippers(made, tree)]
     together = [[one for one in made if _joints_of(one) and hand.issuperset(_joints_of(one))] for hand in hands]
     told: set[str] = set()
     for controller in made:
@@ -117,6 +117,22 @@ def _of_controllers(
         elif controller.name not in told:
             told.update(one.name for one in shared)
             yield PlanningGroup(_common(shared), tuple(name for one in shared for name in _joints_of(one)))
+
+
+def _of_grippers(made: Sequence[GeneratedController], tree: LinkTree) -> list[set[str]]:
+    """The joints of each hand on one link whose joints have a gripper controller each, and no followers."""
+    followed = {joint.mimic[0] for one in made[:1] for joint in one.task.robot.joints if joint.mimic}
+    single = [_joints_of(one)[0] for one in made if _is_gripper(one) and len(_joints_of(one)) == 1]
+    hands: dict[str, set[str]] = {}
+    for name in [name for name in single if name not in followed and name in tree.of_joint]:
+        above = [link for link in tree.up(tree.of_joint[name].parent) if link.type != "fixed"]
+        mount = next((link.name for link in above if link.joint not in single), tree.root)
+        hands.setdefault(mount, set()).add(name)
+    return [hand for hand in hands.values() if len(hand) > 1]
+
+
+def _is_gripper(controller: GeneratedController) -> bool:
+    return "Gripper" in controller.type.type
 
 
 def _bare(made: Sequence[GeneratedController], tools: Sequence[Tool]) -> Iterator[PlanningGroup]:
@@ -134,7 +150,7 @@ def _bare(made: Sequence[GeneratedController], tools: Sequence[Tool]) -> Iterato
 def _common(controllers: Sequence[GeneratedController]) -> str:
     """The words that the names of several controllers have in common."""
     words = [_name_of(one).split("_") for one in controllers]
-    return "_".join(word for word in words[0] if all(word in each for each in words)) or _HAND
+    return _OF_TYPE.sub("", "_".join(word for word in words[0] if all(word in each for each in words))) or _HAND
 
 
 def _name_of(controller: GeneratedController) -> str:
@@ -152,7 +168,7 @@ def _proposed(controller: GeneratedController, tree: LinkTree, hands: Sequence[s
 
 
 def _is_tool(controller: GeneratedController, joints: Sequence[str], hands: Sequence[set[str]]) -> bool:
-    if "Gripper" in controller.type.type or any(hand.issuperset(joints) for hand in hands):
+    if _is_gripper(controller) or any(hand.issuperset(joints) for hand in hands):
         return True
     return bool(_TOOL.search(controller.name)) and all(_TOOL.search(name) for name in joints)
 

@@ -1,0 +1,63 @@
+"""The groups and poses of tools in MoveIt's configuration, for whatever controllers move them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import yaml
+from folder import Folder
+from generating import command
+from planned_arm import INERTIAL, JAZZY, ROW, arm, semantic
+
+pytest.importorskip("mujoco")
+
+
+@pytest.mark.parametrize(("second", "opened"), [("revolute", "0"), ("fixed", "0.9")])
+def test_a_jaw_that_turns_alone_is_open_far_from_0_and_fingers_that_turn_together_near_0(
+    second: str, opened: str, folder: Folder
+) -> None:
+    turning = arm().replace("prismatic", "revolute").replace('lower="0" upper="0.04"', 'lower="-0.2" upper="0.9"')
+    of_second = 'name="right_finger_joint" type="revolute"'
+    folder.write({"six.urdf": turning.replace(of_second, of_second.replace("revolute", second))})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    [value] = semantic(folder).findall("group_state[@name='open']/joint")
+    assert value.attrib == {"name": "left_finger_joint", "value": opened}
+
+
+def test_two_controllers_of_one_tool_have_a_group_together_that_is_its_end_effector(folder: Folder) -> None:
+    folder.write({"six.urdf": arm().replace('<mimic joint="left_finger_joint"/>', "")})
+    words = ["--controller=left_finger_controller=gripper:left_finger_joint", "--controller"]
+    words += ["right_finger_controller=gripper:right_finger_joint", "--controller"]
+    words += [f"arm_controller=trajectory:{','.join(name for name, _, _ in ROW)}"]
+    assert command("gen-moveit", "six.urdf", *JAZZY, *words).returncode == 0
+    root = semantic(folder)
+    groups = {one.get("name"): [part.get("name") for part in one] for one in root.findall("group")}
+    assert groups["finger"] == ["left_finger_joint", "right_finger_joint"]
+    assert [one.get("group") for one in root.findall("end_effector")] == ["finger"]
+    listed = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["moveit_simple_controller_manager"]
+    assert sorted(listed["controller_names"]) == ["arm_controller", "left_finger_controller", "right_finger_controller"]
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
+
+
+def test_gripper_controllers_of_single_joints_on_one_link_are_a_hand_together(folder: Folder) -> None:
+    tip = f"""<link name="tip">{INERTIAL}</link><joint name="bent" type="revolute"><parent link="left_finger"/>
+      <child link="tip"/><axis xyz="1 0 0"/><limit lower="0" upper="1" effort="9" velocity="1"/></joint>"""
+    text = arm().replace('<mimic joint="left_finger_joint"/>', "").replace("</robot>", f"{tip}</robot>")
+    folder.write({"six.urdf": text.replace("finger_joint", "part")})
+    words = [f"--controller=claw_{name}=gripper:{name}" for name in ("left_part", "right_part", "bent")]
+    words += [f"--controller=arm_controller=trajectory:{','.join(name for name, _, _ in ROW)}"]
+    assert command("gen-moveit", "six.urdf", *JAZZY, *words).returncode == 0
+    root = semantic(folder)
+    groups = {one.get("name"): {part.get("name") for part in one} for one in root.findall("group[joint]")}
+    assert groups == {"claw": {"left_part", "right_part", "bent"}}
+    assert [one.get("parent_link") for one in root.findall("end_effector")] == ["hand"]
+
+
+def test_a_trajectory_controller_of_a_joint_that_fingers_follow_moves_a_tool_whatever_its_name(folder: Folder) -> None:
+    folder.write({"six.urdf": arm().replace("finger", "part")})
+    words = ["--controller=end_controller=trajectory:left_part_joint", "--controller"]
+    words += [f"arm_controller=trajectory:{','.join(name for name, _, _ in ROW)}"]
+    assert command("gen-moveit", "six.urdf", *JAZZY, *words).returncode == 0
+    assert [one.get("group") for one in semantic(folder).findall("end_effector")] == ["end"]
+    assert [one.get("name") for one in semantic(folder).findall("group[chain]")] == ["arm"]
