@@ -203,6 +203,16 @@ def test_poses_and_tested_links_stay_within_the_soft_limits_in_which_moveit_plan
     assert command("lint", "out", "--fail-on", "warning").returncode == 0
 
 
+@pytest.mark.parametrize(("lower", "said"), [(0.005, True), (-0.005, False)])
+def test_a_joint_that_starts_outside_of_its_soft_limits_is_told(lower: float, said: bool, folder: Folder) -> None:
+    finger = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
+    soft = f'<safety_controller k_velocity="9" soft_lower_limit="{lower}" soft_upper_limit="0.03"/>'
+    folder.write({"six.urdf": arm().replace(finger, finger + soft, 1)})
+    ran = command("gen-moveit", "six.urdf", *JAZZY)
+    told = "joint 'left_finger_joint' starts outside of its soft limits, from where MoveIt cannot plan: let it start"
+    assert (ran.returncode, told in ran.stderr) == (0, said)
+
+
 @pytest.mark.parametrize(("start", "status"), [(0.4, 0), (2.8, 2)])
 def test_a_robot_whose_links_touch_where_it_starts_is_not_written(start: float, status: int, folder: Folder) -> None:
     folder.write({"six.urdf": arm().replace("</robot>", CONTROL.format(start))})

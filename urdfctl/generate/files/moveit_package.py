@@ -22,6 +22,10 @@ from urdfctl.generate.text.templates import Templates
 _RAMP = 2.0
 """The acceleration of a joint in parts of its greatest velocity, per second."""
 _LISTED = 4
+_TOLERATED = 0.1
+"""How far outside of its limits a joint may start before jazzy: the start_state_max_bounds_error that is written."""
+_NOWHERE = "from where MoveIt cannot plan"
+_ELSEWHERE = "let it start elsewhere, by the initial_value of its joints in <ros2_control>"
 _OF_FAKES = ("joint_state_publisher", "moveit_fake_controller_manager")
 _LISTS_SINCE = "jazzy"
 _YAML = ("ompl_planning", "pilz_industrial_motion_planner_planning", "pilz_cartesian_limits", "kinematics")
@@ -62,7 +66,7 @@ def moveit_files(
     notes: list[str] = []
     if options.output:
         parts, notes = with_own_parts(parts, f"{options.output}/{semantic}", robot)
-    notes += _about_start(linkage, parts)
+    notes += _about_start(linkage, parts, 0.0 if options.distro in since(_LISTS_SINCE) else _TOLERATED)
     notes += _about_hulls(linkage.hulls)
     notes += _about_bare(groups, {joint.name for one in usable for joint in one.task.joints})
     values = _values(options, robot, groups, linkage, parts)
@@ -78,16 +82,19 @@ def moveit_files(
     return files, notes
 
 
-def _about_start(linkage: Linkage, parts: Sequence[SemanticPart]) -> list[str]:
-    """That links touch where the robot starts, in words. UserError if their surfaces do: MoveIt plans from nowhere."""
+def _about_start(linkage: Linkage, parts: Sequence[SemanticPart], margin: float) -> list[str]:
+    """Why MoveIt cannot plan from where the robot starts, in words. UserError if links touch there for sure."""
+    rest = dict(linkage.rest)
+    outside = [name for name, low, high in linkage.spans if not low - margin <= rest.get(name, low) <= high + margin]
+    notes = [f"joint '{name}' starts outside of its soft limits, {_NOWHERE}: {_ELSEWHERE}" for name in outside]
     untested = {part.key for part in parts}
     for pair in linkage.starting:
         if ("disable_collisions", *sorted(pair)) not in untested:
-            told = f"links '{pair[0]}' and '{pair[1]}' touch where the robot starts, from where MoveIt cannot plan"
+            told = f"links '{pair[0]}' and '{pair[1]}' touch where the robot starts, {_NOWHERE}"
             if linkage.hulls:
-                return [f"{told}, as far as their convex hulls tell"]
-            raise UserError(f"{told}: let it start elsewhere, by the initial_value of its joints in <ros2_control>")
-    return []
+                return [*notes, f"{told}, as far as their convex hulls tell"]
+            raise UserError(f"{told}: {_ELSEWHERE}")
+    return notes
 
 
 def _about_bare(groups: Sequence[PlanningGroup], moved: set[str]) -> list[str]:
