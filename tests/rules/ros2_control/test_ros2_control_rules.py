@@ -283,12 +283,24 @@ DRIVE = """<gazebo><plugin name="drive" filename="libgazebo_ros_diff_drive.so">
   <left_joint>shoulder</left_joint><right_joint>elbow</right_joint></plugin></gazebo>"""
 
 
+ALL_CONTROLLED = """<ros2_control name="all" type="system">
+  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+  <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+  <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+</ros2_control>"""
+
+
 @pytest.mark.parametrize(
     ("joint", "more", "severity"),
-    [("shoulder", "", "warning"), ("sholder", "", "info"), ("{name}_hip", "", "info"), ("shoulder", DRIVE, "info")],
-    ids=["a joint without control", "a joint that is not there", "braces without dollar", "a plugin moves it"],
+    [
+        ("shoulder", "", "warning"),
+        ("sholder", "", "warning"),
+        ("sholder", ALL_CONTROLLED, "info"),
+        ("{name}_hip", ALL_CONTROLLED, "info"),
+        ("shoulder", DRIVE, "info"),
+    ],
 )
-def test_a_transmission_that_nothing_needs_is_only_a_leftover(
+def test_a_transmission_that_no_joint_needs_is_only_a_leftover(
     robot: Robot, joint: str, more: str, severity: str
 ) -> None:
     old = f"""<transmission name="old"><type>transmission_interface/SimpleTransmission</type>

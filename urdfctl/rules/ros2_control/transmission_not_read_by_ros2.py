@@ -51,8 +51,8 @@ def transmission_not_read_by_ros2(project: Project) -> Iterator[Finding]:
     """Transmission of ROS 1 in a ROS 2 robot.
 
     ROS 2 ignores transmissions in the root. Joints that are in no `<ros2_control>` cannot be controlled. For the other
-    joints, for those that a simulator's plugin moves and for those that the robot does not have, the transmissions are
-    leftovers, which is only worth knowing.
+    joints, and for those that a simulator's plugin moves, the transmissions are leftovers, which is only worth knowing.
+    So are those of joints that the robot does not have, if all that move are controlled.
     """
     robot = robot_in(project)
     if robot is None or project.ros != 2:  # noqa: PLR2004 (the generation)
@@ -60,13 +60,14 @@ def transmission_not_read_by_ros2(project: Project) -> Iterator[Finding]:
     controlled = {part.name for control in robot.ros2_controls for part in control.of_kind("joint")}
     moved = {name for plugin in loaded_plugins(project) for name, _ in named_joints(plugin)}
     moved |= {joint.name for joint in robot.joints if joint.mimic and joint.name}
+    moving = {joint.name for joint in robot.joints if joint.name and joint.moves}
     of_ros1 = [transmission for transmission in robot.transmissions if not transmission.is_pr2]
     for transmission in of_ros1[:1]:
         more = f" and {len(of_ros1) - 1} more are" if len(of_ros1) > 1 else " is"
         joints = [joint for other in of_ros1 for joint in other.joints]
         missing = [joint for joint in joints if joint.name and joint.name not in controlled | moved]
-        if whole_robot_in(project) is not None and project.complete:
-            missing = [joint for joint in missing if joint.name in robot.joint_names]
+        if whole_robot_in(project) is not None and project.complete and moving <= controlled | moved:
+            missing = []
         message = f"{transmission.label}{more} ignored by ROS 2, which reads <ros2_control> instead"
         if missing:
             message += f"; {label('joint', missing[0].name)} is in none"
