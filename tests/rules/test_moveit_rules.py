@@ -188,3 +188,21 @@ def test_a_joint_that_moveit_never_sends_may_be_listed(folder: Folder, listed: s
     folder.write({**files, "arm.urdf": f'<robot name="arm"><link name="base"/>{joints}</robot>'})
     ran = folder.run("lint", "arm.urdf", "ros2_controllers.yaml", "--select", "UC653", "--format", "concise")
     assert [f"'{told}'"] * (told is not None) == re.findall(r"does not control joint ('\w+')", ran.stdout)
+
+
+@pytest.mark.parametrize(
+    ("right", "written", "is_told"),
+    [
+        ("moveit_simple_controller_manager", "moveit_simple_controler_manager", True),
+        ("controller_names", "controller_name", True),
+        ("controller_names", "controller_nmaes", True),
+        ("moveit_simple_controller_manager", "moveit_fake_controller_manager", False),
+        ("controller_names", "names_of_others", False),
+    ],
+)
+def test_a_misspelt_key_of_the_list_of_controllers_is_reported(
+    folder: Folder, right: str, written: str, *, is_told: bool
+) -> None:
+    told = [message for code, _, message in found(folder, f"{right}:", f"{written}:") if code == "UC655"]
+    expected = f"MoveIt reads '{right}', not '{written}', so it knows no controller and executes nothing"
+    assert told == ([expected] if is_told else [])

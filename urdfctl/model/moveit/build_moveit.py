@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.controllers import Key, MoveItController, MoveItList
 from urdfctl.model.moveit.moveit import JointLimits, Pipeline, Solver
+from urdfctl.names import is_slip
 from urdfctl.source.span import Place
 from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlEntry, YamlFile
 
@@ -31,14 +32,28 @@ def moveit_controllers(file: YamlFile) -> tuple[MoveItController, ...]:
 
 
 def empty_controller_list(file: YamlFile) -> Place | None:
-    """Return the place of an empty list of controllers: ROS 1's controller_list, or ROS 2's controller_names."""
+    """Return the place of an empty list of controllers: ROS 1's controller_list, or ROS 2's controller_names.
+
+    Or that of a misspelt key, so that MoveIt has no list.
+    """
     document = _document(file)
     inner = _manager(document)
     for mapping, name in ((document, "controller_list"), (inner, "controller_names")):
         entry = _entry(mapping, name)
         if entry is not None and _is_empty(entry.value):
             return entry.key.at
-    return None
+    if inner is not None:
+        return _misspelt(inner, "controller_names", Sequence)
+    return _misspelt(document, _MANAGER, Mapping) or _misspelt(document, "controller_list", Sequence)
+
+
+def _misspelt(mapping: Mapping | None, name: str, kind: type[Mapping | Sequence]) -> Place | None:
+    """The place of a key with a value of this kind that has one letter wrong, if the map does not have the name."""
+    entries = mapping.entries if mapping else ()
+    if any(entry.key.text == name for entry in entries):
+        return None
+    places = (entry.key.at for entry in entries if isinstance(entry.value, kind) and is_slip(entry.key.text, name))
+    return next(places, None)
 
 
 def unlisted_controllers(file: YamlFile) -> Iterator[Key]:
