@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from urdfctl.load.target import Target
@@ -11,7 +12,7 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
-    from urdfctl.model.launch import Launch
+    from urdfctl.model.launch import Launch, Word
 
 _MOVE_GROUP = ("moveit_ros_move_group", "move_group")
 
@@ -30,6 +31,7 @@ class Bringup(NamedTuple):
     others: the descriptions of its other robots, each with the namespace of the robot.
     unfollowed: included launch files that are worth checking on their own.
     beside: the launch files that are started beside it, in other terminals.
+    absent: the packages that are not here and of which it starts launch files.
     """
 
     arguments: tuple[tuple[str, str], ...] = ()
@@ -43,12 +45,13 @@ class Bringup(NamedTuple):
     unfollowed: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
     told_at: str | None = None
+    absent: tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Bringup:
         """Return the bringup that `_asdict` and JSON made `data` from."""
         arguments = tuple((name, value) for name, value in data["arguments"])
-        names = ("spawned", "includes", "simulators", "unfollowed", "beside")
+        names = ("spawned", "includes", "simulators", "unfollowed", "beside", "absent")
         lists = {name: tuple(data[name]) for name in names}
         others = tuple((path, namespace) for path, namespace in data["others"])
         return cls(**{**data, **lists, "arguments": arguments, "others": others})
@@ -75,4 +78,11 @@ def bringup_of(launch: Launch, target: Target) -> Bringup:
         others=tuple((robot.file.path, robot.namespace) for robot in launch.others if robot.file.path),
         unfollowed=launch.unfollowed,
         beside=tuple(os.path.abspath(start.path) for start in target.beside),
+        absent=_packages_of(launch.absent) if launch.absent else (),
     )
+
+
+def _packages_of(files: Sequence[Word]) -> tuple[str, ...]:
+    from urdfctl.source.workspaces.robot_starts import package_of
+
+    return tuple(dict.fromkeys(name for word in files if (name := package_of(word.text))))

@@ -227,3 +227,30 @@ def test_a_description_that_is_spawned_is_no_model_of_the_simulator(folder: Fold
     written(folder, up=xml(PUBLISHER.format("hoist.urdf"), CREATED.format("urdf/hoist.urdf")))
     folder.write({"urdf/hoist.urdf": HOIST.format("")})
     assert told(folder) == ["launch/up.launch.xml"]
+
+
+def test_launch_files_that_are_not_here_are_named_beside_the_robot(folder: Folder) -> None:
+    abroad = '<include file="$(find-pkg-share derrick_driver)/launch/driver.launch.xml"/>'
+    written(folder, up=xml(PUBLISHER.format("hoist.urdf"), abroad))
+    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    shown = folder.run("show", ".").stdout
+    assert "  unknown     launch files of derrick_driver, not in this workspace" in shown
+
+
+PLANNED = """
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+from moveit_configs_utils import MoveItConfigsBuilder
+
+def generate_launch_description():
+    path = get_package_share_directory("derrick_support") + "/urdf/derrick.urdf.xacro"
+    config = MoveItConfigsBuilder("hoist", package_name="hoist").robot_description(file_path=path).to_moveit_configs()
+    return LaunchDescription([Node(package="moveit_ros_move_group", executable="move_group",
+                                   parameters=[config.to_dict()])])
+"""
+
+
+def test_a_description_that_moveit_takes_from_a_package_that_is_not_here_is_named(folder: Folder) -> None:
+    written(folder, plan=PLANNED)
+    assert [each["lacks"]["packages"] for each in unjoined(folder)] == [["derrick_support"]]

@@ -97,7 +97,8 @@ def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:
     distro = target.distro or (f"ROS {target.ros}" if target.ros else "unknown")
     yield "distro", f"{distro}, from {target.distro_from}" if target.distro_from else distro
     if not bringup.complete:
-        yield "unknown", "some of what the launch file starts could not be determined"
+        absent = f"launch files of {', '.join(bringup.absent)}, not in this workspace"
+        yield "unknown", absent if bringup.absent else "some of what the launch file starts could not be determined"
     if not target.complete:
         yield "incomplete", "not all of the description could be expanded"
 

@@ -67,8 +67,10 @@ class Builder:
         whole = given is None or (mappings is not None and mappings.whole)
         names = tuple(mappings.keys.items()) if mappings else ()
         if self._given("robot_description") is not None:
-            named = known_path(self.file("robot_description", ""))
-            return Content(named, tuple(values.items()) if whole else None, at, names)
+            text = self.file("robot_description", "")
+            named = known_path(text)
+            command = None if named else f"cat {text}"
+            return Content(named, tuple(values.items()) if whole else None, at, names, command=command)
         path, arguments = self._usual_description(exists)
         given_arguments = tuple(values.items()) if values else arguments
         return Content(path, given_arguments if whole else None, at, names)
