@@ -247,7 +247,7 @@ class _ControllerFileReader:
 
         others: ROS 1: the namespaces of other robots. A file that sets parameters only there is one of these.
         """
-        tree, exists = self._existing(load.file.path or "", load.file.at)
+        tree, exists = self._existing(load.file.path or "", load.file.at, is_known=load.file.exists is not None)
         if exists is False and load.file.exists is None:
             exists = None  # its path needs an argument
         self._references.append(load.file._replace(exists=exists))
@@ -294,11 +294,12 @@ class _ControllerFileReader:
         if len(files) == 1 and None not in files and loads[0].namespace is not None:
             self.load(loads[0])
 
-    def _existing(self, path: str, at: Place) -> tuple[YamlFile | None, bool | None]:
+    def _existing(self, path: str, at: Place, *, is_known: bool = True) -> tuple[YamlFile | None, bool | None]:
+        """A file and whether it exists. That it cannot be read is a problem only if its path is known to be this."""
         try:
             return self._tree(path), True
         except FileProblem as error:
-            if error.kind not in _REPORTED_BY_RULES:
+            if error.kind not in _REPORTED_BY_RULES and is_known:
                 self._problems.append(error.at(at))
             return None, False if error.kind is ProblemKind.FILE_NOT_FOUND else None
 

@@ -40,6 +40,8 @@ _OFTEN_USED = frozenset(
 """Packages that launch files use, and that are seldom in the workspace."""
 _OF_PYTHON = b"python/"
 _TEMPLATE = rb"\{\{|\{%|<%"
+_PLACEHOLDER = rb"\{\{|\{%|<%|\[[A-Z]+(?:_[A-Z]+)+\]|@[A-Z]+(?:_[A-Z]+)*@"
+"""What a generator replaces in a launch file in XML, e.g. MoveIt's setup assistant."""
 _parsed = once_per_object(parse)
 """Several launch files include the same ones."""
 
@@ -93,6 +95,14 @@ def _slips_in(arguments: Mapping[str, str], launch: Launch, reader: _LaunchFileR
             at = Place(reader.files.read(reader.path), 0)
             message = f"argument '{name}' is given, but the launch file does not declare it; did you mean '{meant}'?"
             yield Problem(ProblemKind.UNKNOWN_ARGUMENT, at, message, name)
+
+
+def _is_in_template(at: Place) -> bool:
+    """Whether the line of a place has a placeholder, so that the file is no launch file yet."""
+    data, start = at.source.data, at.span.start
+    end = data.find(b"\n", start)
+    line = data[data.rfind(b"\n", 0, start) + 1 : end if end >= 0 else len(data)]
+    return re.search(_PLACEHOLDER, line) is not None
 
 
 def _looked_around(reference: LaunchedFile) -> LaunchedFile:
@@ -236,7 +246,7 @@ class _LaunchFileReader:
         try:
             return _parsed(source) if source else None
         except ReadError as error:
-            if error.problem not in self.problems:
+            if error.problem not in self.problems and not _is_in_template(error.problem.at):
                 self.problems.append(error.problem)
         return None
 

@@ -59,6 +59,7 @@ def _describes(action: str) -> dict[str, str]:
         _files("path = «FindPackageShare('arm') + '/urdf'»", "return LaunchDescription([])"),
         _files("«LaunchDescription([])»"),
         _files("«return LaunchDescription([])»", function="generate_launch_descriptions"),
+        _files("«return LaunchDescription([])»", function="generate_launch_description_real"),
     ],
     good=[
         _files("return LaunchDescription(None)"),

@@ -88,7 +88,7 @@ def read_python(source: SourceText, surroundings: Surroundings) -> Script:
     run.block(tree.body, module)
     entry = module.names.get(_ENTRY)
     if not isinstance(entry, Function):
-        slip = misnamed_entry(tree, _ENTRY) if entry is None else None
+        slip = misnamed_entry(tree, _ENTRY) if entry is None and source.path.endswith("launch.py") else None
         return _broken(ProblemKind.PYTHON_CALL, run.at(slip[0]), slip[1]) if slip else Script(None)
     return Script(entry.call((), {}, None), tuple(_mistakes(tree, source, run.at)))
 

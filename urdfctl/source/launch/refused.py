@@ -34,10 +34,14 @@ def refusal(tree: ast.Module, nodes: Sequence[ast.AST], entry: str) -> Refusal |
 
 
 def misnamed_entry(tree: ast.Module, entry: str) -> Refusal | None:
-    """Return the function that is the entry with a slip, of a launch file that has none; None if there is none."""
+    """Return the function that is the entry with a slip, or with more behind it, of a launch file that has none.
+
+    None if there is none, or if the entry may be among what is imported by `*`.
+    """
     functions = [one for one in tree.body if isinstance(one, ast.FunctionDef)]
-    slip = next((one for one in functions if is_slip(one.name, entry)), None)
-    if slip is None:
+    slip = next((one for one in functions if is_slip(one.name, entry) or one.name.startswith(f"{entry}_")), None)
+    imports = (one for one in tree.body if isinstance(one, ast.ImportFrom))
+    if slip is None or any(name.name == "*" for each in imports for name in each.names):
         return None
     return slip.body[0], f"launch looks for '{entry}', but the function is '{slip.name}'"
 
