@@ -57,9 +57,12 @@ _VISUAL = "<visual>%s<geometry>%s</geometry></visual>"
             .replace('ixy="0"', 'ixy="0" iyx="0" izx="0" izy="0"')
             % (
                 _VISUAL % ('<origin xyz="0 0 0" quat_xyzw="0 0 0 1"/>', '<sphere radius="1"/>')
+                + _VISUAL % ("", '<mesh filename="package://arm/tool.stl" name="tool"/>')
                 + '<visual><geometry><box size="1 1 1"/></geometry><material name="g" type="x"><color rgba="1 1 1 1"/></material></visual>',
                 _LIMIT % ' acceleration="1" deceleration="1" jerk="1"',
-            )
+            ),
+            "package.xml": "<package><name>arm</name></package>",
+            "tool.stl": "solid tool\nendsolid tool\n",
         },
     ],
 )
