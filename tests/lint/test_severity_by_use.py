@@ -142,3 +142,13 @@ def test_joints_that_a_driver_of_ros1_names_itself_are_not_certainly_wrong(
     folder.write({"launch/crane.launch": OLD_START.format(started)})
     given = folder.run("lint", ".", "--no-cache", "--distro=noetic", "--select=UC440", "--format=json").stdout
     assert [finding["severity"] for finding in json.loads(given)["findings"]] == [severity]
+
+
+def test_the_namespace_of_a_plugin_does_not_matter_where_a_driver_runs_the_controllers(folder: Folder) -> None:
+    plugin = OLD_PLUGIN.replace('.so"/>', '.so"><robotNamespace>/crane</robotNamespace></plugin>')
+    folder.write({"crane.urdf": CRANE.format("", "", plugin), "package.xml": "<package><name>crane</name></package>"})
+    folder.write({"turn.yaml": "turn: {type: effort_controllers/JointEffortController, joint: slew}"})
+    for started, expected in ((DRIVER, ""), (GAZEBO, "UC525")):
+        folder.write({"launch/crane.launch": OLD_START.format(started)})
+        told = folder.run("lint", ".", "--no-cache", "--distro=noetic", "--select=UC525", "--format=concise").stdout
+        assert expected in told if expected else "UC525" not in told

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import chain
 
+from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.diagnostic import Severity
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Plugin
@@ -47,6 +48,14 @@ def is_started_without_gazebo(project: Project) -> bool:
         return False
     nodes = (*launch.nodes, *chain(*launch.beside))
     return bool(nodes) and not any("gazebo" in node.package.text for node in nodes)
+
+
+def may_be_driven(project: Project) -> bool:
+    """Return whether a launch file of ROS 1 starts no Gazebo, but what may be a driver: it names its joints itself, and
+    runs the controllers."""
+    if project.launch is None or project.ros != 1 or not is_started_without_gazebo(project):
+        return False
+    return not all(map(hosts_no_manager, project.launch.nodes))
 
 
 def has_own_simulation(project: Project) -> bool:

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, claims
-from urdfctl.control.hardware.gazebo_ros1 import is_started_without_gazebo
+from urdfctl.control.hardware.gazebo_ros1 import may_be_driven
 from urdfctl.control.hardware.interfaces import OfferedHardware, fixed_joints
 from urdfctl.control.hardware.offered import hardware_of
-from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.control.parameters.readers import Reader
 from urdfctl.model.robot import Robot
 from urdfctl.names import in_row
@@ -94,12 +93,5 @@ def severity_of(
     """
     if project.started is None and not project.together and not (meant and others):
         return Severity.WARNING if meant or others else Severity.INFO
-    sure = hardware.known and not hardware.open and not _is_driven(project)
+    sure = hardware.known and not hardware.open and not may_be_driven(project)
     return Severity.ERROR if slip or sure else Severity.WARNING
-
-
-def _is_driven(project: Project) -> bool:
-    """Whether the launch file of ROS 1 starts no Gazebo, but what may be a driver."""
-    if project.launch is None or project.ros != 1 or not is_started_without_gazebo(project):
-        return False
-    return not all(map(hosts_no_manager, project.launch.nodes))

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.hardware.gazebo_ros1 import may_be_driven
 from urdfctl.control.hardware.simulator_plugins import control_plugins, namespace_of
 from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.model.launch import Launch
@@ -82,7 +83,7 @@ def spawner_of_other_namespace(project: Project) -> Iterator[Finding]:
     the model. The spawner asks in its own namespace, waits for half a minute and gives up.
     """
     hosts = [sim_plugin for sim_plugin in control_plugins(project) if sim_plugin.library == "gazebo_ros_control"]
-    if project.launch is None or not hosts:
+    if project.launch is None or not hosts or may_be_driven(project):
         return
     default = _of_model_spawner(project.launch)
     known: dict[str, Place] = {}
