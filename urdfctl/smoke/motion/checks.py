@@ -145,12 +145,26 @@ def _advice(task: ControllerTask, goal: Goal, efforts: Sequence[float]) -> str:
     unit = "N" if hinge.type == "prismatic" else "N m"
     if hinge.effort and abs(goal.weight) > hinge.effort:
         return f"its load of {abs(goal.weight):.3g} {unit} is more than its effort limit of {hinge.effort:g} {unit}"
-    full = sum(abs(effort) >= FULL * hinge.effort for effort in efforts) if hinge.effort else 0
-    if full > HALF * len(efforts):
+    if _is_at_limit(goal, efforts):
         return f"its motor is at its effort limit of {hinge.effort:g} {unit}: raise the limit, or lower the gains"
     if task.interface == "position":
         return "the hardware holds the position: check the masses and inertias that the joint moves"
     return "raise the d gain, or lower the p gain"
+
+
+def _is_at_limit(goal: Goal, efforts: Sequence[float]) -> bool:
+    limit = goal.hinge.effort
+    return limit is not None and limit > 0 and sum(abs(each) >= FULL * limit for each in efforts) > HALF * len(efforts)
+
+
+def are_overwhelmed(task: ControllerTask, goals: Sequence[Goal], tracks: Sequence[Track]) -> bool:
+    """Return whether a motor that holds a position, and can bear its load, ran at full effort most of the time."""
+    if task.interface != "position":
+        return False
+    pairs = zip(goals, tracks, strict=True)
+    return any(
+        _is_at_limit(goal, track.efforts) and abs(goal.weight) < (goal.hinge.effort or 0.0) for goal, track in pairs
+    )
 
 
 def _turned(task: ControllerTask, goal: Goal, track: Track, seconds: float) -> Iterator[Trouble]:

@@ -11,7 +11,7 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.smoke.engines import Engine, RobotRejected, open_engine
-from urdfctl.smoke.motion.checks import MIMIC, joint_troubles, together_troubles, within_span
+from urdfctl.smoke.motion.checks import MIMIC, are_overwhelmed, joint_troubles, together_troubles, within_span
 from urdfctl.smoke.motion.mobile_base import drive_base, turn_rollers, wheels_of_drives
 from urdfctl.smoke.motion.motions import PidLoop, hold, motion_of
 from urdfctl.smoke.motion.parallel_groups import groups_of, is_motor
@@ -38,6 +38,8 @@ MOST_STEPS = 10
 """The maximum number of simulation steps between two position commands."""
 TOGETHER = 0.05
 """The step that all loops are commanded together, in rad or m."""
+GENTLY = 0.25
+"""The part of its usual motion by which a motor is tried again that ran at full effort."""
 HELD = "its base was held in the air"
 ACTS = {
     "reads": ("started", "read"),
@@ -311,12 +313,12 @@ class MotionTrial:
         weights = gravity_load(self._simulation.mechanism, positions) if self._plan.fixed else {}
         return [goal_of(self._hinges[name], positions[name], weights.get(name, 0.0), duration) for name in names]
 
-    def _move(self, tasks: Sequence[ControllerTask]) -> bool:
-        """Move the joints of some controllers that command in the same way."""
+    def _move(self, tasks: Sequence[ControllerTask], part: float = 1.0) -> bool:
+        """Move the joints of some controllers that command in the same way, by a part of their usual motion."""
         first = tasks[0]
         loop = first.family in (MotionFamily.POSITION_PID, MotionFamily.VELOCITY_PID) or first.interface != "position"
         seconds = self._plan.duration * (1.0 if loop else 0.5)
-        goals = [self._goals(task.joints, seconds) for task in tasks]
+        goals = [[goal.times(part) for goal in self._goals(task.joints, seconds)] for task in tasks]
         if first.family is MotionFamily.FORWARD and first.interface == "effort":
             self._push_each(first, goals[0])
             return True
@@ -326,19 +328,25 @@ class MotionTrial:
             self._simulation.every(min(steps, MOST_STEPS))
         tracks = self._simulation.tracked(list(zip(motions, goals, strict=True)), seconds)
         self._simulation.every(steps)
-        again = []
+        again: list[ControllerTask] = []
+        gently: list[ControllerTask] = []
         for task, own, tracked in zip(tasks, goals, tracks, strict=True):
             troubles = list(joint_troubles(task, own, tracked, seconds))
             for goal in own:
                 hold(self._engine, goal.hinge, self._engine.position(goal.hinge.name))
             if troubles and len(tasks) > 1 and is_motor(task):
                 again.append(task)
+            elif troubles and part == 1.0 and self._plan.fixed and are_overwhelmed(task, own, tracked):
+                gently.append(task)
             else:
                 self.troubles += troubles
                 self.curves += self._simulation.curves(task, own, tracked)
         self._simulation.run_for(RESTING)
         for task in again:  # it moves alone: another one of the group may have disturbed it
             self._move([task])
+        for task in gently:  # the usual motion is too much for a motor that may well be strong enough for a small one
+            self._restore()
+            self._move([task], GENTLY)
         return True
 
     def _together(self) -> None:

@@ -46,6 +46,10 @@ class Goal(NamedTuple):
         """The target position."""
         return self.start + self.by
 
+    def times(self, part: float) -> Goal:
+        """Return the motion with a part of its step."""
+        return self._replace(by=part * self.by)
+
 
 def goal_of(hinge: Hinge, start: float, weight: float, seconds: float) -> Goal:
     """Return a motion within the joint's limits and the range of its commands: towards the side with more room, and
