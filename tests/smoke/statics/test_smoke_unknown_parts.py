@@ -108,7 +108,9 @@ def test_where_nothing_has_controllers_the_packages_of_included_launch_files_are
     assert "nothing was tested" in shown
     states = "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n"
     folder.write({"a/config/arm.yaml": states})
-    assert "not here" not in command(*words, "--controllers", "a/config/arm.yaml").stdout
+    given = command(*words, "--controllers", "a/config/arm.yaml").stdout
+    assert "it needs files of" not in given
+    assert "files of package 'arm_bringup', not here: clone it beside it, or urdfctl smoke ROBOT" in given
 
 
 DESCRIBED = """<launch>
@@ -129,6 +131,31 @@ def test_the_package_of_a_description_that_is_not_here_is_named(package: str, na
     )
     shown = command("smoke", "a/launch/one.launch", "--engine", "none", "--distro", "noetic").stdout
     assert ("it needs files of package 'arm_model', not here: clone it beside it" in shown) is named
+
+
+LOADED = """<launch>
+  <include file="$(find {})/launch/description.launch"/>
+  <rosparam command="load" file="$(find a)/config/arm.yaml"/>
+  <node name="spawner" pkg="controller_manager" type="spawner" args="states"/>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(("package", "named"), [("arm_model", True), ("a", False)])
+def test_a_launch_file_without_a_robot_names_the_package_of_what_it_includes(
+    package: str, named: bool, folder: Folder
+) -> None:
+    folder.write(
+        {
+            "a/package.xml": PACKAGE.format("a"),
+            "a/config/arm.yaml": "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n",
+            "a/launch/description.launch": "<launch/>",
+            "a/launch/one.launch": LOADED.format(package),
+        }
+    )
+    shown = command("smoke", "a/launch/one.launch", "--engine", "none", "--distro", "noetic").stdout
+    assert "the launch file starts no known robot" in shown
+    assert ("files of package 'arm_model', not here: clone it beside it, or urdfctl smoke ROBOT" in shown) is named
 
 
 COMPUTED = """

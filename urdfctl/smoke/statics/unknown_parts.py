@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
 from urdfctl.catalog.values import is_known
 from urdfctl.lint.target import LintedTarget
@@ -17,6 +18,10 @@ from urdfctl.source.xacro.expanded import HARMLESS
 UNKNOWN_ROBOT = "not simulated: the robot is not known, or some of its parts are not"
 """Why a controller does not move if no engine can move it, and nothing says what is missing."""
 NO_ROBOT = "not simulated: the launch file starts no known robot: urdfctl smoke ROBOT --controllers {}"
+NO_INCLUDED = (
+    "not simulated: the launch file starts no known robot, but files of {}, not here: clone {} beside it, "
+    "or urdfctl smoke ROBOT --controllers {}"
+)
 NO_PACKAGES = "not simulated: the robot needs {}, not here: clone {} beside it, or --package-path FOLDER"
 NO_ARGUMENT = "not simulated: the robot needs {}: urdfctl smoke {} {}"
 COMPUTED = "not simulated: the launch file computes {} of the robot: urdfctl smoke {}"
@@ -37,13 +42,18 @@ def why_unknown(seen: LintedTarget) -> str:
     packages = {problem.subject for problem in problems if problem.kind in _PACKAGES and problem.subject}
     packages |= set(seen.result.missing_packages) if incomplete else set()
     if packages:
-        names = enumerated([f"'{name}'" for name in sorted(packages)], "and")
-        which = f"package{'s' if len(packages) > 1 else ''} {names}"
-        needs = NO_PACKAGES.format(which, "them" if len(packages) > 1 else "it")
-        return needs + (OR_MOCK if is_only_the_driver_missing(project) else "")
+        return NO_PACKAGES.format(*_named(packages)) + (OR_MOCK if is_only_the_driver_missing(project) else "")
     if project.robot is None and project.launch is not None and seen.result.controllers:
-        return NO_ROBOT.format(" ".join(map(shown, seen.result.controllers)))
+        files = " ".join(map(shown, seen.result.controllers))
+        included = {*packages_lacking(project), *seen.result.joining.described_in}
+        return NO_INCLUDED.format(*_named(included), files) if included else NO_ROBOT.format(files)
     return _computed(seen) if incomplete and not problems else _why_of(problems, seen.result.path)
+
+
+def _named(packages: Collection[str]) -> tuple[str, str]:
+    """Packages by name, and the pronoun for them."""
+    names = enumerated([f"'{name}'" for name in sorted(packages)], "and")
+    return (f"packages {names}", "them") if len(packages) > 1 else (f"package {names}", "it")
 
 
 def _computed(seen: LintedTarget) -> str:
@@ -75,10 +85,14 @@ def _why_of(problems: list[Problem], path: str) -> str:
 
 
 def packages_lacking(project: Project) -> tuple[str, ...]:
-    """Return the packages of the files that a launch file includes and that are not here, sorted."""
+    """Return the packages of the files that a launch file includes and that are not here, sorted.
+
+    Its own package is here, whatever file of it is missing.
+    """
     unread = project.launch.unread if project.launch else ()
+    own = project.launch.package.name if project.launch and project.launch.package else None
     found = (re.match(_IN_PACKAGE, word.text) for word in unread)
-    return tuple(sorted({match[1] or match[2] for match in found if match}))
+    return tuple(sorted({match[1] or match[2] for match in found if match} - {own}))
 
 
 def is_only_the_driver_missing(project: Project) -> bool:
