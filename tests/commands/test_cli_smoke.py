@@ -193,6 +193,16 @@ def test_controllers_and_names_may_be_given(tmp_path: Path) -> None:
     assert "no controllers are declared for this robot" in smoke(robot, *NONE).stdout
 
 
+SPARE = """\
+controller_manager:
+  ros__parameters:
+    update_rate: 50
+    mover: {type: joint_trajectory_controller/JointTrajectoryController}
+mover:
+  ros__parameters: {joints: [unknown], command_interfaces: [position], state_interfaces: [position]}
+"""
+
+
 def bare_robot(folder: Path) -> Path:
     """A robot with hardware, and nothing that controls it."""
     robot = folder / "robot.urdf"
@@ -207,6 +217,16 @@ def test_a_run_that_tested_no_controller_is_not_green(tmp_path: Path) -> None:
     assert "nothing was tested: no controllers found; name their file with --controllers, or see what" in done.stdout
     assert f"'urdfctl gen-all {robot}' proposes\n" in done.stdout
     assert smoke(bare_robot(tmp_path), *NONE, "--allow-empty").exit_code == 0
+
+
+def test_a_run_that_tested_no_controller_names_a_controller_file_that_no_robot_uses(tmp_path: Path) -> None:
+    robot, config = bare_robot(tmp_path), tmp_path / "config" / "spare.yaml"
+    config.parent.mkdir()
+    config.write_text(SPARE, encoding="utf-8")
+    told = smoke(tmp_path, *NONE).stdout
+    assert f"no robot uses '{config}': urdfctl smoke {robot} --controllers {config}\n" in told
+    config.write_text("planner_server: {ros__parameters: {update_rate: 5}}\n", encoding="utf-8")
+    assert "no robot uses" not in smoke(tmp_path, *NONE).stdout
 
 
 def test_a_run_that_tested_no_controller_fails_in_junit_too(tmp_path: Path) -> None:

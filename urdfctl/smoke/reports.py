@@ -28,15 +28,20 @@ _STYLES = {
 
 
 _NOTHING = "nothing was tested: no controllers found; name their file with --controllers"
+_UNUSED = "nothing was tested: no robot uses {}: urdfctl smoke {} --controllers {}"
 _PROPOSED = ", or see what 'urdfctl gen-all {}' proposes"
 
 
 class SmokeReport(NamedTuple):
-    """The results of a run: the smoke test of each robot, and the findings of all as a report of lint."""
+    """The results of a run: the smoke test of each robot, and the findings of all as a report of lint.
+
+    unused: the controller files that no robot uses, if nothing was tested.
+    """
 
     robots: tuple[RobotResult, ...]
     found: Report
     allow_empty: bool = False
+    unused: tuple[str, ...] = ()
 
     @property
     def is_empty(self) -> bool:
@@ -154,10 +159,20 @@ def summary(report: SmokeReport) -> str:
     counts = [f"{report.count(verdict)} {verdict.value}" for verdict in Verdict if report.count(verdict)]
     total = sum(len(robot.controllers) for robot in report.robots)
     if not counts:
-        whole = [robot.linted.path for robot in report.robots if not robot.part_of and not is_launch(robot.linted.path)]
-        return _NOTHING + (_PROPOSED.format(shown(whole[0])) if whole else "")
+        return _what_next(report)
     interrupted = "; interrupted before all were tested" if report.is_interrupted else ""
     return f"{total} controller{'s' if total != 1 else ''}: {', '.join(counts)}{interrupted}"
+
+
+def _what_next(report: SmokeReport) -> str:
+    """Why nothing was tested, and the command with which something is."""
+    paths = (robot.linted.path for robot in report.robots if not robot.part_of)
+    whole = list(dict.fromkeys(path for path in paths if not is_launch(path)))
+    if report.unused and whole:
+        first, others = shown(report.unused[0]), len(report.unused) - 1
+        which = f"'{first}'{f' (and {others} more)' if others else ''}"
+        return _UNUSED.format(which, shown(whole[0]) if len(whole) == 1 else "ROBOT", first)
+    return _NOTHING + (_PROPOSED.format(shown(whole[0])) if whole else "")
 
 
 def _text(report: SmokeReport) -> str:

@@ -380,4 +380,11 @@ def report(
         findings = unknown(findings, {file for robot in results for file in robot.linted.files})
     reported = {finding.message for finding in findings}
     hidden = [finding.message for finding in everything if finding.message not in reported]
-    return report_of([robot.without(hidden) for robot in results], causes_first(findings), fail_on)
+    made = report_of([robot.without(hidden) for robot in results], causes_first(findings), fail_on)
+    return made._replace(unused=tuple(_unused_of(groups))) if made.is_empty else made
+
+
+def _unused_of(groups: Sequence[ConfiguredPaths]) -> Iterator[str]:
+    """The files in folders that look like controller files; of a run in which no robot has controllers."""
+    for group in groups:
+        yield from map(os.path.normpath, find(group).controllers_candidates)
