@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
+import sys
+from collections.abc import Generator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from smoke_robots import Arm
@@ -67,6 +71,27 @@ def test_a_film_has_a_picture_for_each_tenth_of_a_second_and_shows_the_motion(tm
         first = film.convert("RGB").tobytes()
         film.seek(2)
         assert film.convert("RGB").tobytes() != first
+
+
+def test_a_video_has_the_size_of_its_pictures(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("PIL.Image")
+    pytest.importorskip("trimesh")
+    sizes, pictures = [], []
+
+    def write_frames(
+        path: str, size: tuple[int, int], fps: float, macro_block_size: int = 16
+    ) -> Generator[None, bytes, None]:
+        """Write the size, stretched as imageio-ffmpeg does it."""
+        sizes.append(tuple(-(-pixels // macro_block_size) * macro_block_size for pixels in size))
+        Path(path).write_bytes(b"video")
+        with contextlib.suppress(GeneratorExit):
+            while True:
+                pictures.append((yield))
+
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", SimpleNamespace(write_frames=write_frames))
+    robot = with_curves(tmp_path, curve("turn", "position", (0.0, 0.7, 1.4)))
+    assert film_of("film.mp4", [robot], [SCENE]) == b"video"
+    assert (sizes, len(pictures), len(pictures[0])) == ([(480, 360)], 3, 480 * 360 * 3)
 
 
 def test_a_film_of_nothing_is_refused(tmp_path: Path) -> None:

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 WIDTH, HEIGHT = 480, 360
 RATE = 10
 """Pictures in a second."""
+MACRO_BLOCK = 8
+"""What width and height are multiples of, in pixels: imageio-ffmpeg stretches other pictures, with a warning."""
 MOST_PICTURES = 400
 """A film of more is shown faster."""
 _LIBRARIES = {".gif": "PIL", ".mp4": "imageio_ffmpeg"}
@@ -129,7 +131,7 @@ def _mp4(pictures: Iterator[Picture]) -> bytes:
     library: Any = import_module("imageio_ffmpeg")
     with scratch_folder() as folder:
         path = os.path.join(folder, "film.mp4")
-        writer = library.write_frames(path, (WIDTH, HEIGHT), fps=RATE)
+        writer = library.write_frames(path, (WIDTH, HEIGHT), fps=RATE, macro_block_size=MACRO_BLOCK)
         writer.send(None)
         for picture in pictures:
             writer.send(picture.tobytes())
