@@ -203,3 +203,29 @@ def test_public_robots_are_the_same_mechanisms(path: str, tmp_path: Path) -> Non
     apart, mass = differences(mechanism(robot, repository), model)
     assert apart < CLOSE
     assert mass < CLOSE or "is impossible for a solid; the nearest possible one is taken" in made.read_text()
+
+
+SHELF = """<robot name="shelf"><link name="base"><inertial><mass value="2"/>
+    <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial></link><link name="board"/>
+  <joint name="nailed" type="fixed"><parent link="base"/><child link="board"/><origin xyz="0 0 0.5"/></joint></robot>"""
+
+
+def test_a_robot_without_a_joint_that_moves_is_a_model_too(folder: Folder) -> None:
+    folder.write({"shelf.urdf": SHELF})
+    done = command("convert", "shelf.urdf", "--to", "mjcf")
+    assert done.returncode == 0, done.stderr
+    model = mujoco.MjModel.from_xml_string(done.stdout)
+    board = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, "board")
+    assert list(model.body_pos[board]) == [0.0, 0.0, 0.5]
+
+
+@pytest.mark.parametrize(("made_of", "status"), [("plank", 1), ("board", 0)])
+def test_a_robot_that_xacro_refuses_is_not_converted_in_part(made_of: str, status: int, folder: Folder) -> None:
+    start = '<robot name="shelf" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="board" params="mass">'
+    macro = '<inertial><mass value="${mass}"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+    link = f'<link name="base"><xacro:{made_of} mass="2"/></link><link name="top"/>'
+    joint = '<joint name="turn" type="continuous"><parent link="base"/><child link="top"/></joint></robot>'
+    folder.write({"shelf.urdf.xacro": f"{start}{macro}</xacro:macro>{link}{joint}"})
+    done = command("convert", "shelf.urdf.xacro", "--to", "mjcf", "-o", "shelf.xml")
+    assert (done.returncode, Path("shelf.xml").exists()) == (status, status == 0), done.stderr
+    assert ("'plank'" in done.stderr) is (status == 1)

@@ -22,6 +22,7 @@ from urdfctl.commands.robot_targets import best_of, robots_of
 from urdfctl.commands.words import configured, contradictions, settings_from, split_arguments
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.discover.paths import check_description
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.wanted import needs_joints, way_out, with_requests
@@ -136,7 +137,8 @@ def generated(options: GenerateOptions) -> Made:
         is_set = settings.simulator is not None
         requested, told = started(robot, request, simulator, catalog, asked=options, is_set=is_set)
         requested, proposal = with_requests(requested, command, options.controller, joints, robot)
-        if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
+        is_rigid = command == "gen-gazebo" or (command == "convert" and robot is not None)  # it needs no joint
+        if not (joints or is_rigid) and needs_joints(requested, catalog):
             raise UserError(_no_joints(robot))
         order = Order(
             joints=joints,
@@ -246,13 +248,17 @@ def _sources(
     path = robots[0] if robots and not os.path.isdir(robots[0]) else os.path.relpath(descriptions[0])
     details = {"sdf": 1} if options.command == "convert" and options.to == "sdf" else None
     measured = measure_robot(path, arguments, settings, measure_tree if plans(options) else measure_work, details)
-    if measured.facts is None:
+    if measured.facts is None or (options.command == "convert" and _has_errors(measured.problems)):
         text = "\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n"
         raise UnreadableRobot(text, [finding(relative(problem)) for problem in measured.problems])
     facts = measured.facts
     if known_distro(settings, facts) is None:
         facts = facts._replace(distro=_started_for(path, arguments, settings, config))
     return facts, listed
+
+
+def _has_errors(problems: Iterable[Diagnostic]) -> bool:
+    return any(problem.severity is Severity.ERROR for problem in problems)
 
 
 def _started_for(path: str, arguments: Mapping[str, str], settings: Settings, config: Config) -> str | None:
