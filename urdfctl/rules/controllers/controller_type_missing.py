@@ -10,6 +10,10 @@ from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.controllers.sections import meant_for
 from urdfctl.source.span import Place
 
+_TAKE_TYPES = frozenset(("foxy", "galactic", "humble", "iron"))
+"""The distros whose spawner takes a type (`--controller-type`): controller_manager/spawner.py, removed in jazzy (#1639
+of ros2_control)."""
+
 
 @rule(
     "UC420",
@@ -60,6 +64,8 @@ def controller_type_missing(project: Project) -> Iterator[Finding]:
     if not controllers.complete:
         return
     for controller in controllers.controllers:
+        if controller.type is None and _gets_type(project, controller):
+            continue
         if controller.type is None:
             if controller.declared_at is not None or project.launch is None:  # else launch file rules report it
                 yield from _untyped(controllers, controller)
@@ -71,6 +77,14 @@ def controller_type_missing(project: Project) -> Iterator[Finding]:
             yield Finding(
                 controller.type.at, f"type of controller '{controller.name}' is not a string; write 'package/Class'"
             )
+
+
+def _gets_type(project: Project, controller: Controller) -> bool:
+    """Whether a spawner of a controller gives it a type, in a distro that it may be started in."""
+    spawns = project.launch.spawns if project.launch else ()
+    own = [spawn for spawn in spawns if controller.name in [name for name, _ in spawn.names]]
+    typed = any(spawn.option("-t", "--controller-type") is not None for spawn in own)
+    return typed and not _TAKE_TYPES.isdisjoint(project.distros)
 
 
 def _untyped(controllers: Controllers, controller: Controller) -> Iterator[Finding]:
