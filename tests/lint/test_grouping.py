@@ -202,7 +202,7 @@ def test_warnings_that_depend_on_an_unknown_distro_are_one_from_three_in_a_file_
 
 def test_an_old_way_to_write_in_several_files_is_one_matter_but_not_where_it_is_an_error() -> None:
     def bare(file: str, severity: Severity = Severity.WARNING) -> Diagnostic:
-        return fixed(found("interface has no prefix", 1, severity=severity, code="UC202", file=file), "x")
+        return fixed(found("interface has no prefix", 1, severity=severity, code="UC018", file=file), "x")
 
     [one] = grouped([bare("/left.xacro"), bare("/right.xacro")])
     assert likewise(one) == "also in /right.xacro:1"

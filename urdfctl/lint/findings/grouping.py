@@ -53,8 +53,8 @@ _OUTSIDE: dict[str, Key] = {
 }
 """What is missing or wrong outside of the files, by rule: findings in several files are one fault if it is the same."""
 
-_HABITS = ("UC018", "UC202")
-"""Rules on a way to write that older distros took: in all files of a workspace it is one matter."""
+_HABIT = "UC018"
+"""The rule on a way to write that older distros took: in all files of a workspace it is one matter."""
 
 
 def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
@@ -100,7 +100,7 @@ def _likeness(finding: Diagnostic) -> object:
     """What equal findings have in common: rule, file, severity, words, kind of fix, and the distros they apply to."""
     if finding.code in _OUTSIDE:
         return finding.code, finding.severity, _OUTSIDE[finding.code](finding)
-    if finding.code in _HABITS and finding.severity is not Severity.ERROR:
+    if finding.code == _HABIT and finding.severity is not Severity.ERROR:
         return finding.code, finding.severity, _kind(finding), _applies(finding)
     words = shape(finding.message)
     return finding.code, finding.at.file, finding.severity, words, _kind(finding), _applies(finding)

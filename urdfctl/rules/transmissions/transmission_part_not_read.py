@@ -54,6 +54,10 @@ _TRANSMISSION = """
     good=[
         {"robot.urdf": _TRANSMISSION % ("", "", "<offset>0.1</offset>", "", "")},
         {"robot.urdf": _TRANSMISSION % ("", "", "<mechanicalReduction>1</mechanicalReduction>", "", "")},
+        {
+            "robot.urdf": _TRANSMISSION
+            % ("", "", "<Offset>0.1</Offset>", "", '<Joint name="wrist"/><Actuator name="motor"/>')
+        },
     ],
 )
 def transmission_part_not_read(project: Project) -> Iterator[Finding]:
