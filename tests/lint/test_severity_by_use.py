@@ -144,6 +144,26 @@ def test_joints_that_a_driver_of_ros1_names_itself_are_not_certainly_wrong(
     assert [finding["severity"] for finding in json.loads(given)["findings"]] == [severity]
 
 
+@pytest.mark.parametrize(
+    ("kind", "severity"),
+    [
+        ("effort_controllers/JointTrajectoryController", "error"),
+        ("effort_controllers/JointGroupPositionController", "error"),
+        ("effort_controllers/JointGroupEffortController", "warning"),
+    ],
+)
+def test_a_controller_that_looks_its_joints_up_in_the_description_fails_whatever_the_driver_has(
+    kind: str, severity: str, folder: Folder
+) -> None:
+    folder.write(
+        {"crane.urdf": CRANE.format("", "", OLD_PLUGIN), "package.xml": "<package><name>crane</name></package>"}
+    )
+    folder.write({"turn.yaml": f"turn: {{type: {kind}, joints: [slew, axis_1]}}"})
+    folder.write({"launch/crane.launch": OLD_START.format(DRIVER)})
+    given = folder.run("lint", ".", "--no-cache", "--distro=noetic", "--select=UC440", "--format=json").stdout
+    assert [finding["severity"] for finding in json.loads(given)["findings"]] == [severity]
+
+
 def test_the_namespace_of_a_plugin_does_not_matter_where_a_driver_runs_the_controllers(folder: Folder) -> None:
     plugin = OLD_PLUGIN.replace('.so"/>', '.so"><robotNamespace>/crane</robotNamespace></plugin>')
     folder.write({"crane.urdf": CRANE.format("", "", plugin), "package.xml": "<package><name>crane</name></package>"})

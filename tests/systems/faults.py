@@ -37,11 +37,13 @@ class FaultKind(NamedTuple):
     codes: of the findings that tell it.
     planted: returns a robot with it, and the names one of which a finding has to have.
     is_possible: whether it is a fault in a system: one that ROS refuses.
+    is_sure: whether it is known to be one, so that it has to be an error.
     """
 
     codes: frozenset[str]
     planted: Callable[[Robot, Random], Planted]
     is_possible: Callable[[System], bool] = lambda _: True
+    is_sure: Callable[[System], bool] = lambda _: True
 
 
 def _with(robot: Robot, old: Controller, new: Controller) -> Robot:
@@ -121,7 +123,9 @@ def _is_known_hardware(system: System) -> bool:
 
 
 FAULTS = {
-    "unknown joint": FaultKind(frozenset({"UC440", "UC450", "UC451", "UC462"}), _unknown_joint),
+    "unknown joint": FaultKind(
+        frozenset({"UC440", "UC450", "UC451", "UC462"}), _unknown_joint, is_sure=_is_known_hardware
+    ),
     "missing interface": FaultKind(frozenset({"UC450", "UC461", "UC462"}), _missing_interface, _is_known_hardware),
     "undeclared controller": FaultKind(frozenset({"UC601"}), _undeclared),
     "missing type": FaultKind(frozenset({"UC420", "UC601"}), _untyped),

@@ -49,7 +49,7 @@ def judged_in(workspace: Workspace, folder: Path) -> Verdict:
     """Return the same of a workspace that is written in a folder already."""
     targets, unused, findings = _said(workspace, folder)
     errors = [finding for finding in findings if finding.severity is Severity.ERROR]
-    told = [finding for finding in errors if _tells(workspace, finding)]
+    told = [finding for finding in (errors if _is_sure(workspace) else findings) if _tells(workspace, finding)]
     false = [finding for finding in errors if finding not in told and not _follows(workspace, finding)]
     return Verdict(
         tuple(dict.fromkeys(_missing(workspace, targets, unused))),
@@ -79,6 +79,12 @@ def _line(finding: Diagnostic) -> str:
 
 
 # -- what is told -------------------------------------------------------------------------------------------------
+
+
+def _is_sure(workspace: Workspace) -> bool:
+    """Whether the planted inconsistency has to be an error."""
+    fault = workspace.system.fault
+    return fault is None or FAULTS[fault.kind].is_sure(workspace.system)
 
 
 def _tells(workspace: Workspace, finding: Diagnostic) -> bool:

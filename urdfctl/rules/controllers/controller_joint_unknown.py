@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import partial
 
 from urdfctl.control.hardware.interfaces import OfferedHardware
 from urdfctl.control.parameters.readers import Reader, in_each_distro, readers_of, robot_of
@@ -12,7 +13,7 @@ from urdfctl.model.robot import Robot
 from urdfctl.names import are_opposed, folded, in_row, is_slip
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import KnownNames, in_words, is_known, replaced, robot_in
-from urdfctl.rules.controllers.joints import Named, hardware_in, meant_by, named, severity_of
+from urdfctl.rules.controllers.joints import Named, hardware_in, looks_joints_up, meant_by, named, severity_of
 from urdfctl.rules.links_for_joints import joint_meant_by, links_called
 
 _ROBOT = """
@@ -136,6 +137,7 @@ def _is_near(name: str, known: str) -> bool:
 def _unknown(
     reader: Reader, robot: Robot, hardware: OfferedHardware, names: KnownNames, project: Project
 ) -> Iterator[Finding]:
+    severity = partial(severity_of, project, hardware, looked_up=looks_joints_up(reader))
     named_joints = named(reader)
     unknown = [
         joint for joint in named_joints if is_misnamed(joint.claim, hardware) and joint.name not in hardware.fixed
@@ -145,7 +147,7 @@ def _unknown(
     meant = [joint.name for joint in joints]
     left = _only_left(project, reader, hardware) if len(unknown) == 1 else None
     if len(unknown) > 1 and not others:
-        yield _all_unknown(reader, unknown, meant, severity_of(project, hardware, meant=all(meant), others=False))
+        yield _all_unknown(reader, unknown, meant, severity(meant=all(meant), others=False))
         return
     for joint, (right, is_sure) in zip(unknown, joints, strict=True):
         only = ""
@@ -156,8 +158,8 @@ def _unknown(
         is_sure = is_sure or names.is_sure(joint.name, right)  # noqa: PLW2901 (what is known of it then)
         fix = replaced(joint.at, joint.name, right, safe=is_sure) if right else None
         slip = is_sure and right in hardware.command
-        severity = severity_of(project, hardware, meant=bool(right), others=bool(others), slip=slip)
-        yield Finding(joint.at, message, tuple(links_called(robot, joint.name)), fix, severity)
+        notes = tuple(links_called(robot, joint.name))
+        yield Finding(joint.at, message, notes, fix, severity(meant=bool(right), others=bool(others), slip=slip))
 
 
 def _only_left(project: Project, reader: Reader, hardware: OfferedHardware) -> str | None:

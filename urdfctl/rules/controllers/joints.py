@@ -20,6 +20,17 @@ from urdfctl.source.span import Place
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 
+_LOOKING_UP = frozenset(
+    (
+        *(f"{kind}_controllers/JointTrajectoryController" for kind in ("position", "velocity", "effort", "pos_vel")),
+        *("pos_vel_acc_controllers/JointTrajectoryController", "position_controllers/GripperActionController"),
+        *("effort_controllers/GripperActionController", "effort_controllers/JointGroupPositionController"),
+        *("effort_controllers/JointPositionController", "velocity_controllers/JointPositionController"),
+    )
+)
+"""The controllers of ROS 1 whose init() fails for a joint that the description lacks (ros_controllers, getUrdfJoints() of
+joint_trajectory_controller and gripper_action_controller, urdf::Model::getJoint() of the others)."""
+
 
 class Named(NamedTuple):
     """A joint that a parameter names."""
@@ -74,6 +85,11 @@ def meant_by(names: KnownNames, wrong: Named, beside: set[str]) -> str | None:
     return right
 
 
+def looks_joints_up(reader: Reader) -> bool:
+    """Return whether a controller of ROS 1 fails for a joint that the description lacks, whatever the driver has."""
+    return reader.type is not None and reader.type.type in _LOOKING_UP
+
+
 def hardware_in(project: Project, robot: Robot) -> dict[str, OfferedHardware]:
     """Return the hardware by distro; if it is unknown, a Hardware with only the robot's joints."""
     by_distro = {distro: hardware_of(project, distro) for distro in project.distros}
@@ -82,16 +98,23 @@ def hardware_in(project: Project, robot: Robot) -> dict[str, OfferedHardware]:
 
 
 def severity_of(
-    project: Project, hardware: OfferedHardware, *, meant: bool, others: bool, slip: bool = False
+    project: Project,
+    hardware: OfferedHardware,
+    *,
+    meant: bool,
+    others: bool,
+    slip: bool = False,
+    looked_up: bool = False,
 ) -> Severity:
-    """Return the severity of a wrong joint name.
+    """Return the severity of a joint name of a controller that is wrong.
 
     If it is unknown which controllers are started, the controller may be for another robot, unless its file is named
     with this one. This is less likely if the name resembles a joint of the robot (`meant`), or if the robot has
     `others` of the list. A driver may export more joints than the description lists, but none whose name is one of
-    theirs with a `slip`. Drivers of ROS 1 name the joints themselves.
+    theirs with a `slip`. Drivers of ROS 1 name the joints themselves, but the controller may have them `looked_up` in
+    the description.
     """
     if project.started is None and not project.together and not (meant and others):
         return Severity.WARNING if meant or others else Severity.INFO
-    sure = hardware.known and not hardware.open and not may_be_driven(project)
+    sure = hardware.known and not hardware.open and (looked_up or not may_be_driven(project))
     return Severity.ERROR if slip or sure else Severity.WARNING
