@@ -110,7 +110,8 @@ def _linted(request: LintRequest, watch: Watch, meanwhile: Callable[[], object])
     with closing(Standby()) as standby:
         workers = Workers(Loader(request.settings), request.parallel, standby=standby, meanwhile=meanwhile)
         run = judge(plan(files, request), InWorkers(request, workers, watch))
-    if not run.results and not any(each.controls for each in run.unjoined) and request.shard is None:
+    is_named = any(each.controls or not each.packages for each in run.unjoined)  # by the last line of the report
+    if not run.results and not is_named and request.shard is None:
         absent = sorted({repr(name) for each in run.unjoined for name in each.packages})
         raise UserError(
             f"nothing to lint in {where}: it contains launch files, but they start no robot or controllers of this "

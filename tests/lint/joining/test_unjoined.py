@@ -212,6 +212,15 @@ def test_a_robot_whose_description_cannot_be_determined_is_named(folder: Folder)
     assert told(folder) == ["launch/up.launch.py  (starts a robot whose description could not be determined)"]
 
 
+def test_lint_names_it_too_where_there_is_nothing_else(folder: Folder) -> None:
+    written(folder, up=OPENED.format("robot_state_publisher", "robot_state_publisher"))
+    manifest = MANIFEST.format("hoist").replace("<export>", "<exec_depend>robot_state_publisher</exec_depend><export>")
+    folder.write({"package.xml": manifest})
+    ran = folder.run("lint", ".")
+    named = "1 launch file starts a robot whose description could not be determined: launch/up.launch.py"
+    assert (ran.returncode, named in " ".join(ran.stdout.split())) == (0, True)
+
+
 def test_a_description_that_only_a_viewer_gets_starts_no_robot(folder: Folder) -> None:
     written(folder, up=OPENED.format("rviz2", "rviz2"))
     assert told(folder) == []
