@@ -5,6 +5,8 @@ from __future__ import annotations
 from folder import Folder
 from ros1_packages import MANIFEST, migrated
 
+from urdfctl.migrate.shared.install_rules import installs
+
 WITHOUT_CATKIN = """\
 cmake_minimum_required(VERSION 2.8.3)
 project(arm)
@@ -136,6 +138,11 @@ def test_a_loop_over_lists_that_are_set_installs_only_what_they_name(folder: Fol
     cmake = f"project(arm)\nfind_package(catkin)\n{lists}{loop}catkin_package()\n"
     files = {"CMakeLists.txt": cmake, "launch/config/a.rviz": "", "config/a.yaml": "a: 1\n", "urdf/arm.urdf": ROBOT}
     assert "install(DIRECTORY config\n" in migrated(folder, files)["CMakeLists.txt"]
+
+
+def test_lists_that_double_from_one_to_the_next_are_not_followed_without_end() -> None:
+    doubled = "".join(f"set(v{number} ${{v{number - 1}}}${{v{number - 1}}})\n" for number in range(60, 0, -1))
+    assert not installs(f"{doubled}set(v0 launch)\ninstall(DIRECTORY ${{v60}} DESTINATION share)\n", "launch")
 
 
 def test_a_loop_over_a_list_that_is_not_known_may_install_all(folder: Folder) -> None:

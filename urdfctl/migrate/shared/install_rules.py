@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from urdfctl.source.lengths import Room
+
 BRIDGE_FILE = "config/bridge.yaml"
 """The new file for ros_gz_bridge, which one step writes and another installs."""
 _INSTALL = r"(?is)install\s*\((?:[^()]|\([^()]*\))*\)"
@@ -27,9 +29,9 @@ def _with_lists(text: str) -> str:
     values: dict[str, list[str]] = {}
     for name, value in re.findall(r"(?i)\bset\s*\(\s*(\w+)\s+([^()]*)\)", text):
         values.setdefault(name, []).append(value)
-    for name, (value, *more) in values.items():
-        text = text if more else text.replace(f"${{{name}}}", value)
-    return text
+    known = {name: found[0] for name, found in values.items() if len(found) == 1}
+    room = Room()
+    return re.sub(r"\$\{(\w+)\}", lambda match: room.take(known[match[1]]) if match[1] in known else match[0], text)
 
 
 def install_rule(*folders: str) -> str:
