@@ -25,6 +25,11 @@ class Severity(Enum):
         """3 for an error, 2 for a warning, 1 for info."""
         return {"error": 3, "warning": 2, "info": 1}[self.value]
 
+    @property
+    def milder(self) -> Severity:
+        """The severity one step below; info stays info."""
+        return Severity.WARNING if self is Severity.ERROR else Severity.INFO
+
 
 class Edit(NamedTuple):
     """A replacement of bytes in one source file."""

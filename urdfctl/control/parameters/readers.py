@@ -91,8 +91,7 @@ def in_each_distro(project: Project, judge: Judge, *, newest: bool = False) -> I
 
 def _of_idle(finding: Finding) -> Finding:
     """The finding on a controller that nothing starts here: one step less severe."""
-    milder = {Severity.ERROR: Severity.WARNING, Severity.WARNING: Severity.INFO}
-    return finding._replace(severity=milder.get(finding.severity, finding.severity)) if finding.severity else finding
+    return finding._replace(severity=finding.severity.milder) if finding.severity else finding
 
 
 def _is_forked(project: Project, reader: Reader) -> bool:

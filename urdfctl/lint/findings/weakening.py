@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Remark, Severity
 from urdfctl.lint.planning import PlannedTarget, TargetOrigin
@@ -17,8 +17,6 @@ ASIDE = "the folder '{}' is not what the repository starts"
 UNUSED = "no robot uses this file"
 OTHER_ROBOT = "only for a robot that no launch file starts; the file also serves one that is started"
 LEFTOVER = "only where it is started with a launch file for ROS 1; its package is built for ROS 2"
-_MILDER = {Severity.ERROR: Severity.WARNING}
-_MILDER_ASIDE = {**_MILDER, Severity.WARNING: Severity.INFO}
 OF_PROSE = "only in the distro that the prose of a README names; set `distro` in urdfctl.toml if it is right"
 
 
@@ -28,10 +26,9 @@ def weakened(together: Outcome, apart: Iterable[Outcome], why: str, *, aside: bo
     aside: whether nothing starts it: then what would be a warning is only info.
     """
     known = {_key(diagnostic) for outcome in apart for diagnostic in outcome.diagnostics}
-    milder = _MILDER_ASIDE if aside else _MILDER
     return together._replace(
         diagnostics=[
-            diagnostic if _key(diagnostic) in known else _weakened(diagnostic, why, milder)
+            diagnostic if _key(diagnostic) in known else _weakened(diagnostic, why, aside=aside)
             for diagnostic in together.diagnostics
         ]
     )
@@ -42,8 +39,10 @@ def is_weakened(diagnostic: Diagnostic) -> bool:
     return any(note.message in (GUESSED, UNSTARTED, LEFTOVER, OF_PROSE) for note in diagnostic.notes)
 
 
-def _weakened(diagnostic: Diagnostic, why: str, milder: Mapping[Severity, Severity]) -> Diagnostic:
-    severity = milder.get(diagnostic.severity, diagnostic.severity)
+def _weakened(diagnostic: Diagnostic, why: str, *, aside: bool) -> Diagnostic:
+    severity = diagnostic.severity
+    if aside or severity is Severity.ERROR:
+        severity = severity.milder
     return diagnostic._replace(severity=severity, notes=(*diagnostic.notes, Remark(why)))
 
 
