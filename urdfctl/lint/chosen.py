@@ -1,4 +1,7 @@
-"""Launch files that others include only with an argument: they are checked in the start that this argument makes."""
+"""Launch files that others include, checked in a start of their own.
+
+That is the start that an argument makes with which others include them; or the one with which people start them alone.
+"""
 
 from __future__ import annotations
 
@@ -48,3 +51,24 @@ def _may_include(start: TargetResult, paths: Collection[str]) -> Iterator[str]:
     named = (path for file in files for path in included_in(file, text_of(file), by_name).every)
     followed = (path for path in start.bringup.unfollowed if path in paths)
     yield from dict.fromkeys([*followed, *(path for path in named if path not in start.bringup.includes)])
+
+
+def documented_starts(
+    inner: Iterable[Target], started: Collection[Pair], variants: Variants, lint: LintPairs
+) -> list[Pair]:
+    """Return the documented starts of launch files that others include, where nothing else starts the same robot with
+    the same controllers.
+
+    inner: the launch files, with the arguments that are documented. started: the results of those that were started.
+    """
+    asked = [target for target in inner if target.documented]
+    choices = variants(asked) if asked else []
+    targets = [one for found in choices for one in found if one.arguments and not one.guessed]
+    known = {_controlled(pair) for pair in started}
+    return [pair for pair in lint(targets) if pair[1].is_controlled and _controlled(pair) not in known]
+
+
+def _controlled(pair: Pair) -> tuple[object, ...]:
+    """The robot that a target starts, with its controllers."""
+    result = pair[1]
+    return result.path, result.arguments, result.controllers, result.bringup and result.bringup.spawned

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 from urdfctl.discover.backups import is_backup
 from urdfctl.discover.launch_files import takes_arguments
 from urdfctl.discover.robots import DiscoveredFiles, included_from
-from urdfctl.lint.chosen import chosen_starts
-from urdfctl.lint.documented import documented_starts
+from urdfctl.lint.chosen import chosen_starts, documented_starts
 from urdfctl.lint.findings.weakening import as_started, as_unused, as_used
 from urdfctl.lint.joining import Joined, is_lonely, joined, starts_in, targets_near
 from urdfctl.lint.planning import (
