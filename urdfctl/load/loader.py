@@ -11,6 +11,7 @@ from urdfctl.config.file import NAMES as CONFIG_NAMES
 from urdfctl.config.file import config_for
 from urdfctl.config.settings import ALL_STARTED, Settings
 from urdfctl.load.build_files import build_faults
+from urdfctl.load.joint_lists import listed_joints_beside
 from urdfctl.load.known import Described, KnownRobots
 from urdfctl.load.mentions import Mentions
 from urdfctl.load.open_decisions import decisions_in, unread
@@ -197,11 +198,9 @@ class Loader:
             found = [variant_including(target.towards, read, files.read(path).data)]
         else:
             found = launch_variants(read, [dict(arguments) for arguments, _ in target.documented])
-        told = dict(target.documented)
+        told, target = dict(target.documented), target._replace(documented=())
         return [
-            target._replace(
-                arguments=one.arguments, guessed=one.is_guessed, documented=(), told_at=told.get(one.arguments)
-            )
+            target._replace(arguments=one.arguments, guessed=one.is_guessed, told_at=told.get(one.arguments))
             for one in found
         ]
 
@@ -288,8 +287,10 @@ class Loader:
         controllers: Sequence[str] = (),
         launch_file: LaunchFile | None = None,
     ) -> Project:
-        expansion, launch = described.expansion, launch_file.launch if launch_file else None
-        robot, settings = with_spawned(described.robot, launch, files), self._settings_of_package(path)
+        expansion = described.expansion
+        launch = launch_file.launch if launch_file else None
+        robot = with_spawned(described.robot, launch, files)
+        settings = self._settings_of_package(path)
         hosting = robot if settings.simulator != "none" else None  # no simulator loads the plugins of the robot
         controller_files = _controller_files(controllers, hosting, launch, files)
         sources = tuple(_sources(files, launch_file).values())
@@ -311,7 +312,7 @@ class Loader:
             *(moveit.problems if moveit else ()),
         )
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
-        listed, build = _listed_joints(path, files), build_faults(described.packages, files, sources)
+        listed, build = listed_joints_beside(path, files), build_faults(described.packages, files, sources)
         todos = self._todos(sources, described.packages)
         project = project._replace(listed=listed, build=build, todos=todos)
         project = project._replace(influence=described.influence, origin=described.origin)
@@ -395,14 +396,3 @@ def _controller_files(
     from urdfctl.load.controller_files import read_controllers
 
     return read_controllers(paths, robot, launch, files)
-
-
-def _listed_joints(path: str, files: Files) -> tuple[tuple[str, Place], ...]:
-    """Return the joints that a ROS-Industrial support package lists: urdf/arm.xacro has config/joint_names_arm.yaml."""
-    folder, name = os.path.split(path)
-    file = os.path.join(os.path.dirname(folder), "config", f"joint_names_{name.partition('.')[0]}.yaml")
-    if not is_file(file):
-        return ()
-    from urdfctl.load.controller_files import listed_joints
-
-    return tuple(listed_joints(file, files))
