@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.parameters.readers import controllers_in
+from urdfctl.control.parameters.spawner_options import DISTROS
 from urdfctl.model.controllers import Controller, Controllers, ValueKind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.controllers.sections import meant_for
 from urdfctl.source.span import Place
 
-_TAKE_TYPES = frozenset(("foxy", "galactic", "humble", "iron"))
-"""The distros whose spawner takes a type (`--controller-type`): controller_manager/spawner.py, removed in jazzy (#1639
-of ros2_control)."""
+_TYPE = "--controller-type"
 
 
 @rule(
@@ -83,8 +82,8 @@ def _gets_type(project: Project, controller: Controller) -> bool:
     """Whether a spawner of a controller gives it a type, in a distro that it may be started in."""
     spawns = project.launch.spawns if project.launch else ()
     own = [spawn for spawn in spawns if controller.name in [name for name, _ in spawn.names]]
-    typed = any(spawn.option("-t", "--controller-type") is not None for spawn in own)
-    return typed and not _TAKE_TYPES.isdisjoint(project.distros)
+    typed = any(spawn.option("-t", _TYPE) is not None for spawn in own)
+    return typed and not {*DISTROS[_TYPE]}.isdisjoint(project.distros)
 
 
 def _untyped(controllers: Controllers, controller: Controller) -> Iterator[Finding]:
