@@ -9,6 +9,8 @@ from collections.abc import Iterable, Sequence
 _LEAST_SIMILARITY = 0.8
 """The least ratio, from 0 to 1, at which one name counts as a misspelling of the other."""
 _SEPARATORS = "/_-:."
+_LEAST_OF_REST = 0.6
+"""The least ratio at which what two names have before the last word that they share counts as similar."""
 _FEW = 3
 """A prefix that fewer names than this share says nothing."""
 _MOST_COMPARED = 300_000
@@ -61,8 +63,8 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     """Return the known name most similar to `name`, or None if none is similar.
 
     A name of another side, axis, quantity or number, such as `left` for `right`, is not similar. A namespace or a
-    robot's name before most names makes none of them more similar. After too many comparisons, see
-    `forget_comparisons`, none is looked for.
+    robot's name before most names makes none of them more similar, nor does a last word such as `description`. After
+    too many comparisons, see `forget_comparisons`, none is looked for.
     """
     if not _may_compare(0):
         return None
@@ -76,7 +78,10 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     similar = [
         candidate
         for candidate in candidates
-        if candidate != name and _may_be_alike(name, candidate, _LEAST_SIMILARITY) and not are_opposed(name, candidate)
+        if candidate != name
+        and _may_be_alike(name, candidate, _LEAST_SIMILARITY)
+        and not are_opposed(name, candidate)
+        and _are_alike_before_last_word(name, candidate)
     ]
     if not similar:
         return _slip_of(name, candidates)
@@ -145,6 +150,13 @@ def _excludes(word: str, other: str) -> bool:
         return len(word) == len(other)  # another number; a digit more or less is a slip
     meaning, others = _MEANINGS.get(word), _MEANINGS.get(other)
     return meaning is not None and others is not None and meaning[0] == others[0] and meaning != others
+
+
+def _are_alike_before_last_word(name: str, other: str) -> bool:
+    """Whether more than a last word makes two names similar: `xarm_description` is not `kaair_description`."""
+    first, _, word = name.rpartition("_")
+    other_first, _, other_word = other.rpartition("_")
+    return not (first and other_first and word == other_word) or is_alike(first, other_first, _LEAST_OF_REST)
 
 
 def _folded(name: str) -> str:
