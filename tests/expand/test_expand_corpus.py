@@ -41,8 +41,7 @@ PLACES = {
         "linorobot.urdf:1:2 the XML declaration <?xml ...?> is not at the start of the file"
     ),
     "chvmp__champ/champ_description/urdf/champ.urdf.xacro": (
-        "accessories.urdf.xacro:5:9 package 'hector_sensors_description' was not found in this workspace; "
-        "did you mean 'clearpath_sensors_description'?"
+        "accessories.urdf.xacro:5:9 package 'hector_sensors_description' was not found in this workspace"
     ),
     "davetcoleman__clam/clam_description/urdf/clam.xacro": f"clam.xacro:41:39 'M_PI' {NOT_DEFINED}",
     "ros-industrial__motoman/motoman_es_support/urdf/es165.xacro": (

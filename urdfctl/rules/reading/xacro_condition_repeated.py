@@ -47,12 +47,26 @@ from urdfctl.source.problem import ProblemKind
                 </robot>
             """,
         },
+        {
+            "robot.xacro": """
+                <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+                  <xacro:property name="sim" value="true"/>
+                  <link name="base"/>
+                  <xacro:if value="${sim}">
+                    <gazebo><plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/></gazebo>
+                  </xacro:if>
+                  <xacro:if value="${sim}">
+                    <gazebo><plugin filename="gz-sim-contact-system" name="gz::sim::systems::Contact"/></gazebo>
+                  </xacro:if>
+                </robot>
+            """,
+        },
     ],
 )
 def xacro_condition_repeated(project: Project) -> Iterator[Finding]:
     """Same condition on two alternatives.
 
-    Two `<xacro:if>` in a row have the same condition and contain the same elements. The robot gets both or neither. One
-    of them was probably meant to be an `<xacro:unless>`.
+    Two `<xacro:if>` in a row have the same condition and contain the same elements, of the same names if they have any.
+    The robot gets both or neither. One of them was probably meant to be an `<xacro:unless>`.
     """
     yield from findings_of(project, ProblemKind.CONDITION_REPEATED)

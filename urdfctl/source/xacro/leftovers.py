@@ -14,6 +14,7 @@ from urdfctl.source.xacro.prefixes import ANYTHING_GOES, lacks_prefix, without_p
 from urdfctl.source.xml.dom import COMMENT, Document, Element, XmlText
 
 _ASKED = rb"\$\(\s*arg\s+([^\s()]+)|\barg\(\s*['\"]([^'\"]+)|\$\(\s*eval\b([^<>]*)"
+_NAMES = ("name", "reference", "prefix")
 _BRACES = r"(?<!\$)\{\s*(\w+)\s*\}"
 
 
@@ -45,21 +46,34 @@ def _braces(element: Element, properties: Collection[str]) -> Iterator[Problem]:
 
 
 def repeated_condition(node: Element) -> Iterator[Problem]:
-    """Yield the problem of two `<xacro:if>` in a row with the same condition and content. One of them was probably
-    meant to be an `<xacro:unless>`."""
+    """Yield the problem of two `<xacro:if>` in a row with the same condition that add the same, by tags and names. One
+    of them was probably meant to be an `<xacro:unless>`."""
     following = node.nextSibling
     while isinstance(following, XmlText) and (following.nodeType == COMMENT or not following.data.strip()):
         following = following.nextSibling
     if not isinstance(following, Element) or following.tagName != node.tagName:
         return
-    ours, theirs = [c.tagName for c in node.elements()], [c.tagName for c in following.elements()]
-    if (
-        "".join(node.attrs.get("value", "").split()) == "".join(following.attrs.get("value", "").split())
-        and ours == theirs
-    ):
+    if _condition(node) == _condition(following) and _named(node) == _named(following):
         other = "xacro:unless" if node.tagName == "xacro:if" else "xacro:if"
-        message = f"two <{node.tagName}> in a row have the same condition, and each adds <{'>, <'.join(ours)}>"
+        added = ">, <".join(child.tagName for child in node.elements())
+        message = f"two <{node.tagName}> in a row have the same condition, and each adds <{added}>"
         yield Problem(ProblemKind.CONDITION_REPEATED, following.at, message, hint=f"change one of them to <{other}>")
+
+
+def _condition(node: Element) -> str:
+    return "".join(node.attrs.get("value", "").split())
+
+
+def _named(node: Element) -> list[tuple[str, str | None]]:
+    """The children of an element, each with what makes it another one beside others of its tag: its name, or the
+    first name in it."""
+    return [(child.tagName, next(_names(child), None)) for child in node.elements()]
+
+
+def _names(element: Element) -> Iterator[str]:
+    yield from (element.attrs[name] for name in _NAMES if name in element.attrs)
+    for child in element.elements():
+        yield from _names(child)
 
 
 def unused_arguments(
