@@ -43,6 +43,7 @@ _MEANINGS = {
     for word in same.split()
 }
 _KINDS = ("joint", "link", "motor", "controller")
+_KINDS_OF_PACKAGES = ("bringup", "config", "control", "description", "driver", "gazebo", "msgs", "simulation")
 _compared = 0
 
 
@@ -63,8 +64,8 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     """Return the known name most similar to `name`, or None if none is similar.
 
     A name of another side, axis, quantity or number, such as `left` for `right`, is not similar. A namespace or a
-    robot's name before most names makes none of them more similar, nor does a last word such as `description`. After
-    too many comparisons, see `forget_comparisons`, none is looked for.
+    robot's name before most names makes none of them more similar, nor does the word for a kind of package, such as
+    `description`. After too many comparisons, see `forget_comparisons`, none is looked for.
     """
     if not _may_compare(0):
         return None
@@ -153,10 +154,11 @@ def _excludes(word: str, other: str) -> bool:
 
 
 def _are_alike_before_last_word(name: str, other: str) -> bool:
-    """Whether more than a last word makes two names similar: `xarm_description` is not `kaair_description`."""
+    """Whether more than the word for a kind of package makes two names similar."""
     first, _, word = name.rpartition("_")
     other_first, _, other_word = other.rpartition("_")
-    return not (first and other_first and word == other_word) or is_alike(first, other_first, _LEAST_OF_REST)
+    is_kind = word == other_word and word in _KINDS_OF_PACKAGES
+    return not is_kind or is_alike(first, other_first, _LEAST_OF_REST)
 
 
 def _folded(name: str) -> str:

@@ -45,6 +45,29 @@ def test_a_file_that_is_included_by_one_under_a_condition_is_in_use_too(folder: 
     assert severities(folder, "UC163") == [("inner.xacro", "warning")]
 
 
+BOX = """<robot name="box">
+  <link name="cabinet"/>
+  <joint name="bolts" type="fixed"><parent link="{}"/><child link="cabinet"/></joint>
+</robot>"""
+
+
+def test_a_plain_urdf_of_which_all_links_hang_on_others_is_a_part_beside_a_robot(folder: Folder) -> None:
+    folder.write({"crane.urdf.xacro": CRANE.format("", "", ""), "box.urdf": BOX.format("mast")})
+    assert severities(folder, "UC116") == []
+    assert "1 file not used by any robot: box.urdf" in folder.run("lint", ".").stdout
+
+
+def test_a_robot_with_a_root_link_and_a_wrong_parent_is_no_part(folder: Folder) -> None:
+    broken = CRANE.format("", "", "").replace('<parent link="mast"/>', '<parent link="must"/>')
+    folder.write({"crane.urdf.xacro": CRANE.format("", "", ""), "other.urdf": broken})
+    assert severities(folder, "UC116") == [("other.urdf", "error")]
+
+
+def test_a_part_alone_is_checked_as_the_robot_that_it_should_be(folder: Folder) -> None:
+    folder.write({"box.urdf": BOX.format("mast")})
+    assert severities(folder, "UC116") == [("box.urdf", "error")]
+
+
 def test_where_there_is_no_robot_parts_keep_their_severity(folder: Folder) -> None:
     folder.write({"hook.xacro": HOOK.replace("<robot", '<robot name="hook"')})
     assert severities(folder, "UC163") == [("hook.xacro", "warning")]

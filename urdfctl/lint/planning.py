@@ -185,7 +185,12 @@ def with_bringups(
 
 
 def is_robot(result: TargetResult) -> bool:
-    """Return whether a description is a robot: complete with two links, or named with one; or unreadable."""
+    """Return whether a description is a robot: complete with two links, or named with one; or unreadable.
+
+    One that hangs on links of others is none.
+    """
     if result.links is None:
         return True
+    if result.joining.hangs:
+        return False
     return result.links > 1 if result.complete else result.links > 0 and result.robot is not None

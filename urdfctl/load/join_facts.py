@@ -11,6 +11,7 @@ from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
     from urdfctl.model.launch import Launch
+    from urdfctl.model.robot import Robot
 
 _LISTS = ("joints", "declared", "described_in", "started_in", "models")
 _DESCRIBED = (None, "robot_state_publisher", "ros2_control_node")
@@ -21,6 +22,8 @@ class JoinFacts(NamedTuple):
     """Facts of a target by which it is joined with what is started beside it.
 
     joints: the names of the robot's joints.
+    hangs: whether each link of the description is the child of a joint, and some hang on links that it does not have:
+        it is a part, to be joined with the rest of a robot by other means than xacro.
     claimed: without a robot: the joints that its controllers command, each with the namespace of its manager.
     declared: the controllers that its parameter files declare, with their namespaces if known.
     manages: whether it starts a simulator, or a controller manager.
@@ -36,6 +39,7 @@ class JoinFacts(NamedTuple):
     """
 
     joints: tuple[str, ...] = ()
+    hangs: bool = False
     claimed: tuple[tuple[str, str], ...] = ()
     declared: tuple[str, ...] = ()
     manages: bool = False
@@ -62,6 +66,7 @@ def join_facts(project: Project) -> JoinFacts:
     launch = project.launch
     return JoinFacts(
         joints=tuple(name for name in project.robot.joint_names if name) if project.robot else (),
+        hangs=project.robot is not None and _hangs(project.robot),
         claimed=_claimed(project) if project.robot is None and launch is not None and controllers else (),
         declared=tuple(each.full_name for each in controllers if each.declared_at is not None),
         manages=launch is not None and _manages(launch),
@@ -74,6 +79,14 @@ def join_facts(project: Project) -> JoinFacts:
         unread=project.robot is None and launch is not None and _is_unread(launch),
         models=_models(launch) if project.robot is None and launch else (),
     )
+
+
+def _hangs(robot: Robot) -> bool:
+    """Whether a description has no root link of its own, and joints that lead to links of others."""
+    links = {link.name for link in robot.links}
+    children = {joint.child.name for joint in robot.joints if joint.child}
+    parents = {joint.parent.name for joint in robot.joints if joint.parent}
+    return bool(links) and links <= children and not parents <= links
 
 
 def _manages(launch: Launch) -> bool:
