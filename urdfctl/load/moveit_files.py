@@ -15,6 +15,7 @@ from urdfctl.model.moveit.build_moveit import (
     limits_of,
     moveit_controllers,
     pipeline_of,
+    plugin_of,
     solvers_of,
     unlisted_controllers,
 )
@@ -162,6 +163,7 @@ class _MoveItReader:
             pipelines=tuple(self._pipelines(pipelines)),
             empty=tuple(values),
             no_controllers=next((place for place in lists if place), None),
+            plugin=next((plugin for tree in trees if (plugin := plugin_of(tree))), None),
             unlisted=tuple(key for tree in trees for key in unlisted_controllers(tree)),
             problems=tuple(dict.fromkeys(tags)),
         )

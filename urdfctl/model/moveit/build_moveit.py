@@ -11,6 +11,8 @@ from urdfctl.source.span import Place
 from urdfctl.source.yaml.tree import Mapping, Node, Scalar, Sequence, YamlEntry, YamlFile
 
 _MANAGER = "moveit_simple_controller_manager"
+PLUGIN = "moveit_controller_manager"
+"""The parameter of ROS 2's move_group that names the plugin by which it reaches controllers."""
 _REQUIRED = ("type", "action_ns", "joints")
 _NULL = frozenset({"", "~", "null", "Null", "NULL"})
 _PREFIXES = ("robot_description_kinematics", "robot_description_planning", "/**", "ros__parameters")
@@ -45,6 +47,18 @@ def empty_controller_list(file: YamlFile) -> Place | None:
     if inner is not None:
         return _misspelt(inner, "controller_names", Sequence)
     return _misspelt(document, _MANAGER, Mapping) or _misspelt(document, "controller_list", Sequence)
+
+
+def plugin_of(file: YamlFile) -> tuple[Key, Key] | None:
+    """Return the key, which may have one letter wrong, and the value of `moveit_controller_manager`; None if the file
+    has no such key."""
+    document = _document(file)
+    right = _entry(document, PLUGIN)
+    entries = (right,) if right else document.entries if document else ()
+    for entry in entries:
+        if isinstance(entry.value, Scalar) and (entry is right or is_slip(entry.key.text, PLUGIN)):
+            return Key(entry.key.text, entry.key.at), Key(entry.value.text, entry.value.at)
+    return None
 
 
 def _misspelt(mapping: Mapping | None, name: str, kind: type[Mapping | Sequence]) -> Place | None:

@@ -168,6 +168,7 @@ class MoveIt(NamedTuple):
     controllers: the controllers that MoveIt sends trajectories to.
     empty: empty lists and missing values in the YAML files, with their keys.
     no_controllers: an empty list of controllers.
+    plugin: the key, which may be misspelt, and the value of `moveit_controller_manager`.
     unlisted: the sections of controllers that `controller_names` does not list.
     problems: why the files are rejected.
     guessed: whether the arguments of the launch file are guessed, so that the files may be for another robot.
@@ -181,6 +182,7 @@ class MoveIt(NamedTuple):
     pipelines: tuple[Pipeline, ...] = ()
     empty: tuple[tuple[str, Place], ...] = ()
     no_controllers: Place | None = None
+    plugin: tuple[Key, Key] | None = None
     unlisted: tuple[Key, ...] = ()
     problems: tuple[Problem, ...] = ()
     guessed: bool = False

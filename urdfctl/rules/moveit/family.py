@@ -19,6 +19,7 @@ from urdfctl.rules.moveit.moveit_controller_unlisted import moveit_controller_un
 from urdfctl.rules.moveit.moveit_file_missing import moveit_file_missing
 from urdfctl.rules.moveit.moveit_joint_unknown import moveit_joint_unknown
 from urdfctl.rules.moveit.moveit_joints_differ import moveit_joints_differ
+from urdfctl.rules.moveit.moveit_plugin_unknown import moveit_plugin_unknown
 from urdfctl.rules.moveit.pipeline_of_other_distro import pipeline_of_other_distro
 from urdfctl.rules.moveit.semantic_chain_broken import semantic_chain_broken
 from urdfctl.rules.moveit.semantic_group_unknown import semantic_group_unknown
@@ -57,4 +58,5 @@ FAULTS: tuple[Fault, ...] = (
     kinematics_without_prefix,
     moveit_controller_unlisted,
     moveit_file_missing,
+    moveit_plugin_unknown,
 )
