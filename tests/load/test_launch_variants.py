@@ -78,7 +78,7 @@ def test_a_robot_whose_parts_an_argument_decides_is_linted_with_its_values_and_n
     parts = "<robot><link name='base'/><link name='base'/></robot>"
     files = {"small/parts.xacro": parts, "small/limits.yaml": "a: 1", "r.urdf.xacro": NEEDS_KIND}
     folder.write({**files, "l.launch": start.format("", command)})
-    assert "some parts could not be expanded" in folder.run("lint", "--select", "UC110").stdout
+    assert "some parts are not known" in folder.run("lint", "--select", "UC110").stdout
     folder.write({"l.launch": start.format(loading, command)})
     assert "error UC110" in folder.run("lint", "--select", "UC110").stdout
 

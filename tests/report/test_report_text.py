@@ -208,7 +208,7 @@ def test_the_summary_says_what_the_distro_was_told_by(folder: Folder) -> None:
     generation = robot(folder, distro=None, source="package.xml")._replace(ros=2)
     assert summary(generation) == "no findings in r.xacro (ROS 2, from package.xml)\n"
     partly = robot(folder)._replace(complete=False)
-    assert summary(partly) == "no findings in r.xacro (noetic; some parts could not be expanded)\n"
+    assert summary(partly) == "no findings in r.xacro (noetic; some parts are not known)\n"
     assert summary(robot(folder, "a"), robot(folder, "b")) == "no findings in 2 robots\n"
     assert text.render(Report((robot(folder),), (), unused=("a.yaml", "b.xacro", "c.launch", "d.yaml"))) == (
         "4 files not used by any robot: a.yaml, b.xacro, c.launch and 1 more\nno findings in r.xacro (noetic)\n"

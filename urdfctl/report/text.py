@@ -240,7 +240,7 @@ def _details(report: Report) -> str:
     target = next((target for target in report.targets if target.distro_from), report.targets[0])
     distro = target.distro or (f"ROS {target.ros}" if target.ros else "")
     source = f", from {target.distro_from}" if target.distro_from and not target.distro_from.startswith("--") else ""
-    partly = "; some parts could not be expanded" if not target.complete else ""
+    partly = "; some parts are not known" if not target.complete else ""
     if target.library:
         partly = "; macros not called in these files"
     return f" ({distro}{source}{partly})" if distro else f" ({partly[2:]})" if partly else ""

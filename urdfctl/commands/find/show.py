@@ -100,7 +100,7 @@ def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:
         absent = f"launch files of {', '.join(bringup.absent)}, not in this workspace"
         yield "unknown", absent if bringup.absent else "some of what the launch file starts could not be determined"
     if not target.complete:
-        yield "incomplete", "not all of the description could be expanded"
+        yield "incomplete", "not all of the description is known"
 
 
 def _arguments(bringup: Bringup) -> str:

@@ -38,6 +38,14 @@ class Expansion(NamedTuple):
 
     @property
     def complete(self) -> bool:
-        """False where a problem or an unknown argument cost a part of the robot."""
-        whole = self.document is not None and not self.library and not self.partial
+        """False where a problem or an unknown argument cost a part of the robot, or Webots adds one."""
+        whole = self.document is not None and not self.library and not self.partial and not self._is_for_webots
         return whole and all(p.kind in HARMLESS for p in self.problems)
+
+    @property
+    def _is_for_webots(self) -> bool:
+        """Whether a description only tells Webots which devices a robot of its world has (webots_ros2_driver
+        WebotsNode.cpp reads `<webots>`): there are the links and joints."""
+        root = self.document.documentElement if self.document else None
+        tags = {child.tagName for child in root.elements()} if root else set()
+        return "webots" in tags and "link" not in tags

@@ -358,8 +358,12 @@ class _Walk:
             self.simulations.append(simulation)
 
     def component(self, term: Called, scope: ActionScope, state: State) -> None:
-        """Follow an action of ros_gz that starts a node."""
+        """Follow an action of ros_gz or Webots that starts a node."""
         self._act(node_of_component(term), scope, state)
+
+    def waiting(self, term: Called, scope: ActionScope, state: State) -> None:
+        """Follow the nodes that are started when a driver is connected to Webots."""
+        self.action(term.given("nodes_to_start", 1), scope, state)
 
     def _process(self, term: Called, scope: ActionScope, state: State) -> None:
         words = self.nodes(scope).command(term, sure=state.sure, held=state.held, after=state.after)
@@ -388,6 +392,7 @@ _ACTIONS: dict[str, Callable[[_Walk, Called, ActionScope, State], None]] = {
     "IncludeLaunchDescription": _Walk.include,
     "ComposableNodeContainer": _Walk.composed,
     "LoadComposableNodes": _Walk.composed,
+    "WaitForControllerConnection": _Walk.waiting,
     **dict.fromkeys(COMPONENTS, _Walk.component),
     **dict.fromkeys(LAUNCHES, _Walk.moveit),
 }

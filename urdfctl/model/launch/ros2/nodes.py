@@ -10,7 +10,7 @@ from urdfctl.model.launch.ros2.descriptions import as_written
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import INCLUDED_BY_DEMO, builder_of
 from urdfctl.model.launch.ros2.parameters import DESCRIBED, MANAGERS, NodeParameters
-from urdfctl.model.launch.ros2.simulators import package_outside
+from urdfctl.model.launch.ros2.simulators import WEBOTS_DRIVER, package_outside
 from urdfctl.model.launch.ros2.spawner import SpawnerArguments, command_arguments, manager_of, spawner_arguments
 from urdfctl.model.launch.ros2.texts import Content, Texts, rewriting_of
 from urdfctl.source.launch.terms import Called, Constant, Items, OneOf, Perhaps, Table, Term, UnknownTerm
@@ -59,7 +59,7 @@ class Nodes:
         namespace = if_known(self._namespace(term))
         parameters = NodeParameters(
             term.keywords.get("parameters"),
-            executable.text,
+            WEBOTS_DRIVER if package.text == WEBOTS_DRIVER else executable.text,
             facts=self.facts,
             texts=self.texts,
             namespace=namespace,

@@ -9,12 +9,13 @@ from urdfctl.model.launch.ros2.descriptions import as_written, content_of, is_of
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.given import section_of
 from urdfctl.model.launch.ros2.moveit import builder_of, files_of_table
+from urdfctl.model.launch.ros2.simulators import WEBOTS_DRIVER
 from urdfctl.model.launch.ros2.texts import Content, Texts, rewriting_of
 from urdfctl.source.launch.terms import Called, Constant, Items, Member, OneOf, Perhaps, Table, Term
 from urdfctl.source.opaque import UNKNOWN
 
 MANAGERS = ("ros2_control_node",)
-DESCRIBED = ("robot_state_publisher", *MANAGERS, "move_group")
+DESCRIBED = ("robot_state_publisher", *MANAGERS, "move_group", WEBOTS_DRIVER)
 """The programs that take a robot description."""
 _OF_MANAGERS = r"ros2_control|controller_manager"
 _MAY_MANAGE = r"control|manager|driver|hardware|simulat|mujoco|isaac|webots"
@@ -135,9 +136,15 @@ class NodeParameters:
         takes = self.executable in DESCRIBED or re.search(_OF_MANAGERS, self.executable)
         if not takes or is_of_other_node(value, self.texts):
             return
-        content = content_of(value, self.texts, self.facts.exists) or Content(None, None, value.at)
+        content = content_of(value, self.texts, self.facts.exists) or self._of_a_path(value)
         content = as_written(content, self.texts, self.facts.exists)
         self.facts.described(content, self.executable, self.namespace, sure=self.sure)
+
+    def _of_a_path(self, value: Term) -> Content:
+        """The description that a program reads from a path; unknown if it takes none."""
+        path = self.texts.of(value) if self.executable == WEBOTS_DRIVER else ""
+        is_path = re.fullmatch(_DESCRIPTION_PATH, path) is not None
+        return Content(path, (), value.at) if is_path else Content(None, None, value.at)
 
     def _file(self, term: Constant | Called | Items) -> None:
         text = self.texts.of(term)

@@ -12,8 +12,16 @@ from urdfctl.source.launch.terms import Called, Constant, Items, Table, Term
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
-COMPONENTS = {"GzServer": ("ros_gz_sim", "gzserver"), "RosGzBridge": ("ros_gz_bridge", "bridge_node")}
-"""Actions of ros_gz that start a node, with its package and program."""
+WEBOTS_DRIVER = "webots_ros2_driver"
+"""The package of Webots' driver, which may have the controller manager; its robot_description is the path of a file."""
+COMPONENTS = {
+    "GzServer": ("ros_gz_sim", "gzserver"),
+    "RosGzBridge": ("ros_gz_bridge", "bridge_node"),
+    "WebotsController": (WEBOTS_DRIVER, "driver"),
+}
+"""Actions of ros_gz and Webots that start a node, with its package and program."""
+_AS_A_NODE = ("namespace", "parameters", "remappings")
+"""What webots_ros2_driver's webots_controller.py WebotsController takes as a node does."""
 _SERVERS = ("gz_server.launch", "gzserver.launch", "ros_gz_sim.launch")
 """How the launch files of ros_gz_sim begin that start the server alone, which is never paused (gzserver.cpp)."""
 _SPAWNING = ("gz_spawn_model.launch", "ros_gz_spawn_model.launch")
@@ -111,11 +119,9 @@ def _gz(arguments: str, at: Place, *, sure: bool, is_open: bool = False) -> Simu
 
 
 def node_of_component(term: Called) -> Called:
-    """Return the node that an action of ros_gz starts: the server, which is never paused, or a bridge."""
+    """Return the node that an action starts: gz's server, which is never paused, a bridge, or Webots' driver."""
     package, program = COMPONENTS[term.short]
-    keywords: dict[str, Term] = {}
-    if "namespace" in term.keywords:
-        keywords["namespace"] = term.keywords["namespace"]
+    keywords: dict[str, Term] = {name: term.keywords[name] for name in _AS_A_NODE if name in term.keywords}
     file = term.given("config_file")
     if file is not None:
         table = Table(term.at)
