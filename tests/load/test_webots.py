@@ -52,6 +52,9 @@ NODE = """Node(package="webots_ros2_driver", executable="driver",
                   parameters=[{"robot_description": description}, wheels])"""
 
 
+XACRO = DEVICES.replace("<robot", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"').replace("left", "$(arg side)")
+
+
 def package(folder: Folder, launch: str = LAUNCH, wheels: str = WHEELS) -> None:
     files = {"package.xml": MANIFEST, "resource/newt.urdf": DEVICES, "config/wheels.yaml": wheels}
     folder.write({**files, "launch/pond.launch.py": launch})
@@ -74,6 +77,15 @@ def test_the_driver_joins_the_description_the_controllers_and_what_waits_for_it(
         "controllers config/wheels.yaml",
         "spawned drive",
     ]
+
+
+def test_the_driver_expands_a_description_with_the_arguments_of_its_parameter(folder: Folder) -> None:
+    described = '{"robot_description": description}'
+    mapped = LAUNCH.replace(described, described + ', {"xacro_mappings": ["side:=left"]}')
+    package(folder, mapped.replace("newt.urdf", "newt.urdf.xacro"))
+    folder.write({"resource/newt.urdf.xacro": XACRO})
+    assert "newt.urdf.xacro side:=left" in folder.run("show", ".").stdout
+    assert [code for code, _ in findings(folder) if code != "UC614"] == []
 
 
 def test_a_description_of_devices_alone_is_sound(folder: Folder) -> None:

@@ -20,6 +20,7 @@ DESCRIBED = ("robot_state_publisher", *MANAGERS, "move_group", WEBOTS_DRIVER)
 _OF_MANAGERS = r"ros2_control|controller_manager"
 _MAY_MANAGE = r"control|manager|driver|hardware|simulat|mujoco|isaac|webots"
 """In the name of a program that may contain a controller manager; another one gets the description."""
+_MAPPINGS = "xacro_mappings"
 _DESCRIPTION, _SEMANTIC = "robot_description", "robot_description_semantic"
 _DESCRIPTION_PATH = r"[^<>\s]+\.(?:urdf|xacro|sdf)"
 """A text in place of a description that is the path of its file."""
@@ -56,6 +57,7 @@ class NodeParameters:
         self.files: list[Word] = []
         self._plain: list[tuple[Term, Word]] = []
         self.complete = True
+        self._tables = [each for each in given.values if isinstance(each, Table)] if isinstance(given, Items) else []
         if isinstance(given, Items):
             for value in given.values:
                 self._add(value)
@@ -141,10 +143,17 @@ class NodeParameters:
         self.facts.described(content, self.executable, self.namespace, sure=self.sure)
 
     def _of_a_path(self, value: Term) -> Content:
-        """The description that a program reads from a path; unknown if it takes none."""
+        """The description that a program reads from a path; unknown if it takes none.
+
+        webots_ros2_driver WebotsNode.cpp expands it with the arguments in `xacro_mappings`.
+        """
         path = self.texts.of(value) if self.executable == WEBOTS_DRIVER else ""
-        is_path = re.fullmatch(_DESCRIPTION_PATH, path) is not None
-        return Content(path, (), value.at) if is_path else Content(None, None, value.at)
+        if not re.fullmatch(_DESCRIPTION_PATH, path):
+            return Content(None, None, value.at)
+        given = next((table.entries[_MAPPINGS] for table in self._tables if _MAPPINGS in table.entries), None)
+        words = [self.texts.of(each).partition(":=") for each in given.values] if isinstance(given, Items) else []
+        is_known = given is None or isinstance(given, Items)
+        return Content(path, tuple((name, text) for name, _, text in words) if is_known else None, value.at)
 
     def _file(self, term: Constant | Called | Items) -> None:
         text = self.texts.of(term)
