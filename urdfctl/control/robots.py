@@ -35,10 +35,21 @@ def is_fragment(robot: Robot) -> bool:
         return False
     if len(robot.links) < 2:  # noqa: PLR2004
         return True
+    return _leads_outward(robot) and (_is_rootless(robot) or robot.name is None)
+
+
+def hangs_on_others(robot: Robot) -> bool:
+    """Return whether a description has no root link of its own, and joints that lead to links of others."""
+    return bool(robot.links) and _is_rootless(robot) and _leads_outward(robot)
+
+
+def _leads_outward(robot: Robot) -> bool:
     links = {link.name for link in robot.links}
-    outward = any(joint.parent and joint.parent.name not in links for joint in robot.joints)
-    rootless = links <= {joint.child.name for joint in robot.joints if joint.child}
-    return outward and (rootless or robot.name is None)
+    return any(joint.parent and joint.parent.name not in links for joint in robot.joints)
+
+
+def _is_rootless(robot: Robot) -> bool:
+    return {link.name for link in robot.links} <= {joint.child.name for joint in robot.joints if joint.child}
 
 
 def is_whole(project: Project, at: Place) -> bool:

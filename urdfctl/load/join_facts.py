@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
+from urdfctl.control.robots import hangs_on_others
 from urdfctl.model.project import Project
 from urdfctl.source.opaque import OUTSIDE, UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
     from urdfctl.model.launch import Launch
-    from urdfctl.model.robot import Robot
 
 _LISTS = ("joints", "declared", "described_in", "started_in", "models")
 _DESCRIBED = (None, "robot_state_publisher", "ros2_control_node")
@@ -66,7 +66,7 @@ def join_facts(project: Project) -> JoinFacts:
     launch = project.launch
     return JoinFacts(
         joints=tuple(name for name in project.robot.joint_names if name) if project.robot else (),
-        hangs=project.robot is not None and _hangs(project.robot),
+        hangs=project.robot is not None and hangs_on_others(project.robot),
         claimed=_claimed(project) if project.robot is None and launch is not None and controllers else (),
         declared=tuple(each.full_name for each in controllers if each.declared_at is not None),
         manages=launch is not None and _manages(launch),
@@ -79,14 +79,6 @@ def join_facts(project: Project) -> JoinFacts:
         unread=project.robot is None and launch is not None and _is_unread(launch),
         models=_models(launch) if project.robot is None and launch else (),
     )
-
-
-def _hangs(robot: Robot) -> bool:
-    """Whether a description has no root link of its own, and joints that lead to links of others."""
-    links = {link.name for link in robot.links}
-    children = {joint.child.name for joint in robot.joints if joint.child}
-    parents = {joint.parent.name for joint in robot.joints if joint.parent}
-    return bool(links) and links <= children and not parents <= links
 
 
 def _manages(launch: Launch) -> bool:
