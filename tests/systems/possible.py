@@ -307,7 +307,16 @@ def condition(system: System, idioms: Idioms, position: str) -> bool:
 
 
 def manager_description(system: System, idioms: Idioms, position: str) -> bool:
-    """Before jazzy the manager reads `~/robot_description`; since kilted it has no such parameter."""
+    """Before jazzy the manager reads `~/robot_description`; since kilted it has no such parameter.
+
+    That of Webots is in its driver, which takes the paths of files, as texts.
+    """
+    if position == "webots":
+        robot = system.robots[0]
+        is_text = idioms["source"] == "urdf" and idioms["argued"] == "nothing" and has_python(system, idioms, "")
+        is_file = idioms["parameters"] in ("one file", "several files")
+        as_it_is = is_file and idioms["sections"] not in ("replaced", "rewritten")
+        return _real_ros2(system) and not system.is_fleet and not robot.namespace and is_text and as_it_is
     return (
         _real_ros2(system)
         and system.distro in {"topic": ("jazzy", "kilted"), "parameter": ("humble", "jazzy")}[position]

@@ -7,7 +7,7 @@ from textwrap import indent
 from typing import NamedTuple
 
 from systems.possible import Idioms
-from systems.render.hardware import hardware_of, plugin_of
+from systems.render.hardware import WEBOTS, hardware_of, plugin_of
 from systems.render.places import (
     Places,
     config_folder,
@@ -134,6 +134,8 @@ def _body(system: System, idioms: Idioms, robot: Robot, words: _Words) -> str:
 
 
 def _hardware(system: System, idioms: Idioms, robot: Robot, prefix: str) -> str:
+    if idioms["manager description"] == "webots":
+        return WEBOTS + hardware_of(system, robot, prefix, in_webots=True)
     if idioms["hardware"] == "fixed":
         return hardware_of(system, robot, prefix)
     real, simulated = both(system)

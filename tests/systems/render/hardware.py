@@ -11,7 +11,11 @@ _INTERFACES = {
 }
 
 
-def hardware_of(system: System, robot: Robot, prefix: str) -> str:
+WEBOTS = '<webots>\n  <plugin type="webots_ros2_control::Ros2Control"/>\n</webots>\n'
+"""What runs the controllers in Webots' driver."""
+
+
+def hardware_of(system: System, robot: Robot, prefix: str, *, in_webots: bool = False) -> str:
     """Return the part that offers interfaces. prefix: as the description writes it."""
     if system.generation == 1:
         return "".join(_transmission(joint, prefix) for joint in robot.joints)
@@ -21,6 +25,7 @@ def hardware_of(system: System, robot: Robot, prefix: str) -> str:
         CLASSIC: "gazebo_ros2_control/GazeboSystem",
         GZ: "ign_ros2_control/IgnitionSystem" if system.distro == "humble" else "gz_ros2_control/GazeboSimSystem",
     }[system.simulator]
+    plugin = "webots_ros2_control::Ros2ControlSystem" if in_webots else plugin
     return (
         f'<ros2_control name="{prefix}{robot.model}_hardware" type="system">\n  <hardware>\n'
         f"    <plugin>{plugin}</plugin>\n  </hardware>\n{joints}</ros2_control>\n"

@@ -8,11 +8,12 @@ from urdfctl.control.hardware.simulator_plugins import control_plugins, namespac
 from urdfctl.control.hosts import CONTROLLER_MANAGER, MANAGER, state_publisher
 from urdfctl.model.launch import Launch, Node, Spawn
 from urdfctl.rule import Project
-from urdfctl.rules.common import is_known
+from urdfctl.rules.common import is_known, robot_in
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 ROS_2 = 2
+_OF_WEBOTS = "webots_ros2_control::Ros2Control"
 
 
 class Running(NamedTuple):
@@ -65,13 +66,27 @@ def simulators_managers(project: Project) -> Iterator[Running]:
         )
 
 
+def webots_managers(project: Project, launch: Launch) -> Iterator[Running]:
+    """Yield the controller managers that Webots' driver starts with its plugin in the description.
+
+    webots_ros2_control Ros2Control.cpp init(): their name is always `controller_manager`.
+    """
+    robot = robot_in(project)
+    of_webots = [tag for tag in robot.others if tag.name == "webots"] if robot else []
+    types = [plugin.attributes.get("type") for tag in of_webots for plugin in tag.named("plugin")]
+    for node in launch.nodes if _OF_WEBOTS in types else ():
+        if node.runs("webots_ros2_driver", "driver"):
+            yield Running(node.namespace, CONTROLLER_MANAGER, node.at, node)
+
+
 def managers(project: Project, launch: Launch) -> tuple[Running, ...]:
     """Return the running controller managers of ROS 2.
 
     The plugin of a simulator is in the description also where the launch file starts none.
     """
     nodes = (Running(node.namespace, node.name or CONTROLLER_MANAGER, node.at, node) for node in manager_nodes(launch))
-    return (*nodes, *(() if launch.runs_without_simulator else simulators_managers(project)))
+    simulated = () if launch.runs_without_simulator else simulators_managers(project)
+    return (*nodes, *simulated, *webots_managers(project, launch))
 
 
 def is_sure(launch: Launch) -> bool:

@@ -9,7 +9,7 @@ from urdfctl.model.launch import Launch, Spawn
 from urdfctl.names import fuller, is_only_slip, nearest
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words, replaced
-from urdfctl.rules.launch.common import ROS_2, is_spawner, manager_nodes, simulators_managers
+from urdfctl.rules.launch.common import ROS_2, is_spawner, managers, simulators_managers
 from urdfctl.rules.launch_samples import (
     ARM,
     BROADCASTER,
@@ -91,10 +91,8 @@ def _is_all_known(project: Project, launch: Launch) -> bool:
     """Return whether all parameters of the running managers are known. In ROS 2, every manager and all its files must be."""
     if launch.ros != ROS_2:
         return True
-    nodes = manager_nodes(launch)
-    if not nodes and not any(True for _ in simulators_managers(project)):
-        return False
-    return all(node.complete for node in nodes)
+    running = (*managers(project, launch), *simulators_managers(project))
+    return bool(running) and all(manager.node is None or manager.node.complete for manager in running)
 
 
 def _is_meant(name: str, spawn: Spawn, controller: Controller) -> bool:

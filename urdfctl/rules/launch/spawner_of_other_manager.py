@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import ROS2
 from urdfctl.control.hosts import hosts_no_manager
 from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import in_words
-from urdfctl.rules.launch.common import ROS_2, Running, launch_of, manager_nodes, managers
+from urdfctl.rules.launch.common import ROS_2, Running, launch_of, managers
 from urdfctl.rules.launch_samples import (
     BROADCASTER,
     FILE,
@@ -61,7 +61,8 @@ def spawner_of_other_manager(project: Project) -> Iterator[Finding]:
     running = managers(project, launch)
     if not running or not all(_is_known(manager) for manager in running) or _placed_by_simulator(project):
         return
-    if not all(hosts_no_manager(node) or node in manager_nodes(launch) for node in launch.nodes):
+    known = [manager.node for manager in running]
+    if not all(hosts_no_manager(node) or node in known for node in launch.nodes):
         return
     names = {manager.full_name for manager in running}
     for spawn in launch.spawns:

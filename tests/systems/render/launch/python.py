@@ -221,6 +221,8 @@ class _Writer:
         if isinstance(action, Execute):
             words = listed([self.values.value(word) for word in action.words])
             return call(self.values.use("ExecuteProcess"), f"cmd={words}", 'output="screen"', *condition)
+        if action.package == "webots_ros2_driver":
+            return self._driver(action)
         words = [f'package="{action.package}"', f'executable="{action.executable}"']
         words += [f'name="{action.name}"'] if action.name else []
         words += [f"namespace={self.values.value(action.namespace)}"] if action.namespace else []
@@ -229,6 +231,14 @@ class _Writer:
         if action.remaps:
             words.append(f"remappings={listed([str(remap).replace(chr(39), chr(34)) for remap in action.remaps])}")
         return call(self.values.use("Node"), *words, *condition)
+
+    def _driver(self, node: Node) -> str:
+        """Webots' driver, whose parameters are texts: `WebotsController` takes no substitution for a path."""
+        files = [self.values.text(one.path) for one in node.parameters if isinstance(one, ParamFile)]
+        found = (one.value for one in node.parameters if isinstance(one, Param))
+        paths = [self.values.text(one.path) for one in found if isinstance(one, Description)]
+        items = [*(f'{{"robot_description": {path}}}' for path in paths), *files]
+        return call(self.values.use("WebotsController"), 'robot_name="robot"', f"parameters={listed(items)}")
 
     def _word(self, word: Value) -> str:
         """A word of a command line; it may be the whole description."""

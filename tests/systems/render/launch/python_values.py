@@ -22,6 +22,7 @@ _IMPORTS = {
     "RewrittenYaml": "from nav2_common.launch import RewrittenYaml",
     "XMLLaunchDescriptionSource": "from launch_xml.launch_description_sources import XMLLaunchDescriptionSource",
     "YAMLLaunchDescriptionSource": "from launch_yaml.launch_description_sources import YAMLLaunchDescriptionSource",
+    "WebotsController": "from webots_ros2_driver.webots_controller import WebotsController",
     **dict.fromkeys(("Node", "PushRosNamespace"), "from launch_ros.actions import {}"),
     **dict.fromkeys(
         (

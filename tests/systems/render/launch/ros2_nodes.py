@@ -114,7 +114,11 @@ def _spawned_model(values: Values, namespace: Value) -> Node:
 def _manager(values: Values) -> list[Action]:
     system, idioms = values.system, values.idioms
     how = idioms["manager description"]
-    description = (Param("robot_description", values.description),) if how == "parameter" else ()
+    package, program = (
+        ("webots_ros2_driver", "driver") if how == "webots" else ("controller_manager", "ros2_control_node")
+    )
+    is_given = how in ("parameter", "webots")
+    description = (Param("robot_description", values.description),) if is_given else ()
     rewritten = idioms["sections"] if idioms["sections"] in ("replaced", "rewritten") else ""
     rewritten = "written" if idioms["parameters"] == "written" else rewritten
     files = tuple(ParamFile(path, rewritten, values.namespace) for path in values.files)
@@ -124,8 +128,8 @@ def _manager(values: Values) -> list[Action]:
     remaps = (("~/robot_description", "robot_description"),) if how == "remap" else ()
     return [
         Node(
-            "controller_manager",
-            "ros2_control_node",
+            package,
+            program,
             namespace=_namespace(values),
             parameters=(*description, *files, *types),
             remaps=remaps,

@@ -27,6 +27,7 @@ from urdfctl.model.launch.ros2.simulators import (
     commanded_simulation,
     included_nodes,
     included_simulation,
+    is_supervisor,
     node_of_component,
     node_simulation,
     package_outside,
@@ -135,7 +136,7 @@ class _Walk:
             self._apart(term.options, scope, state)
         elif isinstance(term, Called):
             self._called(term, scope, state)
-        elif not (term is None or isinstance(term, Constant)):
+        elif not (term is None or isinstance(term, Constant) or is_supervisor(term)):
             self.complete = False
 
     def _apart(self, terms: Sequence[Term], scope: ActionScope, state: State) -> None:

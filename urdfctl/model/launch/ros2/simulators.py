@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.model.launch import Node, Simulation, Word
 from urdfctl.model.launch.ros2.texts import Texts
-from urdfctl.source.launch.terms import Called, Constant, Items, Table, Term
+from urdfctl.source.launch.terms import Called, Constant, Items, Member, Table, Term
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
@@ -116,6 +116,11 @@ def _gz(arguments: str, at: Place, *, sure: bool, is_open: bool = False) -> Simu
     is_unknown = UNKNOWN in arguments or is_open
     paused = False if runs else None if is_unknown else True
     return Simulation("gz", at, paused, sure)
+
+
+def is_supervisor(term: Term) -> bool:
+    """Return whether a term is what a WebotsLauncher starts beside Webots to spawn models (webots_launcher.py)."""
+    return isinstance(term, Member) and isinstance(term.of, Called) and term.of.short == "WebotsLauncher"
 
 
 def node_of_component(term: Called) -> Called:
