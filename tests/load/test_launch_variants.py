@@ -172,3 +172,13 @@ def test_an_empty_default_of_an_included_launch_file_is_not_a_file_name(folder: 
     launch = Loader(Settings()).load(Target(str(folder.path / "l.launch"))).project.launch
     assert launch is not None
     assert {reference.use: reference.file.exists for reference in launch.references}["parameters"] is None
+
+
+def test_a_guess_that_brings_no_robot_does_not_stand_beside_a_documented_start(folder: Folder) -> None:
+    loading = '<launch>\n  <arg name="speed"/><rosparam file="$(dirname)/$(arg speed).yaml"/>'
+    text = NEEDS_MODEL.format("", DESCRIPTION).replace("<launch>", loading)
+    folder.write({"small.urdf.xacro": ROBOT, "large.urdf.xacro": ROBOT, "fast.yaml": "a: 1", "slow.yaml": "a: 1"})
+    folder.write({"l.launch": text})
+    told = (("speed", "slow"), ("model", "large"))
+    found = Loader(Settings()).variants(Target(str(folder.path / "l.launch"), documented=((told, "README.md:1"),)))
+    assert [(one.arguments, one.told_at) for one in found] == [(told, "README.md:1")]

@@ -42,7 +42,7 @@ class LaunchVariant(NamedTuple):
 
 def launch_variants(read: Read, documented: Iterable[Mapping[str, str]] = ()) -> list[LaunchVariant]:
     """Return the arguments to start a launch file with: none if it needs none, or if nothing is known about them; and
-    those that are documented, where something else is started with them.
+    those that are documented, where something else is started with them: guesses beside these must bring a robot.
 
     A launch file that finds its robot may still need an argument by which the robot's parameter files are loaded.
     """
@@ -52,8 +52,9 @@ def launch_variants(read: Read, documented: Iterable[Mapping[str, str]] = ()) ->
         return guesses
     default = read({})
     required = {name for name, value in default.arguments if value is None} if default else set()
-    left = [one for one in guesses if one.is_guessed and not _lacks(dict(one.arguments), required, told.values())]
-    left = [one for one in left if _started(read(dict(one.arguments))) not in told]
+    kept = [one for one in guesses if one.is_guessed and not _lacks(dict(one.arguments), required, told.values())]
+    read_with = ((one, read(dict(one.arguments))) for one in kept)
+    left = [one for one, other in read_with if other and other.robots and _started(other) not in told]
     if default is None or required:
         return [*told.values(), *left]
     return [LaunchVariant(), *(one for started, one in told.items() if started != _started(default)), *left]
