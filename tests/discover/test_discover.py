@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from folder import Folder
 
+from urdfctl.discover.launch_files import only_mentioned
 from urdfctl.discover.robots import DiscoveredFiles, discover_files
 from urdfctl.errors import UserError
 
@@ -312,3 +313,18 @@ def test_a_launch_file_in_xml_is_not_included_by_one_that_includes_its_namesake(
     assert launches() == ["arm/launch/bringup.launch", "arm/launch/empty_world.launch"]
     folder.write({"arm/launch/bringup.launch": world.format(include.format("arm"))})
     assert launches() == ["arm/launch/bringup.launch"]
+
+
+NODE = '<launch><node pkg="robot_state_publisher" {}="robot_state_publisher"/></launch>'
+
+
+def test_the_ending_launch_xml_says_only_in_ros_1_that_others_include_a_file() -> None:
+    texts = {"old/parts.launch.xml": NODE.format("type").encode(), "new/parts.launch.xml": NODE.format("exec").encode()}
+    assert only_mentioned(texts, ()) == ["new/parts.launch.xml"]
+
+
+def test_the_launch_files_beside_a_demo_of_moveit_belong_to_it() -> None:
+    publishing = b'Node(package="robot_state_publisher")'
+    texts = dict.fromkeys(("a/rsp.launch.py", "a/start.launch.py", "b/rsp.launch.py"), publishing)
+    demo = {"a/demo.launch.py": b"return generate_demo_launch(moveit_config)"}
+    assert only_mentioned({**demo, **texts}, demo) == ["a/start.launch.py", "b/rsp.launch.py"]

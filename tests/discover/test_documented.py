@@ -149,3 +149,45 @@ def test_a_guess_stays_beside_a_documented_start_of_the_same_robot_in_another_mo
     needy = NEEDS_TWO.replace('name="sim" default="true"', 'name="sim"')
     found = started(folder, "roslaunch arm go.launch model:=small sim:=false", needy)
     assert ({"model": "small"}, "small.urdf") not in found
+
+
+CHOOSING = """\
+<launch>
+  <arg name="moving" default="true"/>
+  <param name="robot_description" textfile="$(dirname)/small.urdf"/>
+  <node if="$(arg moving)" pkg="controller_manager" type="spawner" name="s" args="arm_controller"/>
+</launch>
+"""
+STILL = "<launch><include file='$(find arm)/launch/go.launch'><arg name='moving' value='false'/></include></launch>"
+
+
+def spawned(folder: Folder, readme: str, launch: str, outer: str = STILL) -> list[tuple[str, list[str], str | None]]:
+    """What each launch file spawns, and where a text starts it, beside another one that includes it."""
+    folder.write({"arm/launch/still.launch": outer})
+    started(folder, readme, launch)
+    targets = json.loads(folder.run("show", "--format", "json", ".").stdout)["targets"]
+    launched = [one for one in targets if one["launch"]]
+    return sorted((one["launch"].rpartition("/")[2], one["spawned"], one["arguments_from"]) for one in launched)
+
+
+def test_an_included_launch_file_that_people_start_without_arguments_is_checked_with_its_defaults(
+    folder: Folder,
+) -> None:
+    found = spawned(folder, "# Arm\nroslaunch arm go.launch", CHOOSING)
+    assert found == [("go.launch", ["arm_controller"], "README.md:2"), ("still.launch", [], None)]
+    assert "  arguments   none  (as in README.md:2)\n" in folder.run("show", ".").stdout
+
+
+@pytest.mark.parametrize(
+    ("readme", "launch", "outer"),
+    [
+        ("roslaunch arm go.launch moving:=<yes or no>", CHOOSING, STILL),
+        ("roslaunch arm still.launch", CHOOSING, STILL),
+        ("roslaunch arm go.launch", CHOOSING, STILL.replace("false", "true")),
+        ("roslaunch arm go.launch", CHOOSING.replace('if="$(arg moving)" ', ""), STILL),
+    ],
+)
+def test_an_included_launch_file_is_not_checked_again_where_nothing_else_is_started(
+    readme: str, launch: str, outer: str, folder: Folder
+) -> None:
+    assert [name for name, _, _ in spawned(folder, readme, launch, outer)] == ["still.launch"]

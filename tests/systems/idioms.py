@@ -127,6 +127,7 @@ SWITCHES = {
     "told": Switch(("nowhere", "readme", "document", "script"), possible.told),
     "event": Switch(("none", "on exit", "on start", "timer"), possible.event),
     "condition": Switch(("none", "if", "unless", "expression", "equals", "substitution", "python"), possible.condition),
+    "reduced": Switch(("nothing", "around"), possible.reduced),
     "manager description": Switch(("remap", "parameter", "topic", "webots"), possible.manager_description),
     "packages": Switch(("one", "two", "three"), possible.not_moveit),
     "build": Switch(("cmake", "python"), possible.build),

@@ -306,6 +306,13 @@ def condition(system: System, idioms: Idioms, position: str) -> bool:
     return not system.moveit
 
 
+def reduced(system: System, idioms: Idioms, _position: str) -> bool:
+    """Another file around the only start of one robot gives another value to the argument of its condition."""
+    one = around(system, idioms, "") and idioms["around"] == "nothing" and not system.is_fleet
+    needs_nothing = idioms["told"] == "nowhere" and idioms["address"] == "none"
+    return one and needs_nothing and idioms["depth"] == "flat" and idioms["condition"] != "none"
+
+
 def manager_description(system: System, idioms: Idioms, position: str) -> bool:
     """Before jazzy the manager reads `~/robot_description`; since kilted it has no such parameter.
 

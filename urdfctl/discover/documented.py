@@ -38,11 +38,16 @@ class DocumentedStart(NamedTuple):
 
 
 class _Command(NamedTuple):
-    """The start of a launch file. package: None if the launch file is named by its path."""
+    """The start of a launch file.
+
+    package: None if the launch file is named by its path.
+    bare: whether it is started without any argument.
+    """
 
     package: str | None
     name: str
     start: DocumentedStart
+    bare: bool
 
 
 class Documentation:
@@ -63,15 +68,24 @@ class Documentation:
 
         A value that stands for another one, such as `<ip>`, is left out.
         """
+        found: dict[frozenset[tuple[str, str]], DocumentedStart] = {}
+        for command in self._of(path):
+            if command.start.arguments:
+                found.setdefault(frozenset(command.start.arguments), command.start)
+        return tuple(islice(found.values(), _MOST_CHOICES))
+
+    def bare_start(self, path: str) -> str | None:
+        """Return where a text starts a launch file without arguments, the nearest text first; None if none does."""
+        return next((command.start.place for command in self._of(path) if command.bare), None)
+
+    def _of(self, path: str) -> Iterator[_Command]:
+        """Yield the starts of a launch file; those of the nearest text first."""
         path = os.path.abspath(path)
         package = package_around(os.path.dirname(path))
         name = package and package_name(os.path.join(package, "package.xml"))
-        found: dict[frozenset[tuple[str, str]], DocumentedStart] = {}
         for command in chain(*map(_commands, _folders_around(path)), self._elsewhere):
-            is_meant = command.name == os.path.basename(path) and command.package in (None, name)
-            if is_meant and command.start.arguments:
-                found.setdefault(frozenset(command.start.arguments), command.start)
-        return tuple(islice(found.values(), _MOST_CHOICES))
+            if command.name == os.path.basename(path) and command.package in (None, name):
+                yield command
 
 
 def is_document(path: str) -> bool:
@@ -120,7 +134,7 @@ def _commands_in(text: str, path: str) -> Iterator[_Command]:
         name = os.path.basename(first if is_path else rest[0] if rest else "")
         line = text.count("\n", 0, match.start()) + 1
         start = DocumentedStart(tuple(_arguments(words)), f"{os.path.abspath(path)}:{line}")
-        yield _Command(None if is_path else first, name.rstrip(_ENDS_SENTENCE), start)
+        yield _Command(None if is_path else first, name.rstrip(_ENDS_SENTENCE), start, ":=" not in words)
 
 
 def _arguments(words: str) -> Iterator[tuple[str, str]]:

@@ -28,7 +28,7 @@ _VARIABLE = rb"([A-Za-z_]\w*)[\"'}\s)]*[,/+]\s*(?:f?[\"'][^\"'\n]*[\"']\s*[,/+]\
 _MOST_BEFORE = 240
 _MOST_TEXTS = 512
 _DEMO = rb"\bgenerate_demo_launch\b"
-_OF_DEMO = "static_virtual_joint_tfs rsp move_group moveit_rviz warehouse_db spawn_controllers".split()
+OF_DEMO = "static_virtual_joint_tfs rsp move_group moveit_rviz warehouse_db spawn_controllers".split()
 """The launch files of its package that MoveIt's demo includes (moveit_configs_utils, launches.py)."""
 _ROS2 = (".py", ".yaml", ".yml")
 
@@ -135,7 +135,7 @@ def _named(text: bytes) -> tuple[_Mention, ...]:
         _Mention((match[1] or match[2]).decode("utf-8", "replace"), _package_of(text, match))
         for match in re.finditer(_NAMED, text)
     ]
-    demo = [_Mention(f"{name}.launch.py", None) for name in _OF_DEMO if re.search(_DEMO, text)]
+    demo = [_Mention(f"{name}.launch.py", None) for name in OF_DEMO if re.search(_DEMO, text)]
     return tuple(dict.fromkeys([*found, *demo]))
 
 

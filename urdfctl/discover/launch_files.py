@@ -18,10 +18,11 @@ _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"'] *
 _DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
 _PLANNING = rb"\bmoveit_ros_move_group\b|\bgenerate_(?:demo|move_group|rsp|spawn_controllers)_launch\b"
 _SIMULATING = rb"\b(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo)\b"
-_ARGUMENTS = rb"<arg\b|\$\((?:var|arg)\b|\bLaunchConfiguration|(?m:^\s*-\s*arg:)"
+_ARGUMENTS = rb"<arg\b|\$\((?:var|arg)\b|\bLaunchConfiguration|\blaunch_configurations\b|(?m:^\s*-\s*arg:)"
 _DEMO = rb"\bgenerate_demo_launch\b"
 _ONLY_INCLUDED = ".launch.xml"
 """The ending of launch files for ROS 1 that are only included."""
+_OF_ROS2 = rb"\$\((?:find-pkg-share|var)\b|\bexec\s*="
 _IMPORT = rb"(?m)^[ \t]*(?:from|import)[ \t]+(\w+)"
 _INSTALLED = frozenset((b"ament_index_python", b"launch", b"launch_ros", b"os", b"pathlib", b"sys", b"xacro", b"yaml"))
 """The modules that most launch files import, and that no module beside one of them is."""
@@ -119,16 +120,27 @@ def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> li
 
 def only_mentioned(texts: Mapping[str, bytes], started: Collection[str]) -> list[str]:
     """Return the launch files that start robots themselves, and that only the texts of others seem to include: whether
-    one of these does is known when they are followed. MoveIt's demo includes its own."""
-    if any(re.search(_DEMO, text) for text in texts.values()):
-        return []
-    inner = (path for path in texts if path not in started and not path.endswith(_ONLY_INCLUDED))
-    return [path for path in inner if _starts_robots(texts[path])]
+    one of these does is known when they are followed. MoveIt's demo includes those beside it."""
+    demos = {os.path.dirname(path) for path, text in texts.items() if re.search(_DEMO, text)}
+    inner = (path for path, text in texts.items() if path not in started and not _is_only_included(path, text))
+    return [path for path in inner if _starts_robots(texts[path]) and not (demos and _is_of_demo(path, demos))]
 
 
 def takes_arguments(path: str) -> bool:
     """Return whether a launch file may start something else if another one includes it with arguments."""
     return re.search(_ARGUMENTS, text_of(path)) is not None
+
+
+def _is_of_demo(path: str, demos: Collection[str]) -> bool:
+    from urdfctl.discover.included import OF_DEMO
+
+    folder, name = os.path.split(path)
+    return folder in demos and name.partition(".")[0] in OF_DEMO
+
+
+def _is_only_included(path: str, text: bytes) -> bool:
+    """Whether the ending of a launch file says that others include it: in ROS 2 it is that of all files in XML."""
+    return path.endswith(_ONLY_INCLUDED) and re.search(_OF_ROS2, text) is None
 
 
 @lru_cache(maxsize=_MOST_TEXTS)

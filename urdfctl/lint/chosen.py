@@ -59,11 +59,13 @@ def documented_starts(
     """Return the documented starts of launch files that others include, where nothing else starts the same robot with
     the same controllers.
 
-    inner: the launch files, with the arguments that are documented. started: the results of those that were started.
+    inner: the launch files, with the arguments that are documented, and the place that documents a start without any.
+    started: the results of those that were started.
     """
     asked = [target for target in inner if target.documented]
     choices = variants(asked) if asked else []
-    targets = [one for found in choices for one in found if one.arguments and not one.guessed]
+    targets = [one._replace(documented=()) for one in inner if one.told_at]
+    targets += [one for found in choices for one in found if one.arguments and not one.guessed]
     known = {_controlled(pair) for pair in started}
     return [pair for pair in lint(targets) if pair[1].is_controlled and _controlled(pair) not in known]
 

@@ -307,10 +307,14 @@ def _not_followed(files: DiscoveredFiles, started: LaunchedTargets) -> list[Plan
 def _documented(
     files: DiscoveredFiles, started: LaunchedTargets, lint_targets: LintTargets, linter: TargetLinter
 ) -> LaunchedTargets:
-    """The launch files that others include, with the arguments with which people start them alone."""
+    """The launch files that others include, with the arguments with which people start them alone, or without any."""
     included = {path for _, (_, result) in started for path in _included(result)}
     texts = files.documentation
-    inner = [Target(p, documented=texts.starts(p)) for p in files.mentioned if os.path.abspath(p) in included]
+    inner = [
+        Target(path, documented=texts.starts(path), told_at=texts.bare_start(path) if takes_arguments(path) else None)
+        for path in files.mentioned
+        if os.path.abspath(path) in included
+    ]
     found = documented_starts(inner, [pair for _, pair in started], linter.variants, lint_targets)
     return [(PlannedTarget(pair[0], TargetOrigin.LAUNCHED), pair) for pair in found]
 

@@ -1,8 +1,9 @@
-"""Launch files around a start that is complete itself: with RViz beside it, or one that starts any file it is given."""
+"""Launch files around a start that is complete itself: with RViz beside it, one that starts any file it is given, or
+one that starts less of it."""
 
 from __future__ import annotations
 
-from systems.render.actions import Action, Arg, Include, LaunchFile, Node, Share
+from systems.render.actions import Action, Arg, Include, LaunchFile, Node, Share, Value, When, parts_of
 from systems.render.places import pick
 from systems.render.plan import Plan, file_name
 
@@ -22,10 +23,26 @@ def add_around(plan: Plan) -> None:
         included = Include(launcher.package, launcher.stem, (("launch_file", path),))
         plan.files.append(launcher)
     actions: tuple[Action, ...] = (included, _rviz(plan)) if form == "rviz" else (included,)
+    _add_outer(plan, actions, needed)
+
+
+def add_reduced(plan: Plan) -> None:
+    """Add a file around the only start that starts less of it, by the argument of its condition, if the switch says so:
+    a document starts it whole."""
+    if plan.idioms["reduced"] == "nothing":
+        return
+    (start,) = plan.starts
+    name = next(part.arg for part in parts_of(start.actions) if isinstance(part, When))
+    (default,) = dict(start.declared)[name] or ()
+    other = {"true": "false", "false": "true"}.get(str(default), "reduced")
+    _add_outer(plan, (Include(start.package, start.stem, ((name, (other,)),)),), ())
+
+
+def _add_outer(plan: Plan, actions: tuple[Action, ...], declared: tuple[tuple[str, Value | None], ...]) -> None:
+    """Add a file around the only start."""
     taken = {file.stem for file in plan.files}
     names = [name for name in ("demo", "everything", "complete", "start_all") if name not in taken]
-    stem = pick(plan.system, "around", names)
-    outer = LaunchFile(plan.places.bringup, stem, plan.language("top"), actions, needed)
+    outer = LaunchFile(plan.places.bringup, pick(plan.system, "around", names), plan.language("top"), actions, declared)
     plan.files.insert(0, outer)
     plan.starts.insert(0, outer)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from systems.possible import Idioms
 from systems.render.actions import LaunchFile, ParamFile, packages_in, parts_of
-from systems.render.around import add_around
+from systems.render.around import add_around, add_reduced
 from systems.render.description import FILE_ARGUMENTS, descriptions, xacro_arguments
 from systems.render.distractors import add_examples
 from systems.render.documents import add_documents
@@ -34,6 +34,7 @@ def assembled(system: System, idioms: Idioms) -> Workspace:
     places = places_of(system, idioms)
     plan = planned(system, idioms, places)
     add_around(plan)
+    add_reduced(plan)
     workspace = Workspace(system, idioms)
     workspace.files |= descriptions(system, idioms, places)
     for robot in system.robots:

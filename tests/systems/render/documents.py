@@ -9,11 +9,11 @@ _PATHS = {"readme": "{package}/README.md", "document": "docs/start.md", "script"
 
 
 def add_documents(workspace: Workspace, plan: Plan) -> None:
-    """Add the text that names the arguments of the only start, if the switch says so."""
-    kind = workspace.idioms["told"]
+    """Add the text that starts the system, with the arguments that it needs, if the switches say so."""
+    kind = workspace.idioms["told"] if workspace.idioms["reduced"] == "nothing" else "readme"
     if kind == "nowhere":
         return
-    (start,) = plan.starts
+    start = plan.starts[-1]
     needed = (name for name, default in start.declared if default is None and is_typed(plan.right.get(name, ())))
     given = [f"{name}:={plan.right[name][0]}" for name in needed]
     program = "roslaunch" if plan.system.generation == 1 else "ros2 launch"

@@ -105,7 +105,7 @@ def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:
 
 def _arguments(bringup: Bringup) -> str:
     words = " ".join(f"{name}:={value}" for name, value in bringup.arguments)
-    return f"{words}  (as in {shown(bringup.told_at)})" if bringup.told_at else words
+    return f"{words or 'none'}  (as in {shown(bringup.told_at)})" if bringup.told_at else words
 
 
 def _described(target: TargetResult) -> str:
