@@ -69,6 +69,7 @@ class LintRun(NamedTuple):
         controllers."""
         used = {id(result) for result in self.robots}
         told = {each.path for each in self.unjoined}.union(file for result in self.silent for file in result.files)
+        told |= {path for result in self.results if result.bringup for path in result.bringup.includes}
         return [result for result in self.results if id(result) not in used and result.path not in told]
 
     @property
@@ -167,8 +168,8 @@ def _unjoined(launches: Launches, reported: LintedTargets, together: Joined) -> 
 
 
 def _robots(reported: LintedTargets, files: DiscoveredFiles) -> list[TargetResult]:
-    launch_paths = {os.path.abspath(path) for path in (*files.launch_candidates, *files.around)}
-    return [result for _, result in reported if result.path not in launch_paths]
+    named = {os.path.abspath(path) for path in files.launches}
+    return [result for _, result in reported if result.path in named or not is_launch(result.path)]
 
 
 def _together(started: LaunchedTargets, reported: LintedTargets, linted: LintTargets) -> Joined:
