@@ -129,11 +129,16 @@ def starts_in(pairs: Iterable[Pair]) -> list[Start]:
     """Return what starts robots: launch files with all of theirs, and descriptions."""
     found: dict[object, list[Pair]] = {}
     for target, result in pairs:
-        if (result.links or 0) > 1 and not result.library:
+        if ((result.links or 0) > 1 and not result.library) or _has_absent_parts(result):
             beside = result.bringup.beside if result.bringup else ()
             arguments = result.bringup.arguments if result.bringup else result.arguments
             found.setdefault((result.launch or result.path, arguments, beside), []).append((target, result))
     return [Start(tuple(robots)) for robots in found.values()]
+
+
+def _has_absent_parts(result: TargetResult) -> bool:
+    """Whether a launch file starts a robot of which nothing is known: its parts are not here."""
+    return result.launch is not None and result.links == 0 and not result.complete
 
 
 # -- which belong together ---------------------------------------------------------------------------------------------
@@ -212,8 +217,9 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     if lonely.joining.waits:
         return _managing(lonely, starts)
     same = [start for start in starts_of_generation(lonely, starts) if not _excludes(start, lonely)]
-    if lonely.joining.manages:
-        described = {(start.first.path, start.first.arguments): start for start in map(_without_manager, same[::-1])}
+    if lonely.joining.manages or lonely.joining.unread:
+        alone = (_only_described(start) if _is_instead(lonely, start) else start for start in same[::-1])
+        described = {(start.first.path, start.first.arguments): start for start in alone}
         same = [*described.values()][::-1]
     own = [start for start in same if _package(start.first) == _package(lonely)]
     own = [start for start in own if start.first.launch is not None] or own
@@ -223,7 +229,10 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
         whole = [start for start in near if fits(lonely, start)]
         if whole:
             return _best(whole)
-    paths = {frozenset(result.path for _, result in start.robots) for start in own}
+    there = (
+        own if not lonely.joining.unread else (start for start in starts if _package(start.first) == _package(lonely))
+    )
+    paths = {frozenset(result.path for _, result in start.robots) for start in there}
     return _best([start for start in own if _may_be_meant(lonely, start)]) if len(paths) == 1 else []
 
 
@@ -254,16 +263,21 @@ def _excludes(start: Start, lonely: TargetResult) -> bool:
 def _spawns_all(start: Start, lonely: TargetResult) -> bool:
     """Whether a start of the same package spawns all that a launch file spawns, which is then a part of it; unless that
     has a robot or a manager of its own."""
-    if lonely.joining.described_in or lonely.joining.waits or lonely.joining.manages:
+    facts = lonely.joining
+    if facts.described_in or facts.waits or facts.manages or facts.unread:
         return False
     spawned = {name for _, result in start.robots for name in spawned_by(result)}
     return _package(start.first) == _package(lonely) and bool(spawned_by(lonely)) and spawned >= set(spawned_by(lonely))
 
 
-def _without_manager(start: Start) -> Start:
-    """Only the description of a start that has a manager, beside which there is no place for another one."""
-    if not start.first.joining.manages:
-        return start
+def _is_instead(lonely: TargetResult, start: Start) -> bool:
+    """Whether a launch file is started instead of a start: both publish the robot, or have a manager for it."""
+    publishes = lonely.joining.unread and start.first.launch is not None
+    return publishes or (lonely.joining.manages and start.first.joining.manages)
+
+
+def _only_described(start: Start) -> Start:
+    """The descriptions of a start, without what it starts."""
     robots = (
         (
             Target(result.path, result.arguments, namespace=target.namespace),
@@ -290,7 +304,10 @@ def _declares(lonely: TargetResult, start: Start) -> bool:
 
 
 def _may_be_meant(lonely: TargetResult, start: Start) -> bool:
-    """Whether the only robot of a package is meant, though it lacks something: some names fit, or all nearly do."""
+    """Whether the only robot of a package is meant, though it lacks something: some names fit, or all nearly do; or its
+    parts are not here, and nothing else controls it."""
+    if _has_absent_parts(start.first):
+        return not start.first.joining.manages and not any(spawned_by(result) for _, result in start.robots)
     wanted, there = {joint for _, joint in lonely.joining.claimed}, start.joints
     if not wanted:
         wanted, there = names_without_namespace(spawned_by(lonely)), start.declared

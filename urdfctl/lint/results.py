@@ -123,6 +123,7 @@ class Unjoined(NamedTuple):
     includes: whether it takes launch files from those packages.
     description: the one that it names, and that does not exist.
     models: the files in SDF from which it spawns models.
+    undescribed: whether it starts a robot whose description is not known.
     """
 
     path: str
@@ -135,6 +136,7 @@ class Unjoined(NamedTuple):
     leftover: bool = False
     description: str = ""
     models: tuple[str, ...] = ()
+    undescribed: bool = False
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Unjoined:

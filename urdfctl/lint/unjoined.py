@@ -45,8 +45,9 @@ def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
         leftover=lonely.joining.leftover,
         description=lonely.joining.lost,
         models=lonely.joining.models,
+        undescribed=lonely.joining.unread,
     )
-    if lonely.joining.leftover or not absent.controls or is_started_elsewhere(lonely):
+    if lonely.joining.unread or lonely.joining.leftover or not absent.controls or is_started_elsewhere(lonely):
         return absent
     reasons = [_missing_in(lonely, start) for start in starts]
     return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=absent)

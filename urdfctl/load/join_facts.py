@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from urdfctl.model.launch import Launch
 
 _LISTS = ("joints", "declared", "described_in", "started_in", "models")
-_DESCRIBED = (None, "robot_state_publisher", "ros2_control_node")
+_PUBLISHER = "robot_state_publisher"
+_DESCRIBED = (None, _PUBLISHER, "ros2_control_node")
 """The nodes that have the description of a robot that is started, the parameter server of ROS 1 among them."""
 
 
@@ -105,9 +106,12 @@ def _lost(launch: Launch) -> str:
 
 
 def _is_unread(launch: Launch) -> bool:
-    """Whether a launch file starts a robot, and no description that it names is known."""
+    """Whether a launch file starts a robot, and no description that it names is known, or can be named in it."""
     described = [each for each in launch.descriptions if each.node in _DESCRIBED]
-    return bool(described) and all(each.file.path is None for each in described)
+    if described or launch.ros == 1:
+        return bool(described) and all(each.file.path is None for each in described)
+    publishers = (node for node in launch.nodes if node.sure and node.runs(_PUBLISHER, _PUBLISHER))
+    return any(not node.complete or any(file.known is None for file in node.files) for node in publishers)
 
 
 def _models(launch: Launch) -> tuple[str, ...]:

@@ -70,6 +70,8 @@ def missing_fact(unjoined: Unjoined) -> str:
         return f"{what} in {_quoted('package', unjoined.packages)}, not in this workspace"
     if unjoined.leftover:
         return "it is written for ROS 1, and its package is built for ROS 2"
+    if unjoined.undescribed:
+        return "its description could not be determined"
     if unjoined.robot is None:
         return "nothing here starts or describes a robot"
     robot = shown(unjoined.robot)

@@ -263,3 +263,69 @@ def generate_launch_description():
 def test_a_description_that_moveit_takes_from_a_package_that_is_not_here_is_named(folder: Folder) -> None:
     written(folder, plan=PLANNED)
     assert [each["lacks"]["packages"] for each in unjoined(folder)] == [["derrick_support"]]
+
+
+UNKNOWN_ROBOT = """
+from somewhere import described
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[{}]),
+        Node(package="controller_manager", executable="spawner", arguments=["states"]),
+    ])
+"""
+
+
+@pytest.mark.parametrize("parameters", ["described()", "described"])
+def test_a_launch_file_that_publishes_a_robot_of_its_own_is_not_started_beside_another_one(
+    parameters: str, folder: Folder
+) -> None:
+    folder.write({"urdf/hoist.urdf": HOIST.format(""), "urdf/lift.urdf": HOIST.format("")})
+    full = xml(PUBLISHER.format("hoist.urdf"), SPAWNER.format("states"))
+    up = UNKNOWN_ROBOT.format(parameters)
+    written(folder, full=full, show=xml(PUBLISHER.format("lift.urdf"), SHOWN), up=up)
+    reason = "starts controllers without a robot: its description could not be determined"
+    assert [line for line in told(folder) if "(" in line] == [f"launch/up.launch.py  ({reason})"]
+
+
+def test_a_launch_file_whose_description_is_not_known_has_that_of_the_only_robot_of_its_package(
+    folder: Folder,
+) -> None:
+    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    written(folder, show=xml(PUBLISHER.format("hoist.urdf"), SHOWN), up=UNKNOWN_ROBOT.format("described()"))
+    assert unjoined(folder) == []
+    shown = json.loads(folder.run("show", ".", "--format", "json").stdout)["targets"]
+    starts = [(one["robot"], one["beside"], one["spawned"]) for one in shown if one["launch"] == "launch/up.launch.py"]
+    assert starts == [("urdf/hoist.urdf", [], ["states"])]
+
+
+ABSENT_PARTS = """<robot name="hoist" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="$(find drum_description)/urdf/drum.urdf.xacro"/></robot>"""
+
+
+def test_controllers_belong_to_the_only_robot_of_their_package_also_if_its_parts_are_not_here(folder: Folder) -> None:
+    folder.write({"urdf/hoist.urdf": ABSENT_PARTS, "urdf/lift.urdf": ABSENT_PARTS})
+    written(folder, show=xml(PUBLISHER.format("hoist.urdf"), SHOWN), up=xml(SPAWNER.format("states")))
+    shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
+    assert shown["unjoined"] == []
+    assert [(one["robot"], one["beside"]) for one in shown["targets"] if one["launch"]] == [
+        ("urdf/hoist.urdf", ["launch/up.launch.xml"])
+    ]
+    written(folder, lifted=xml(PUBLISHER.format("lift.urdf"), SHOWN))
+    assert [one["launch"] for one in unjoined(folder)] == ["launch/up.launch.xml"]
+
+
+def test_what_a_launch_file_includes_that_is_named_itself_is_neither_a_robot_nor_unused(folder: Folder) -> None:
+    loading = '<rosparam file="$(find hoist)/drum.yaml"/>'
+    control = xml(loading, '<node name="s" pkg="controller_manager" type="spawner" args="drum"/>')
+    lost = '<param name="robot_description" command="xacro $(find drum_description)/drum.urdf"/>'
+    outer = xml(lost, '<include file="$(find hoist)/launch/control.launch"/>')
+    declared = "drum: {type: effort_controllers/JointEffortController, joint: drum_joint}"
+    manifest = MANIFEST.format("hoist").replace("ament_cmake", "catkin")
+    folder.write({"hoist/package.xml": manifest, "hoist/drum.yaml": declared})
+    folder.write({"hoist/launch/control.launch": control, "hoist/launch/world.launch": outer})
+    shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
+    assert [one["launch"] for one in shown["unjoined"]] == ["hoist/launch/world.launch"]
+    assert (shown["targets"], shown["unused"]) == ([], [])
