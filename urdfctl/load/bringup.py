@@ -12,6 +12,7 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
+    from urdfctl.model.controllers import FileReference
     from urdfctl.model.launch import Launch, Word
 
 _MOVE_GROUP = ("moveit_ros_move_group", "move_group")
@@ -32,6 +33,7 @@ class Bringup(NamedTuple):
     unfollowed: included launch files that are worth checking on their own.
     beside: the launch files that are started beside it, in other terminals.
     absent: the packages that are not here and of which it starts launch files.
+    unloaded: the packages that are not here and of which it loads parameter files.
     """
 
     arguments: tuple[tuple[str, str], ...] = ()
@@ -46,12 +48,13 @@ class Bringup(NamedTuple):
     beside: tuple[str, ...] = ()
     told_at: str | None = None
     absent: tuple[str, ...] = ()
+    unloaded: tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Bringup:
         """Return the bringup that `_asdict` and JSON made `data` from."""
         arguments = tuple((name, value) for name, value in data["arguments"])
-        names = ("spawned", "includes", "simulators", "unfollowed", "beside", "absent")
+        names = ("spawned", "includes", "simulators", "unfollowed", "beside", "absent", "unloaded")
         lists = {name: tuple(data[name]) for name in names}
         others = tuple((path, namespace) for path, namespace in data["others"])
         return cls(**{**data, **lists, "arguments": arguments, "others": others})
@@ -65,6 +68,7 @@ def bringup_of(launch: Launch, target: Target) -> Bringup:
     all_named = all(spawn.complete for spawn in launch.spawns) and len(named) == sum(
         len(spawn.names) for spawn in launch.spawns
     )
+    unloaded = [load.file for load in launch.loads if load.file.path is None and not load.in_node]
     included = (reference.file for reference in launch.references if reference.use == "include" and reference.sure)
     return Bringup(
         arguments=target.arguments if is_launch(target.path) else (),
@@ -79,10 +83,11 @@ def bringup_of(launch: Launch, target: Target) -> Bringup:
         unfollowed=launch.unfollowed,
         beside=tuple(os.path.abspath(start.path) for start in target.beside),
         absent=_packages_of(launch.absent) if launch.absent else (),
+        unloaded=_packages_of(unloaded) if unloaded else (),
     )
 
 
-def _packages_of(files: Sequence[Word]) -> tuple[str, ...]:
+def _packages_of(files: Sequence[Word | FileReference]) -> tuple[str, ...]:
     from urdfctl.source.workspaces.robot_starts import package_of
 
     return tuple(dict.fromkeys(name for word in files if (name := package_of(word.text))))

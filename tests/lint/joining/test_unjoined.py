@@ -313,8 +313,9 @@ def test_controllers_belong_to_the_only_robot_of_their_package_also_if_its_parts
     assert [(one["robot"], one["beside"]) for one in shown["targets"] if one["launch"]] == [
         ("urdf/hoist.urdf", ["launch/up.launch.xml"])
     ]
-    written(folder, lifted=xml(PUBLISHER.format("lift.urdf"), SHOWN))
-    assert [one["launch"] for one in unjoined(folder)] == ["launch/up.launch.xml"]
+    for other in (PUBLISHER.format("lift.urdf"), PUBLISHER.format("hoist.urdf") + SPAWNER.format("drum")):
+        written(folder, show=xml(other, SHOWN), again=xml(PUBLISHER.format("hoist.urdf"), SPAWNER.format("winch")))
+        assert [one["launch"] for one in unjoined(folder)] == ["launch/up.launch.xml"]
 
 
 def test_what_a_launch_file_includes_that_is_named_itself_is_neither_a_robot_nor_unused(folder: Folder) -> None:
@@ -329,3 +330,16 @@ def test_what_a_launch_file_includes_that_is_named_itself_is_neither_a_robot_nor
     shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
     assert [one["launch"] for one in shown["unjoined"]] == ["hoist/launch/world.launch"]
     assert (shown["targets"], shown["unused"]) == ([], [])
+
+
+def test_parameter_files_that_are_not_here_are_named_beside_the_robot(folder: Folder) -> None:
+    manager = """<node pkg="controller_manager" exec="ros2_control_node">
+      <param from="$(find-pkg-share derrick_control)/config/controllers.yaml"/></node>"""
+    written(folder, up=xml(PUBLISHER.format("hoist.urdf"), manager))
+    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    shown = folder.run("show", ".").stdout
+    assert "  unknown     parameter files of derrick_control, not in this workspace\n" in shown
+    abroad = '<include file="$(find-pkg-share derrick_driver)/launch/driver.launch.xml"/>'
+    written(folder, up=xml(PUBLISHER.format("hoist.urdf"), manager, abroad))
+    both = "launch files of derrick_driver and parameter files of derrick_control, not in this workspace"
+    assert f"  unknown     {both}\n" in folder.run("show", ".").stdout

@@ -96,11 +96,18 @@ def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:
     yield "simulator", target.started_simulator or ", ".join(bringup.simulators)
     distro = target.distro or (f"ROS {target.ros}" if target.ros else "unknown")
     yield "distro", f"{distro}, from {target.distro_from}" if target.distro_from else distro
-    if not bringup.complete:
-        absent = f"launch files of {', '.join(bringup.absent)}, not in this workspace"
-        yield "unknown", absent if bringup.absent else "some of what the launch file starts could not be determined"
+    yield "unknown", _unknown(bringup)
     if not target.complete:
         yield "incomplete", "not all of the description is known"
+
+
+def _unknown(bringup: Bringup) -> str:
+    """What a launch file starts or loads, and that is not here."""
+    absent = [("launch files", bringup.absent if not bringup.complete else ()), ("parameter files", bringup.unloaded)]
+    named = [f"{what} of {', '.join(packages)}" for what, packages in absent if packages]
+    if named:
+        return f"{' and '.join(named)}, not in this workspace"
+    return "" if bringup.complete else "some of what the launch file starts could not be determined"
 
 
 def _arguments(bringup: Bringup) -> str:
