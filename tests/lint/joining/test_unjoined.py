@@ -343,3 +343,28 @@ def test_parameter_files_that_are_not_here_are_named_beside_the_robot(folder: Fo
     written(folder, up=xml(PUBLISHER.format("hoist.urdf"), manager, abroad))
     both = "launch files of derrick_driver and parameter files of derrick_control, not in this workspace"
     assert f"  unknown     {both}\n" in folder.run("show", ".").stdout
+
+
+MANAGED = """
+from launch import LaunchDescription
+from launch.substitutions import Command
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+from moveit_configs_utils import MoveItConfigsBuilder
+
+def generate_launch_description():
+    config = MoveItConfigsBuilder("hoist", package_name="hoist").robot_description("urdf/lift.urdf").to_moveit_configs()
+    shown = {{"robot_description": Command(["xacro ", FindPackageShare("hoist"), "/urdf/hoist.urdf"])}}
+    return LaunchDescription([
+        Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[shown]),
+        Node(package="controller_manager", executable="ros2_control_node", parameters=[{}]),
+    ])
+"""
+
+
+@pytest.mark.parametrize("parameters", ["config.to_dict()", "config.robot_description"])
+def test_a_manager_that_gets_all_parameters_of_moveit_gets_the_description_too(parameters: str, folder: Folder) -> None:
+    folder.write({"urdf/hoist.urdf": HOIST.format(""), "urdf/lift.urdf": HOIST.format("")})
+    written(folder, up=MANAGED.format(parameters))
+    shown = json.loads(folder.run("show", ".", "--format", "json").stdout)["targets"]
+    assert [one["robot"] for one in shown if one["launch"]] == ["urdf/lift.urdf"]

@@ -130,13 +130,16 @@ class NodeParameters:
             runs = self.executable == "move_group"
             files = builder.files(term.at, self.facts.locate, namespace=self.namespace, sure=self.sure, runs=runs)
             self.facts.moveit.append(files)
-            if runs and isinstance(term, Called):
+            if self._takes_description and isinstance(term, Called):
                 content = builder.description(self.facts.exists, term.at)
                 self.facts.described(content, self.executable, self.namespace, sure=self.sure)
 
+    @property
+    def _takes_description(self) -> bool:
+        return self.executable in DESCRIBED or re.search(_OF_MANAGERS, self.executable) is not None
+
     def _description(self, value: Term) -> None:
-        takes = self.executable in DESCRIBED or re.search(_OF_MANAGERS, self.executable)
-        if not takes or is_of_other_node(value, self.texts):
+        if not self._takes_description or is_of_other_node(value, self.texts):
             return
         content = content_of(value, self.texts, self.facts.exists) or self._of_a_path(value)
         content = as_written(content, self.texts, self.facts.exists)
