@@ -22,8 +22,20 @@ def unjoined(left: Iterable[TargetResult], starts: Sequence[Start]) -> list[Unjo
 
     left: the results that are in no join.
     """
-    lonely = {result.path: result for result in left if is_lonely(result) or _is_absent(result)}
+    lonely = {result.path: result for result in left if _starts_robot(result) or _is_absent(result)}
     return [_missing(result, starts_of_generation(result, starts)) for result in lonely.values()]
+
+
+def _starts_robot(result: TargetResult) -> bool:
+    """Whether a result is of a launch file without a robot that starts more than the world of a simulator."""
+    return is_lonely(result) and (_controls(result) or result.joining.puts)
+
+
+def _controls(result: TargetResult) -> bool:
+    """Whether a result is of a launch file without a robot that starts controllers, or a manager beside a simulator."""
+    facts = result.joining
+    only_simulates = facts.simulates and not facts.declared and not spawned_by(result)
+    return is_lonely(result) and not only_simulates
 
 
 def _is_absent(result: TargetResult) -> bool:
@@ -36,11 +48,11 @@ def _is_absent(result: TargetResult) -> bool:
 
 def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
     if lonely.joining.described_in:
-        return Unjoined(lonely.path, packages=lonely.joining.described_in, controls=is_lonely(lonely))
+        return Unjoined(lonely.path, packages=lonely.joining.described_in, controls=_controls(lonely))
     absent = Unjoined(
         lonely.path,
         packages=lonely.joining.started_in,
-        controls=is_lonely(lonely),
+        controls=_controls(lonely),
         includes=bool(lonely.joining.started_in),
         leftover=lonely.joining.leftover,
         description=lonely.joining.lost,

@@ -36,6 +36,8 @@ class JoinFacts(NamedTuple):
     lost: the description that it names, and that does not exist; empty if there is none.
     unread: without a robot: whether it starts one whose description is not known.
     models: without a robot: the files in SDF from which models are spawned.
+    simulates: whether it starts a simulator, and no other controller manager.
+    puts: whether it puts a model into a simulator.
     waits: ROS 2: whether it certainly spawns controllers of a robot whose manager another launch file starts.
     """
 
@@ -52,6 +54,8 @@ class JoinFacts(NamedTuple):
     waits: bool = False
     unread: bool = False
     models: tuple[str, ...] = ()
+    simulates: bool = False
+    puts: bool = False
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> JoinFacts:
@@ -79,14 +83,21 @@ def join_facts(project: Project) -> JoinFacts:
         waits=project.robot is not None and launch is not None and _waits(launch),
         unread=project.robot is None and launch is not None and _is_unread(launch),
         models=_models(launch) if project.robot is None and launch else (),
+        simulates=launch is not None and bool(launch.simulations) and not _runs_manager(launch),
+        puts=project.robot is None and launch is not None and _puts_model(launch),
     )
 
 
 def _manages(launch: Launch) -> bool:
     """Whether a launch file starts a simulator, or a program that is a controller manager."""
+    return bool(launch.simulations) or _runs_manager(launch)
+
+
+def _runs_manager(launch: Launch) -> bool:
+    """Whether a launch file starts a program that is a controller manager."""
     programs = {node.executable.text for node in launch.nodes if not node.executable.text.startswith("spawner")}
     loading = {load.node for load in launch.loads} if launch.ros == 2 else set()  # noqa: PLR2004 (a generation of ROS)
-    return bool(launch.simulations) or "ros2_control_node" in programs or bool(programs & loading)
+    return "ros2_control_node" in programs or bool(programs & loading)
 
 
 def _waits(launch: Launch) -> bool:
@@ -112,6 +123,13 @@ def _is_unread(launch: Launch) -> bool:
         return bool(described) and all(each.file.path is None for each in described)
     publishers = (node for node in launch.nodes if node.sure and node.runs(_PUBLISHER, _PUBLISHER))
     return any(not node.complete or any(file.known is None for file in node.files) for node in publishers)
+
+
+def _puts_model(launch: Launch) -> bool:
+    """Whether a launch file puts a model into a simulator."""
+    from urdfctl.control.model_spawners import model_spawners
+
+    return bool(model_spawners(launch))
 
 
 def _models(launch: Launch) -> tuple[str, ...]:

@@ -368,3 +368,27 @@ def test_a_manager_that_gets_all_parameters_of_moveit_gets_the_description_too(p
     written(folder, up=MANAGED.format(parameters))
     shown = json.loads(folder.run("show", ".", "--format", "json").stdout)["targets"]
     assert [one["robot"] for one in shown if one["launch"]] == ["urdf/lift.urdf"]
+
+
+WORLD = '<include file="$(find-pkg-share gazebo_ros)/launch/gazebo.launch.py"/>'
+PUT = '<node pkg="gazebo_ros" exec="spawn_entity.py" args="-topic robot_description -entity hoist"/>'
+
+
+@pytest.mark.parametrize(
+    ("parts", "starts"),
+    [
+        ((WORLD,), None),
+        ((WORLD, PUT), "a robot whose description could not be determined"),
+        ((WORLD, SPAWNER.format("states")), "controllers without a robot"),
+    ],
+)
+def test_a_simulator_without_a_robot_starts_no_controllers(
+    parts: tuple[str, ...], starts: str | None, folder: Folder
+) -> None:
+    folder.write({"urdf/hoist.urdf": HOIST.format(""), "urdf/lift.urdf": HOIST.format("")})
+    shown = {name: xml(PUBLISHER.format(f"{name}.urdf"), SHOWN) for name in ("hoist", "lift")}
+    written(folder, **shown, up=xml(*parts))
+    named = [line for line in told(folder) if "up.launch.xml" in line]
+    assert [line.partition(":")[0].rstrip(")") for line in named] == (
+        [f"launch/up.launch.xml  (starts {starts}"] if starts else []
+    )
