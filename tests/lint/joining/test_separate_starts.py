@@ -235,11 +235,12 @@ def test_a_launch_file_that_only_starts_launch_files_that_are_not_here_is_named_
     assert f"{file}  (starts {absent})" in folder.run("show", ".").stdout
 
 
-def test_what_starts_only_what_is_not_here_is_named_if_there_is_nothing_else(folder: Folder) -> None:
-    folder.write({"package.xml": MANIFEST, "launch/a.launch.xml": launch(ELSEWHERE.format("derrick_bringup", "start"))})
+@pytest.mark.parametrize("package", ["derrick_bringup", "derrick_launch"])
+def test_what_starts_only_what_is_not_here_is_named_if_there_is_nothing_else(package: str, folder: Folder) -> None:
+    folder.write({"package.xml": MANIFEST, "launch/a.launch.xml": launch(ELSEWHERE.format(package, "start"))})
     ran = folder.run("lint", ".")
     assert ran.returncode == 2, ran.stdout
-    assert "they start no robot or controllers of this workspace; not in it: 'derrick_bringup'" in ran.stderr
+    assert f"they start no robot or controllers of this workspace; not in it: '{package}'" in ran.stderr
 
 
 DEMO = """

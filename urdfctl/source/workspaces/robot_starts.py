@@ -8,7 +8,7 @@ from urdfctl.source.opaque import OUTSIDE
 
 _PACKAGE = (
     r"(?:bringup|moveit\d?|moveit\d?_config|gazebo|ignition|gz|sim|simulation|simulator|description|robot_driver|"
-    r"(?:ros2?_)?control|controllers?|robot|arm)"
+    r"(?:ros2?_)?control|controllers?|robot|arm|launch)"
 )
 _FILE = r"(?:bringup|moveit|move_group|(?:ros2?_)?control|controllers?|spawn|demo|robot|arm|simulation)"
 _WITHOUT_ROBOTS = (
