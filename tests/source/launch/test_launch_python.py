@@ -229,6 +229,26 @@ def test_a_spawner_tells_its_manager(
     assert (one.manager, one.namespace, one.active) == (manager, namespace, active)
 
 
+@pytest.mark.parametrize(
+    ("test", "found"),
+    [
+        ("LaunchConfiguration('real') == 'true'", ["mock"]),
+        ("LaunchConfiguration('real') != 'true'", ["arm"]),
+        ("LaunchConfiguration('real')", ["arm"]),
+        ("LaunchConfiguration('real').perform(context) == 'true'", ["arm"]),
+    ],
+)
+def test_a_substitution_is_an_object_in_a_comparison_whatever_the_argument_is(test: str, found: list[str]) -> None:
+    made = launch(f"""
+        def setup(context):
+            chosen = 'arm' if {test} else 'mock'
+            return [Node(package='controller_manager', executable='spawner', arguments=[chosen])]
+        return LaunchDescription([
+            DeclareLaunchArgument('real', default_value='true'), OpaqueFunction(function=setup)])
+        """)
+    assert names(made) == found
+
+
 UNSURE = {
     "a condition that is not known": "if os.path.exists('/x'):\n    nodes.append(arm)",
     "a loop over what is not known": "for _ in os.listdir('.'):\n    nodes.append(arm)",

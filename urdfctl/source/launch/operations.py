@@ -106,7 +106,15 @@ def truth(term: Term) -> bool | None:
         return None if term.values and all(isinstance(v, Perhaps) for v in term.values) else bool(term.values)
     if isinstance(term, Table):
         return bool(term.entries) or (False if term.whole else None)
-    return None
+    return True if _is_setting(term) else None
+
+
+def _is_setting(term: Term) -> bool:
+    """Whether a term is a substitution for a launch argument, which is an object whatever the argument's value is.
+
+    ros2/launch, substitution.py: `Substitution` has neither `__eq__` nor `__bool__`.
+    """
+    return isinstance(term, Called) and term.of is None and term.short == "LaunchConfiguration"
 
 
 def added(left: Term, right: Term, at: Place) -> Term:
@@ -206,6 +214,8 @@ def _equal(left: Term, right: Term) -> bool | None:
     if isinstance(left, Constant) and isinstance(right, Constant):
         unknown = UNKNOWN in shown(left) or UNKNOWN in shown(right)
         return None if unknown else left.value == right.value
+    if any(map(_is_setting, (left, right))) and any(isinstance(each, Constant) for each in (left, right)):
+        return False
     if any(isinstance(operand, Constant) and operand.value is None for operand in (left, right)):
         return None if any(isinstance(operand, (UnknownTerm, OneOf)) for operand in (left, right)) else False
     return None
