@@ -210,7 +210,8 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
     """The starts beside which a launch file is started, the best known ones.
 
     None, if it names another robot: one in a package that is not here, or started by a launch file there and no joints
-    say otherwise. What is left over from ROS 1 in a package for ROS 2 belongs to nothing in other packages.
+    say otherwise. What is left over from ROS 1 in a package for ROS 2 belongs to nothing in other packages, and neither
+    does what starts a robot of which the description is not known.
     """
     if lonely.joining.described_in or is_started_elsewhere(lonely):
         return []
@@ -223,7 +224,7 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
         same = [*described.values()][::-1]
     own = [start for start in same if _package(start.first) == _package(lonely)]
     own = [start for start in own if start.first.launch is not None] or own
-    same = own if lonely.joining.leftover else same
+    same = own if lonely.joining.leftover or lonely.joining.unread else same
     fits = _has_joints if lonely.joining.claimed else _declares
     for near in (own, same):
         whole = [start for start in near if fits(lonely, start)]

@@ -111,6 +111,19 @@ def test_controllers_of_a_robot_that_is_not_here_are_joined_with_no_other_one(fo
     assert errors(given) == []
 
 
+@pytest.mark.parametrize(
+    ("described", "beside"),
+    [(['<param name="robot_description" textfile="$(env ROBOT)"/>'], []), ([], ["site/launch/control.launch"])],
+)
+def test_a_robot_that_is_not_known_is_not_taken_for_one_of_another_package(
+    described: list[str], beside: list[str], folder: Folder
+) -> None:
+    folder.write({**package("crane", "slew", "hoist"), **control("site", winch="hoist")})
+    loaded = launch(*described, LOADED.format("site", "c.yaml"), SPAWNED.format("winch"))
+    folder.write({"site/package.xml": MANIFEST.format("site"), "site/launch/control.launch": loaded})
+    assert [each[2] for each in joins(report(folder)) if each[0] == "crane/crane.urdf"] == [beside]
+
+
 def test_what_only_one_of_several_starts_lacks_is_no_finding(folder: Folder) -> None:
     """Both start a robot with the joint; only one of them has a transmission for it."""
     folder.write({**package("crane", "slew", "hoist"), **control("crane", winch="hoist")})
