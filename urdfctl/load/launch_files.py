@@ -20,6 +20,7 @@ from urdfctl.source.lengths import TOO_LONG
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
+from urdfctl.source.variables import Variables
 from urdfctl.source.workspaces.packages import PackageNotFound, Packages
 from urdfctl.source.xml.dom import Document, Element
 from urdfctl.source.xml.parsing import parse
@@ -79,7 +80,8 @@ def read_launch(
         references = tuple(map(_looked_around, launch.references))
         launch = launch._replace(references=references)
         misspelt = _misspelt((*named, *(node.package for node in launch.nodes if node.sure)), packages, path)
-        launch = launch._replace(packages=named, package=package, misspelt=misspelt)
+        variables = tuple(reader.environ.missing)
+        launch = launch._replace(packages=named, package=package, misspelt=misspelt, variables=variables)
         reader.look_for_tags(launch.inline)
         reader.problems += _slips_in(arguments, launch, reader)
     return LaunchFile(launch, files, tuple(reader.problems))
@@ -161,7 +163,7 @@ class _LaunchFileReader:
         self.path = path
         self.files = files
         self.packages = packages
-        self.environ = environ
+        self.environ = Variables(environ)
         self.problems: list[Problem] = []
         self.named: list[Word] = []
         self._terms: dict[str, Term | None] = {}

@@ -42,6 +42,14 @@ def robot(folder: Folder, include: str = DRIVER, *, joint: str = "lift", without
             '<xacro:include filename="$(arg file)"/>',
             "needs argument 'file': urdfctl smoke robot.urdf.xacro file:=VALUE",
         ),
+        (
+            '<xacro:include filename="$(env DRIVER)"/>',
+            "needs environment variable 'DRIVER': DRIVER=VALUE urdfctl smoke robot.urdf.xacro --env DRIVER",
+        ),
+        (
+            '<xacro:include filename="$(arg folder)/$(arg file)"/>',
+            "needs arguments 'folder' and 'file': urdfctl smoke robot.urdf.xacro folder:=VALUE file:=VALUE",
+        ),
     ],
 )
 def test_what_is_missing_is_named_with_what_adds_it(include: str, expected: str, folder: Folder) -> None:
@@ -186,3 +194,33 @@ def test_arguments_that_a_launch_file_computes_are_named_with_the_command_that_g
     shown = command("smoke", "robot.launch.py", "--engine", "none", "--distro", "jazzy").stdout
     assert "the launch file computes argument 'layout' of the robot: urdfctl smoke robot.urdf.xacro" in shown
     assert "layout:=VALUE" in shown
+
+
+VARIANT = """<launch>
+  <arg name="model" default="{}"/>
+  <param name="robot_description" textfile="$(find a)/urdf/$(arg model).urdf"/>
+  <rosparam command="load" file="$(find a)/config/arm.yaml"/>
+  <node name="spawner" pkg="controller_manager" type="spawner" args="states"/>
+</launch>
+"""
+
+
+@pytest.mark.parametrize("variable", ["$(env MODEL)", "$(eval env('MODEL'))"])
+def test_the_variable_that_chooses_the_robot_of_a_launch_file_is_named_with_how_to_give_it(
+    variable: str, folder: Folder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder.write(
+        {
+            "a/package.xml": PACKAGE.format("a"),
+            "a/config/arm.yaml": "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n",
+            "a/urdf/arm.urdf": ARM.format(FIXED),
+            "a/launch/one.launch": VARIANT.format(variable),
+        }
+    )
+    words = ("smoke", "a/launch/one.launch", "--engine", "none", "--distro", "noetic")
+    wanted = "needs environment variable 'MODEL': MODEL=VALUE urdfctl smoke a/launch/one.launch --env MODEL"
+    assert wanted in command(*words).stdout
+    monkeypatch.setenv("MODEL", "arm")
+    given = command(*words, "--env", "MODEL").stdout
+    assert "needs environment variable" not in given
+    assert "a/launch/one.launch: a/urdf/arm.urdf" in given

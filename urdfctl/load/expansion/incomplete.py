@@ -123,7 +123,8 @@ def _needs(arguments: list[str], variables: list[str], expander: Expander, expan
     root = expansion.document.documentElement if expansion.document else None
     at = root.at if root is not None else Place(SourceText("", b""), 0, end=0)
     declared = [expander.declared[name].at["name"] for name in arguments if name in expander.declared]
-    return Problem(ProblemKind.ARGUMENTS_NEEDED, (*declared, at)[0], message, " ".join((*arguments, *variables)), hint)
+    subject = " ".join((*arguments, *(f"${name}" for name in variables)))
+    return Problem(ProblemKind.ARGUMENTS_NEEDED, (*declared, at)[0], message, subject, hint)
 
 
 def _listed(what: str, names: list[str]) -> list[str]:

@@ -35,7 +35,7 @@ _DECIDING = ("ros2_control_node", None, "robot_state_publisher")
 _STARTED_TOGETHER = (
     *("descriptions", "loads", "spawns", "elsewhere", "nodes", "simulations", "references", "packages", "strays"),
     *("undeclared", "inline", "given", "misspelt", "moveit", "named", "misnamed", "skipped", "waiting", "slips"),
-    "absent",
+    *("absent", "variables"),
 )
 """What launch files add to each other if they are started beside each other."""
 
@@ -66,6 +66,7 @@ class Launch(NamedTuple):
     skipped: the texts of the parts that run only with other launch arguments.
     waiting: ROS 2: what waits for an event that never comes.
     slips: ROS 2: arguments for included files that these do not declare, each with the one that was probably meant.
+    variables: the environment variables that it requires, and that are not given.
     """
 
     path: str
@@ -97,6 +98,7 @@ class Launch(NamedTuple):
     skipped: tuple[str, ...] = ()
     waiting: tuple[Waiting, ...] = ()
     slips: tuple[tuple[Word, str], ...] = ()
+    variables: tuple[str, ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:

@@ -12,6 +12,7 @@ from urdfctl.source.launch.terms import outside
 from urdfctl.source.lengths import Room
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
+from urdfctl.source.variables import required
 from urdfctl.source.xml.dom import Document
 from urdfctl.startup.records import NamedTuple
 
@@ -130,6 +131,8 @@ class Substitutions:
             return whole
         if command == "dirname":
             return self.folder
+        if command == "env":
+            return required(self.environ, name)
         if command == "optenv":
             default = inside.split(None, 2)[2] if len(words) > 1 else ""
             return self.environ.get(name, default)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Sequence
 
 from urdfctl.catalog.values import is_known
 from urdfctl.lint.target import LintedTarget
@@ -23,7 +23,8 @@ NO_INCLUDED = (
     "or urdfctl smoke ROBOT --controllers {}"
 )
 NO_PACKAGES = "not simulated: the robot needs {}, not here: clone {} beside it, or --package-path FOLDER"
-NO_ARGUMENT = "not simulated: the robot needs {}: urdfctl smoke {} {}"
+NO_ARGUMENT = "not simulated: the robot needs {}: {}urdfctl smoke {} {}"
+NO_VARIABLE = "not simulated: the launch file needs {}: {}urdfctl smoke {} {}"
 COMPUTED = "not simulated: the launch file computes {} of the robot: urdfctl smoke {}"
 NO_PART = "not simulated: some parts of the robot are not known: {}:{}: {}"
 OR_MOCK = "; or --hardware mock, if only the driver is in there"
@@ -45,6 +46,8 @@ def why_unknown(seen: LintedTarget) -> str:
         return NO_PACKAGES.format(*_named(packages)) + (OR_MOCK if is_only_the_driver_missing(project) else "")
     if project.robot is None and project.launch is not None and seen.result.controllers:
         files = " ".join(map(shown, seen.result.controllers))
+        if seen.result.joining.unread and project.launch.variables:
+            return _asking(NO_VARIABLE, shown(project.launch.path), variables=project.launch.variables)
         included = {*packages_lacking(project), *seen.result.joining.described_in}
         return NO_INCLUDED.format(*_named(included), files) if included else NO_ROBOT.format(files)
     return _computed(seen) if incomplete and not problems else _why_of(problems, seen.result.path)
@@ -52,7 +55,7 @@ def why_unknown(seen: LintedTarget) -> str:
 
 def _named(packages: Collection[str]) -> tuple[str, str]:
     """Packages by name, and the pronoun for them."""
-    names = enumerated([f"'{name}'" for name in sorted(packages)], "and")
+    names = _quoted(sorted(packages))
     return (f"packages {names}", "them") if len(packages) > 1 else (f"package {names}", "it")
 
 
@@ -64,8 +67,7 @@ def _computed(seen: LintedTarget) -> str:
     if path is None:
         return UNKNOWN_ROBOT
     names = list(dict.fromkeys(name for _, name in unknown))
-    quoted = enumerated([f"'{name}'" for name in names], "and")
-    what = f"argument{'s' if len(names) > 1 else ''} {quoted}"
+    what = f"argument{'s' if len(names) > 1 else ''} {_quoted(names)}"
     files = [f"--controllers {shown(path)}" for path in seen.result.controllers]
     words = [shown(path), *files, *(f"{name}:=VALUE" for name in names)]
     return COMPUTED.format(what, " ".join(words))
@@ -73,15 +75,27 @@ def _computed(seen: LintedTarget) -> str:
 
 def _why_of(problems: list[Problem], path: str) -> str:
     needed = [problem.subject for problem in problems if problem.kind in _ARGUMENTS and problem.subject]
-    arguments = list(dict.fromkeys(name.strip() for names in needed for name in names.split(",")))
-    if arguments:
-        names = enumerated([f"'{name}'" for name in arguments], "and")
-        given = " ".join(f"{name}:=VALUE" for name in arguments)
-        return NO_ARGUMENT.format(f"argument{'s' if len(arguments) > 1 else ''} {names}", shown(path), given)
+    wanted = dict.fromkeys(name for names in needed for name in re.findall(r"[^,\s]+", names))
+    if wanted:
+        variables = [name[1:] for name in wanted if name.startswith("$")]
+        return _asking(NO_ARGUMENT, shown(path), [name for name in wanted if not name.startswith("$")], variables)
     if problems:
         first = problems[0]
         return NO_PART.format(shown(first.at.source.path), first.at.source.position(first.at.start)[0], first.message)
     return UNKNOWN_ROBOT
+
+
+def _asking(text: str, path: str, arguments: Sequence[str] = (), variables: Sequence[str] = ()) -> str:
+    """That arguments and environment variables are needed, and the command that gives them."""
+    kinds = ("argument", arguments), ("environment variable", variables)
+    parts = [f"{kind}{'s' * (len(names) > 1)} {_quoted(names)}" for kind, names in kinds if names]
+    before = "".join(f"{name}=VALUE " for name in variables)
+    given = " ".join([*(f"{name}:=VALUE" for name in arguments), *(f"--env {name}" for name in variables)])
+    return text.format(" and ".join(parts), before, path, given)
+
+
+def _quoted(names: Iterable[str]) -> str:
+    return enumerated([f"'{name}'" for name in names], "and")
 
 
 def packages_lacking(project: Project) -> tuple[str, ...]:

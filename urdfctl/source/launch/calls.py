@@ -29,6 +29,7 @@ from urdfctl.source.launch.terms import (
 from urdfctl.source.lengths import until_too_long
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
+from urdfctl.source.variables import required
 
 _SHARE = frozenset({"get_package_share_directory", "get_package_share_path"})
 _FINDING = frozenset({"FindPackageShare", "FindPackage", "FindPackagePrefix"})
@@ -162,9 +163,9 @@ class Calls:
     def environment(self, arguments: Sequence[Term], at: Place) -> Term:
         """Return the term of an environment variable: its name, and its default if it has one."""
         name = known_text(arguments[0]) if arguments else None
-        if name is not None and name in self._environ:
-            return Constant(self._environ[name], at)
-        return arguments[1] if name is not None and len(arguments) > 1 else Constant(UNKNOWN, at)
+        if name is not None and name not in self._environ and len(arguments) > 1:
+            return arguments[1]
+        return Constant(UNKNOWN if name is None else required(self._environ, name), at)
 
     def method(
         self, of: Term, name: str, given: tuple[list[Term], Mapping[str, Term]], at: Place, frame: Frame

@@ -9,6 +9,7 @@ from urdfctl.source.launch.python import evaluated as of_python
 from urdfctl.source.launch.terms import Constant, Context, Function, Plain, Term, known_text
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceText
+from urdfctl.source.variables import required
 
 _AT = Place(SourceText("", b""), 0, end=0)
 _TRUTH = {"true": True, "false": False}
@@ -35,7 +36,7 @@ def evaluated(
         return _converted(arguments.get(name, UNKNOWN))
 
     def variable(name: str, default: str | None) -> Term:
-        return _text(environ.get(name, UNKNOWN if default is None else default))
+        return _text(required(environ, name) if default is None else environ.get(name, default))
 
     used = set(re.findall(r"\w+", expression))
     names: dict[str, Term] = {name: _converted(arguments[name]) for name in used if name in arguments}

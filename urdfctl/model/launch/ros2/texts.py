@@ -12,6 +12,7 @@ from urdfctl.source.launch.terms import Called, Constant, Context, Items, Table,
 from urdfctl.source.lengths import MOST_CHARACTERS, until_too_long
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
+from urdfctl.source.variables import required
 from urdfctl.startup.records import NamedTuple
 
 _TRUTH = {"true": True, "1": True, "false": False, "0": False}
@@ -184,10 +185,9 @@ def _package(texts: Texts, term: Called) -> str:
 
 def _environment(texts: Texts, term: Called) -> str:
     name = texts.of(term.given("name", 0))
-    if name in texts.sources.environ:
-        return texts.sources.environ[name]
     default = term.given("default_value", 1)
-    return UNKNOWN if default is None else texts.of(default)
+    is_default = default is not None and name not in texts.sources.environ
+    return texts.of(default) if is_default else required(texts.sources.environ, name)
 
 
 def _path(texts: Texts, term: Called) -> str:
