@@ -49,7 +49,12 @@ class CheckedRobot(NamedTuple):
         linted = result_from_json(data["linted"])
         return cls(
             result=RobotResult(
-                linted, results, data["distro"], part_of=data["part_of"], lacking=tuple(data["lacking"])
+                linted,
+                results,
+                data["distro"],
+                part_of=data["part_of"],
+                lacking=tuple(data["lacking"]),
+                adding=data["adding"],
             ),
             plan=plan,
             placed={subject: diagnostic_from_json(item) for subject, item in data["placed"].items()},
@@ -68,6 +73,7 @@ class CheckedRobot(NamedTuple):
             "distro": self.result.distro,
             "part_of": self.result.part_of,
             "lacking": self.result.lacking,
+            "adding": self.result.adding,
             "plan": self.plan.to_json() if self.plan else None,
             "placed": {subject: diagnostic_to_json(item) for subject, item in self.placed.items()},
             "troubles": self.troubles,

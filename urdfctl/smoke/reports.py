@@ -9,7 +9,6 @@ from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.results import Report
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage
-from urdfctl.names import enumerated
 from urdfctl.output.printing import visible
 from urdfctl.report import render
 from urdfctl.report.common import as_json, shown
@@ -97,12 +96,7 @@ def _why_nothing(robot: RobotResult) -> str:
     """Why a robot, or a launch file, has no controllers."""
     if robot.part_of:
         return f"not a robot: it hangs on link '{robot.part_of}', which is in another file"
-    if not robot.lacking:
-        return "no controllers are declared for this robot"
-    several = len(robot.lacking) > 1
-    names = enumerated([f"'{name}'" for name in robot.lacking], "and")
-    what = f"package{'s' if several else ''} {names}, not here"
-    return f"it needs files of {what}: clone {'them' if several else 'it'} beside it, or --package-path FOLDER"
+    return robot.adding or "no controllers are declared for this robot"
 
 
 def explanation(result: ControllerResult) -> str:

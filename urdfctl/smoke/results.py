@@ -132,6 +132,7 @@ class RobotResult(NamedTuple):
     interrupted: whether Ctrl-C ended the run before all was tested.
     paired: whether the launch file loads no robot, and this is the only one with the joints of its controllers.
     lacking: the packages of the files that the launch file includes, and of its description, if these are not here.
+    adding: that it needs these, and what adds them.
     """
 
     linted: TargetResult
@@ -144,6 +145,7 @@ class RobotResult(NamedTuple):
     interrupted: bool = False
     paired: bool = False
     lacking: tuple[str, ...] = ()
+    adding: str = ""
 
     def without(self, hidden: Sequence[str]) -> RobotResult:
         """Return the result in which no controller fails for a finding that is hidden: it is warned instead."""

@@ -224,3 +224,21 @@ def test_the_variable_that_chooses_the_robot_of_a_launch_file_is_named_with_how_
     given = command(*words, "--env", "MODEL").stdout
     assert "needs environment variable" not in given
     assert "a/launch/one.launch: a/urdf/arm.urdf" in given
+
+
+@pytest.mark.parametrize(
+    ("modules", "filled", "expected"),
+    [
+        ("src/lift-driver", False, "git submodule update --init src/lift-driver, or --package-path FOLDER"),
+        ("src/lift-driver", True, "clone it beside it, or --package-path FOLDER"),
+        ("src/lift_gripper", False, "clone it beside it, or --package-path FOLDER"),
+    ],
+)
+def test_a_package_that_is_a_submodule_is_added_by_git(
+    modules: str, filled: bool, expected: str, folder: Folder
+) -> None:
+    robot(folder)
+    folder.write({".gitmodules": f'[submodule "d"]\n\tpath = {modules}\n\turl = https://example.com/d.git\n'})
+    if filled:
+        folder.write({f"{modules}/README.md": "moved"})
+    assert f"needs package 'lift_driver', not here: {expected}" in command(*SMOKE).stdout

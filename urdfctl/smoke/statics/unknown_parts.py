@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Collection, Iterable, Sequence
 
@@ -13,16 +14,18 @@ from urdfctl.report.common import shown
 from urdfctl.smoke.lifecycle import stops_hardware
 from urdfctl.smoke.robot import mechanism_of
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.workspaces.submodules import empty_submodule
 from urdfctl.source.xacro.expanded import HARMLESS
 
 UNKNOWN_ROBOT = "not simulated: the robot is not known, or some of its parts are not"
 """Why a controller does not move if no engine can move it, and nothing says what is missing."""
 NO_ROBOT = "not simulated: the launch file starts no known robot: urdfctl smoke ROBOT --controllers {}"
 NO_INCLUDED = (
-    "not simulated: the launch file starts no known robot, but files of {}, not here: clone {} beside it, "
+    "not simulated: the launch file starts no known robot, but files of {}, not here: {}, "
     "or urdfctl smoke ROBOT --controllers {}"
 )
-NO_PACKAGES = "not simulated: the robot needs {}, not here: clone {} beside it, or --package-path FOLDER"
+NO_PACKAGES = "not simulated: the robot needs {}, not here: {}, or --package-path FOLDER"
+NEEDS = "it needs files of {}, not here: {}, or --package-path FOLDER"
 NO_ARGUMENT = "not simulated: the robot needs {}: {}urdfctl smoke {} {}"
 NO_VARIABLE = "not simulated: the launch file needs {}: {}urdfctl smoke {} {}"
 COMPUTED = "not simulated: the launch file computes {} of the robot: urdfctl smoke {}"
@@ -43,20 +46,33 @@ def why_unknown(seen: LintedTarget) -> str:
     packages = {problem.subject for problem in problems if problem.kind in _PACKAGES and problem.subject}
     packages |= set(seen.result.missing_packages) if incomplete else set()
     if packages:
-        return NO_PACKAGES.format(*_named(packages)) + (OR_MOCK if is_only_the_driver_missing(project) else "")
+        return NO_PACKAGES.format(*with_what_adds(packages, seen.result.path)) + (
+            OR_MOCK if is_only_the_driver_missing(project) else ""
+        )
     if project.robot is None and project.launch is not None and seen.result.controllers:
         files = " ".join(map(shown, seen.result.controllers))
         if seen.result.joining.unread and project.launch.variables:
             return _asking(NO_VARIABLE, shown(project.launch.path), variables=project.launch.variables)
         included = {*packages_lacking(project), *seen.result.joining.described_in}
-        return NO_INCLUDED.format(*_named(included), files) if included else NO_ROBOT.format(files)
+        return (
+            NO_INCLUDED.format(*with_what_adds(included, seen.result.path), files)
+            if included
+            else NO_ROBOT.format(files)
+        )
     return _computed(seen) if incomplete and not problems else _why_of(problems, seen.result.path)
 
 
-def _named(packages: Collection[str]) -> tuple[str, str]:
-    """Packages by name, and the pronoun for them."""
-    names = _quoted(sorted(packages))
-    return (f"packages {names}", "them") if len(packages) > 1 else (f"package {names}", "it")
+def with_what_adds(packages: Collection[str], path: str) -> tuple[str, str]:
+    """Return packages that a file needs by name, and what adds them: the command for those that are submodules."""
+    names = f"package{'s' * (len(packages) > 1)} {_quoted(sorted(packages))}"
+    submodules = list(filter(None, (empty_submodule(name, path) for name in sorted(packages))))
+    left = len(packages) - len(submodules)
+    clone = f"clone {'it' if left == 1 else 'them'} beside it" if not submodules else "clone the others beside it"
+    if not submodules:
+        return names, clone
+    root, paths = shown(submodules[0][0] + os.sep).rstrip("/"), " ".join(path for _, path in submodules)
+    fetch = f"git {f'-C {root} ' if root else ''}submodule update --init {paths}"
+    return names, f"{fetch}, and {clone}" if left else fetch
 
 
 def _computed(seen: LintedTarget) -> str:
@@ -103,9 +119,9 @@ def packages_lacking(project: Project) -> tuple[str, ...]:
 
     Its own package is here, whatever file of it is missing.
     """
-    unread = project.launch.unread if project.launch else ()
+    absent = project.launch.absent if project.launch else ()
     own = project.launch.package.name if project.launch and project.launch.package else None
-    found = (re.match(_IN_PACKAGE, word.text) for word in unread)
+    found = (re.match(_IN_PACKAGE, word.text) for word in absent)
     return tuple(sorted({match[1] or match[2] for match in found if match} - {own}))
 
 
