@@ -159,14 +159,15 @@ def summary(report: SmokeReport) -> str:
 
 
 def _what_next(report: SmokeReport) -> str:
-    """Why nothing was tested, and the command with which something is."""
-    paths = (robot.linted.path for robot in report.robots if not robot.part_of)
-    whole = list(dict.fromkeys(path for path in paths if not is_launch(path)))
+    """Why nothing was tested, and the command with which something is: for the robot with the most joints that move."""
+    every = (robot.linted for robot in report.robots if not robot.part_of)
+    whole = {linted.path: linted for linted in every if not is_launch(linted.path)}
     if report.unused and whole:
         first, others = shown(report.unused[0]), len(report.unused) - 1
         which = f"'{first}'{f' (and {others} more)' if others else ''}"
-        return _UNUSED.format(which, shown(whole[0]) if len(whole) == 1 else "ROBOT", first)
-    return _NOTHING + (_PROPOSED.format(shown(whole[0])) if whole else "")
+        return _UNUSED.format(which, shown(*whole) if len(whole) == 1 else "ROBOT", first)
+    most = max(whole.values(), key=lambda linted: linted.idle, default=None)
+    return _NOTHING + (_PROPOSED.format(shown(most.path)) if most else "")
 
 
 def _text(report: SmokeReport) -> str:
