@@ -14,6 +14,7 @@ from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.model.robot import Robot
+from urdfctl.smoke.engines import quick_mujoco
 from urdfctl.smoke.engines.engine import installed
 from urdfctl.smoke.engines.surfaces import Surfaces, read_surface, tests_surfaces
 from urdfctl.smoke.engines.urdf import engine_urdf
@@ -143,9 +144,7 @@ class _Meeting:
     """The links of a robot in MuJoCo, with all pairs tested but those that need no test."""
 
     def __init__(self, urdf: str, mechanism: Mechanism, solid: Sequence[str]) -> None:
-        import mujoco
-
-        self._library: Any = mujoco
+        self._library: Any = quick_mujoco.load()
         self._urdf, self._mechanism, self._solid = urdf, mechanism, solid
         self._moving = [hinge for hinge in mechanism.hinges if hinge.moves]
         self._between = _between(mechanism, solid)

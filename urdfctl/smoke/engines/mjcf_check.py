@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib.util
 
+from urdfctl.smoke.engines import quick_mujoco
+
 
 def is_checkable() -> bool:
     """Return whether MuJoCo is installed."""
@@ -12,8 +14,7 @@ def is_checkable() -> bool:
 
 def mjcf_fault(text: str) -> str:
     """Return why MuJoCo does not load a model whose meshes have absolute paths, in one line; empty if it does."""
-    import mujoco
-
+    mujoco = quick_mujoco.load()
     mujoco.set_mju_user_warning(lambda _: None)
     try:
         mujoco.MjModel.from_xml_string(text)

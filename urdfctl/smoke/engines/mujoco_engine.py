@@ -10,14 +10,12 @@ import math
 import os
 from typing import Any
 
+from urdfctl.smoke.engines import quick_mujoco
 from urdfctl.smoke.engines.engine import STEP, BasePose, EngineSetup, Motor, RobotRejected
+from urdfctl.smoke.engines.mujoco_drives import EFFORT, POSITION, VELOCITY, Drives
 from urdfctl.smoke.engines.urdf import quoted
 from urdfctl.smoke.robot import corners_of
 
-STIFF = 60.0
-"""The rate at which a driven joint approaches its target position, in 1/s."""
-GRIP = 10.0
-"""The stiffness of holding a velocity: a free joint nearly reaches it in one step."""
 GROUND = "urdfctl:ground"
 _LEAST_CORNERS = 4
 COMPILER = (
@@ -37,23 +35,26 @@ class MujocoEngine:
         moving = [n for n in names if not names[n].startswith(GROUND)]
         self._places = {names[n]: int(model.jnt_qposadr[n]) for n in moving}
         self._ways = {names[n]: int(model.jnt_dofadr[n]) for n in moving}
-        # the rows of the lower half of the mass matrix, each of which ends on the diagonal
-        ends = {name: int(model.M_rowadr[way]) + int(model.M_rownnz[way]) - 1 for name, way in self._ways.items()}
-        self._diagonal = ends
-        self._damping = {name: float(model.dof_damping[way]) for name, way in self._ways.items()}
-        self._commands: dict[str, tuple[str, float, float, float]] = {}
-        self._efforts: dict[str, float] = {}
-        self._motors: dict[str, Motor] = {}
+        self._drives = Drives(model, data, {way: self._places[name] for name, way in self._ways.items()})
+        # lists of the engine's arrays, whose numbers are read one by one: from an array that takes five times as long
+        self._at: list[float] = []
+        self._moving: list[float] = []
+
+    def _read(self) -> None:
+        """Take the positions and velocities that the engine has now."""
+        self._at, self._moving = self._data.qpos.tolist(), self._data.qvel.tolist()
 
     def prepare(self, setup: EngineSetup) -> None:
         """Set the start positions, and place the robot on the ground."""
-        self._motors = {name: Motor(*resistance) for name, resistance in setup.resist.items() if name in self._places}
+        ways = self._ways
+        self._drives.add_motors({ways[name]: Motor(*given) for name, given in setup.resist.items() if name in ways})
         for name, position in setup.start.items():
             if name in self._places:
                 self._data.qpos[self._places[name]] = position
         self._library.mj_forward(self._model, self._data)
         if not setup.fixed:
             self._put_down()
+        self._read()
 
     def _put_down(self) -> None:
         model, data = self._model, self._data
@@ -82,15 +83,15 @@ class MujocoEngine:
 
     def position(self, joint: str) -> float:
         """Return the position of a joint, in rad or m."""
-        return float(self._data.qpos[self._places[joint]])
+        return self._at[self._places[joint]]
 
     def velocity(self, joint: str) -> float:
         """Return the velocity of a joint, in rad/s or m/s."""
-        return float(self._data.qvel[self._ways[joint]])
+        return self._moving[self._ways[joint]]
 
     def effort(self, joint: str) -> float:
         """Return the effort with which its motor drove a joint in the last step, in N m or N."""
-        return self._efforts.get(joint, 0.0)
+        return self._drives.effort(self._ways[joint])
 
     def place(self, joint: str, position: float) -> None:
         """Put a joint at a position, at rest."""
@@ -98,52 +99,25 @@ class MujocoEngine:
         self._data.qpos[self._places[joint]] = position
         for changing in (self._data.qvel, self._data.qacc_warmstart, self._data.qfrc_applied):
             changing[way] = 0.0
+        self._read()
 
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
         """Drive a joint to a position, with a maximum effort and velocity."""
-        self._commands[joint] = "position", position, effort, velocity
+        self._drives.command(self._ways[joint], POSITION, position, effort, velocity)
 
     def at_velocity(self, joint: str, velocity: float, effort: float) -> None:
         """Drive a joint at a velocity, with a maximum effort."""
-        self._commands[joint] = "velocity", velocity, effort, math.inf
+        self._drives.command(self._ways[joint], VELOCITY, velocity, effort, math.inf)
 
     def with_effort(self, joint: str, effort: float) -> None:
         """Push a joint with an effort, in N m or N."""
-        self._commands[joint] = "effort", effort, math.inf, math.inf
+        self._drives.command(self._ways[joint], EFFORT, effort, math.inf, math.inf)
 
     def step(self) -> None:
         """Simulate STEP seconds."""
-        model, data = self._model, self._data
-        for joint, (kind, value, effort, most) in self._commands.items():
-            way = self._ways[joint]
-            push, damping = value, self._damping[joint]
-            if kind != "effort":
-                wanted = value
-                if kind == "position":
-                    wanted = max(-most, min(most, STIFF * (value - float(data.qpos[self._places[joint]]))))
-                push, damping = self._servo(joint, wanted, effort)
-            model.dof_damping[way] = damping
-            data.qfrc_applied[way] = push
-            # what a servo damps is its motor's work too; a pushed joint's damping is its own
-            self._efforts[joint] = push - (damping * float(data.qvel[way]) if kind != "effort" else 0.0)
-        self._library.mj_step(model, data)
-
-    def _servo(self, joint: str, wanted: float, effort: float) -> tuple[float, float]:
-        """The effort and the damping that drive a joint at a velocity; the engine keeps damping stable."""
-        data, way = self._data, self._ways[joint]
-        motor = self._motors.get(joint)
-        if motor:
-            top = motor.top(effort)
-            wanted = max(-top, min(top, wanted))
-            effort = motor.left(effort, wanted, float(data.qvel[way]))
-        grip = float(data.M[self._diagonal[joint]]) / STEP * GRIP
-        weight = float(data.qfrc_bias[way])
-        away = abs(wanted - float(data.qvel[way]))
-        left = effort - abs(weight)
-        if left <= 0:
-            return math.copysign(effort, weight), 0.0
-        grip = min(grip, left / away) if away else grip
-        return grip * wanted + weight, grip
+        self._drives.apply()
+        self._library.mj_step(self._model, self._data)
+        self._read()
 
     def base_pose(self) -> BasePose:
         """Return the place and rotation of the base."""
@@ -169,8 +143,7 @@ class MujocoEngine:
 
 def open_engine(setup: EngineSetup) -> MujocoEngine:
     """Return a robot in MuJoCo. Raise RobotRejected with the element that MuJoCo names if it rejects the robot."""
-    import mujoco
-
+    mujoco = quick_mujoco.load()
     # by default it writes MUJOCO_LOG.TXT to the working directory
     mujoco.set_mju_user_warning(lambda _: None)
     above = f'<link name="{GROUND}"/><joint name="{GROUND}" type="fixed"><parent link="{GROUND}"/>'

@@ -49,6 +49,7 @@ class RobotSimulation:
         self.plan, self.engine, self.mechanism = plan, engine, plan.mechanism
         self.hinges = {hinge.name: hinge for hinge in plan.mechanism.hinges if hinge.moves}
         self.claimed = {joint for task in plan.tasks for joint in task.joints}
+        self._followers = [hinge for hinge in self.hinges.values() if self.follows(hinge)]
         self._deadline = began + plan.budget
         self.at_rest: BasePose | None = None
         self.every(max(1, round(1 / plan.rate / STEP)))
@@ -66,9 +67,8 @@ class RobotSimulation:
     def update(self) -> None:
         """Simulate one period: command the mimic joints, then run the engine's steps."""
         engine = self.engine
-        for hinge in self.hinges.values():
-            if self.follows(hinge):
-                engine.to_position(hinge.name, self.followed(hinge), FREELY, FREELY)
+        for hinge in self._followers:
+            engine.to_position(hinge.name, self.followed(hinge), FREELY, FREELY)
         for _ in range(self.steps):
             engine.step()
         self._unwatched -= 1
