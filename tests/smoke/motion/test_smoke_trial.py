@@ -17,7 +17,7 @@ from urdfctl.smoke.motion.trial import (
     untested_joints,
 )
 from urdfctl.smoke.robot.mechanism import Hinge, LinkBody, Mechanism
-from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily
+from urdfctl.smoke.tasks.task import ControllerTask, Drive, MotionFamily, PidGains
 
 
 def codes(made: MotionTrial) -> list[str]:
@@ -52,6 +52,31 @@ def test_an_obedient_base_drives_and_turns() -> None:
 def test_each_driven_wheel_must_touch_the_ground() -> None:
     made = trial(Obedient(touching=("lw",)), WHEELS, (ROLLER,), fixed=False)
     assert [(trouble.code, trouble.subject) for trouble in made.troubles] == [("UC940", "joint:r")]
+
+
+def rocking(parent: str) -> tuple[Hinge, ...]:
+    """Two wheels, and a rocker on which the right one is if that is its parent."""
+    left, right = WHEELS
+    return left, hinge("rocker", "arm"), right._replace(parent=parent)
+
+
+@pytest.mark.parametrize(
+    ("parent", "family", "interface", "expected"),
+    [
+        ("arm", MotionFamily.FORWARD, "effort", []),
+        ("base", MotionFamily.FORWARD, "effort", ["UC940"]),
+        ("arm", MotionFamily.FORWARD, "position", ["UC940"]),
+        ("arm", MotionFamily.POSITION_PID, "effort", ["UC940"]),
+    ],
+)
+def test_a_wheel_on_a_joint_that_is_only_pushed_comes_down_to_the_ground(
+    parent: str, family: MotionFamily, interface: str, expected: list[str]
+) -> None:
+    rocker = ControllerTask("rocker", family, ("rocker",), interface, gains=(PidGains(p=100.0),))
+    made = trial(Obedient(touching=("lw",)), rocking(parent), (ROLLER, rocker), fixed=False)
+    assert [code for code in codes(made) if code == "UC940"] == expected
+    why = "not simulated: joint 'rocker' is part of a suspension, which the ground moves too"
+    assert (made.unjudged.get("rocker") == why) is (not expected)
 
 
 def test_a_wheel_off_the_ground_is_not_judged_where_collision_geometry_is_missing() -> None:

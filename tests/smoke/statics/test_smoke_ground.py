@@ -49,6 +49,19 @@ def test_a_robot_that_leans_by_a_fifth_of_a_radian_has_not_tipped_over() -> None
         assert [code for code in codes if code == "UC931"] == expected
 
 
+@pytest.mark.parametrize(("interface", "expected"), [("effort", []), ("position", ["UC940"])])
+def test_a_wheel_on_a_rocker_that_is_only_pushed_is_not_off_the_ground(interface: str, expected: list[str]) -> None:
+    rocker = Hinge("rocker", "revolute", parent="base", child="arm", pose=Pose(), axis=(0.0, 1.0, 0.0))
+    wheel = Hinge("l", "continuous", parent="arm", child="wheel", pose=Pose((-0.1, 0.1, 0.1)), axis=(0.0, 1.0, 0.0))
+    drive = ControllerTask("base", MotionFamily.DIFFERENTIAL, ("l",), "velocity", drive=Drive(("l",), radius=0.02))
+    pushing = ControllerTask("rocker", MotionFamily.FORWARD, ("rocker",), interface)
+    stool, shapes = tripod(0.0, 0.0)
+    bodies = {**stool.bodies, "arm": LinkBody("arm", 0.1), "wheel": LinkBody("wheel", 0.1)}
+    known = Shapes({**shapes.known, "wheel": (Shape("sphere", Pose(), (0.02,)),)})
+    troubles = ground_troubles(Mechanism("base", bodies, (rocker, wheel)), known, [drive, pushing])
+    assert [trouble.code for trouble in troubles if trouble.code == "UC940"] == expected
+
+
 def test_a_robot_that_leans_names_the_parts_that_are_mounted_too_high() -> None:
     wheel = Hinge("l", "continuous", parent="base", child="wheel", pose=Pose((0.0, 0.0, 0.0)), axis=(0.0, 1.0, 0.0))
     task = ControllerTask("base", MotionFamily.DIFFERENTIAL, ("l",), "velocity", drive=Drive(("l",), radius=0.05))

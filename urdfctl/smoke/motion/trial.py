@@ -22,7 +22,7 @@ from urdfctl.smoke.motion.standing import why_not_standing
 from urdfctl.smoke.motion.user_tasks import perform_task
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
 from urdfctl.smoke.robot import GRIPS, SLIDES, TIPPED, gravity_load, moved_inertias
-from urdfctl.smoke.tasks import FREELY, ControllerTask, Drive, Goal, MotionFamily, UserTask, goal_of
+from urdfctl.smoke.tasks import FREELY, ControllerTask, Drive, Goal, MotionFamily, UserTask, goal_of, suspended_wheels
 
 SETTLING = 0.5
 """The time in which a robot comes to rest, in s."""
@@ -106,6 +106,7 @@ class MotionTrial:
         self._simulation, self.stiff_joints, self._began = RobotSimulation(plan, engine, began), stiff, began
         self._plan, self._engine, self._hinges = plan, engine, self._simulation.hinges
         self.wheel_joints = set(wheels_of_drives(plan.tasks))
+        self._suspended = {} if plan.fixed else suspended_wheels(plan.mechanism, plan.tasks)
         self.troubles: list[Trouble] = []
         self.moved: list[str] = []
         self.unjudged: dict[str, str] = {}
@@ -185,7 +186,7 @@ class MotionTrial:
         tipped = max(abs(standing.roll), abs(standing.pitch)) > TIPPED
         touching = self._engine.touching()
         wheels = dict.fromkeys(wheels_of_drives(self._plan.tasks))
-        lifted = [name for name in wheels if self._hinges[name].child not in touching]
+        lifted = [name for name in wheels if self._hinges[name].child not in touching and name not in self._suspended]
         if self._plan.shapeless and (tipped or lifted):
             for task in self._plan.tasks:
                 self.unjudged[task.controller] = "not simulated: collision geometry under the robot is missing"
@@ -276,6 +277,8 @@ class MotionTrial:
                 return f"'{name}' is not a movable joint"
             if hinge.span[0] == hinge.span[1]:
                 return f"joint '{name}' has no range of motion"
+            if any(name in joints for joints in self._suspended.values()):
+                return f"joint '{name}' is part of a suspension, which the ground moves too"
             if name in self.stiff_joints:
                 return f"{self._plan.engine} cannot simulate the damping of joint '{name}'"
         return ""

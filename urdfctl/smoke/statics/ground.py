@@ -24,7 +24,7 @@ from urdfctl.smoke.robot import (
     rest_pose_of,
 )
 from urdfctl.smoke.statics.efforts import TIME
-from urdfctl.smoke.tasks import ControllerTask, speed_of
+from urdfctl.smoke.tasks import ControllerTask, speed_of, suspended_wheels
 
 MOST_LEANING = math.radians(6)
 """A base that leans farther than this at rest does not stand as it was built."""
@@ -43,7 +43,8 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Contro
     bare = [hinge for hinge in hinges if not shapes.known.get(hinge.child) and hinge.child not in shapes.unknown]
     for hinge in bare:
         yield _lifted(hinge.name, wheels[hinge.name], ())
-    at_rest = rest_pose_of(mechanism, shapes) if shapes.complete else None
+    is_stiff = shapes.complete and not suspended_wheels(mechanism, tasks)
+    at_rest = rest_pose_of(mechanism, shapes) if is_stiff else None
     if at_rest is None or bare:
         return
     if at_rest.tilt > TIPPED:

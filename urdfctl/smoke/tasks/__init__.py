@@ -17,6 +17,7 @@ from urdfctl.smoke.tasks.goals import (
     turning_of,
 )
 from urdfctl.smoke.tasks.inferred_drives import with_inferred_drives
+from urdfctl.smoke.tasks.suspension import suspended_wheels
 from urdfctl.smoke.tasks.task import FREE, ControllerTask, Drive, MotionFamily, PidGains
 from urdfctl.smoke.tasks.task_file import TaskFile, UserTask, read_tasks
 from urdfctl.smoke.tasks.task_file_check import Misfit, misfits
@@ -42,6 +43,7 @@ __all__ = [
     "misfits",
     "read_tasks",
     "speed_of",
+    "suspended_wheels",
     "tasks_of",
     "turning_of",
     "with_inferred_drives",
