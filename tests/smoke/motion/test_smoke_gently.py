@@ -45,3 +45,32 @@ def test_a_motor_swings_only_if_it_cannot_manage_a_small_motion_either(
     found = {finding.code for finding in whole(target, engine, distro="jazzy").linted.outcome.diagnostics}
     assert ("UC933" in found) is swings
     assert "UC950" in found  # in the worst pose none of them can bear its load
+
+
+CART = """<robot name="cart"><link name="world"/>
+  <link name="bar"><inertial><mass value="10"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+  <joint name="slider" type="prismatic"><parent link="world"/><child link="bar"/><axis xyz="1 0 0"/>
+    <limit lower="-15" upper="15" effort="{effort}" velocity="30"/><dynamics damping="10" friction="10"/></joint>
+  <ros2_control name="cart" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+    <joint name="slider"><command_interface name="effort"/><state_interface name="position"/></joint></ros2_control>
+</robot>"""
+PUSHING = """\
+controller_manager:
+  ros__parameters:
+    update_rate: 200
+    mover: {type: effort_controllers/JointGroupEffortController}
+mover:
+  ros__parameters: {joints: [slider]}
+"""
+
+
+@pytest.mark.parametrize("engine", EACH_ENGINE)
+@pytest.mark.parametrize(("effort", "sticks"), [(1000.0, False), (30.0, False), (8.0, True)])
+def test_an_effort_overcomes_the_friction_of_its_joint_unless_that_is_stronger(
+    effort: float, sticks: bool, engine: str, tmp_path: Path
+) -> None:
+    target = target_of(tmp_path, {"robot.urdf": CART.format(effort=effort), "controllers.yaml": PUSHING})
+    found = {finding.code for finding in whole(target, engine, distro="jazzy").linted.outcome.diagnostics}
+    assert ("UC951" in found) is sticks  # by formula, so that an engine need not tell it
+    assert "UC935" not in found

@@ -13,9 +13,9 @@ from urdfctl.smoke.tasks import CRUISE, FREELY, ControllerTask, Drive, Goal, Mot
 MOST_STEERING = 0.5
 """A base is steered by this angle at most, in rad."""
 PUSH = 1.0
-"""An effort interface is pushed with this at most in addition to the weight, in N m or N."""
+"""An effort interface is pushed with this at most in addition to the weight and the friction, in N m or N."""
 PART_OF_EFFORT = 0.2
-"""An effort interface is pushed with this fraction of its limit at most in addition to the weight."""
+"""An effort interface is pushed with this fraction of its limit at most in addition to the weight and the friction."""
 
 
 def hold(engine: Engine, hinge: Hinge, position: float) -> None:
@@ -53,7 +53,7 @@ class ForwardMotion:
                 self._targets[index] = goal.by / self._duration
                 self._engine.at_velocity(name, self._targets[index], effort)
             else:
-                extra = min(effort * PART_OF_EFFORT, PUSH, goal.push)
+                extra = min(goal.hinge.friction + min(effort * PART_OF_EFFORT, PUSH), goal.push)
                 self._targets[index] = max(-effort, min(effort, goal.weight + math.copysign(extra, goal.by)))
                 self._engine.with_effort(name, self._targets[index])
 
