@@ -39,6 +39,13 @@ def shown(path: str, folder: str | None = None) -> str:
     return path.removeprefix(_inside(folder)).replace(os.sep, "/")
 
 
+def in_command(path: str) -> str:
+    """Return a path as a command takes it from the current folder."""
+    from shlex import quote
+
+    return quote(shown(path))
+
+
 def _inside(folder: str | None) -> str:
     """How the paths of a folder's files begin."""
     return (folder or os.getcwd()).rstrip(os.sep) + os.sep

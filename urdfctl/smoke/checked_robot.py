@@ -48,14 +48,7 @@ class CheckedRobot(NamedTuple):
         results = tuple(ControllerResult.from_json(each) for each in data["controllers"])
         linted = result_from_json(data["linted"])
         return cls(
-            result=RobotResult(
-                linted,
-                results,
-                data["distro"],
-                part_of=data["part_of"],
-                lacking=tuple(data["lacking"]),
-                adding=data["adding"],
-            ),
+            result=RobotResult(linted, results, data["distro"], part_of=data["part_of"], needs=data["needs"]),
             plan=plan,
             placed={subject: diagnostic_from_json(item) for subject, item in data["placed"].items()},
             troubles=tuple(Trouble.from_json(fields) for fields in data["troubles"]),
@@ -72,8 +65,7 @@ class CheckedRobot(NamedTuple):
             "controllers": [each.to_json() for each in self.result.controllers],
             "distro": self.result.distro,
             "part_of": self.result.part_of,
-            "lacking": self.result.lacking,
-            "adding": self.result.adding,
+            "needs": self.result.needs,
             "plan": self.plan.to_json() if self.plan else None,
             "placed": {subject: diagnostic_to_json(item) for subject, item in self.placed.items()},
             "troubles": self.troubles,

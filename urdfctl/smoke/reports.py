@@ -11,7 +11,7 @@ from urdfctl.lint.results import Report
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage
 from urdfctl.output.printing import visible
 from urdfctl.report import render
-from urdfctl.report.common import as_json, shown
+from urdfctl.report.common import as_json, in_command, shown
 from urdfctl.report.json_report import document
 from urdfctl.report.text import Piece, pieces
 from urdfctl.smoke.results import ControllerResult, Curve, RobotResult, Verdict
@@ -96,7 +96,7 @@ def _why_nothing(robot: RobotResult) -> str:
     """Why a robot, or a launch file, has no controllers."""
     if robot.part_of:
         return f"not a robot: it hangs on link '{robot.part_of}', which is in another file"
-    return robot.adding or "no controllers are declared for this robot"
+    return robot.needs or "no controllers are declared for this robot"
 
 
 def explanation(result: ControllerResult) -> str:
@@ -165,9 +165,9 @@ def _what_next(report: SmokeReport) -> str:
     if report.unused and whole:
         first, others = shown(report.unused[0]), len(report.unused) - 1
         which = f"'{first}'{f' (and {others} more)' if others else ''}"
-        return _UNUSED.format(which, shown(*whole) if len(whole) == 1 else "ROBOT", first)
+        return _UNUSED.format(which, in_command(*whole) if len(whole) == 1 else "ROBOT", in_command(report.unused[0]))
     most = max(whole.values(), key=lambda linted: linted.idle, default=None)
-    return _NOTHING + (_PROPOSED.format(shown(most.path)) if most else "")
+    return _NOTHING + (_PROPOSED.format(in_command(most.path)) if most else "")
 
 
 def _text(report: SmokeReport) -> str:

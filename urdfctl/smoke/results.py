@@ -131,8 +131,7 @@ class RobotResult(NamedTuple):
     part_of: the link of another file on which a description hangs that is not a robot.
     interrupted: whether Ctrl-C ended the run before all was tested.
     paired: whether the launch file loads no robot, and this is the only one with the joints of its controllers.
-    lacking: the packages of the files that the launch file includes, and of its description, if these are not here.
-    adding: that it needs these, and what adds them.
+    needs: what is not here or not given of what the launch file includes, or of its robot, and what adds it.
     """
 
     linted: TargetResult
@@ -144,8 +143,7 @@ class RobotResult(NamedTuple):
     part_of: str = ""
     interrupted: bool = False
     paired: bool = False
-    lacking: tuple[str, ...] = ()
-    adding: str = ""
+    needs: str = ""
 
     def without(self, hidden: Sequence[str]) -> RobotResult:
         """Return the result in which no controller fails for a finding that is hidden: it is warned instead."""

@@ -300,10 +300,10 @@ def _reported(robots: Sequence[PlannedRobot], results: Sequence[RobotResult]) ->
             seen.add(outcome)
             yield index
     if not driven:
-        told: dict[tuple[str, ...], int] = {}
+        told: dict[str, int] = {}
         for index, robot in enumerate(results):
-            if robot.lacking and among[index] is None:
-                told.setdefault(robot.lacking, index)
+            if robot.needs and among[index] is None:
+                told.setdefault(robot.needs, index)
         yield from told.values()
 
 

@@ -52,6 +52,8 @@ def test_controllers_are_proposed_for_the_robot_with_the_most_joints_that_move()
     paths = {"camera.urdf": 0, "arm.urdf": 6, "gripper.urdf": 2}
     bare = [robot(ros=1)._replace(linted=robot().linted._replace(path=path, idle=paths[path])) for path in paths]
     assert text(*bare)[-1].endswith("see what 'urdfctl gen-all arm.urdf' proposes")
+    spaced = robot()._replace(linted=robot().linted._replace(path="my arm.urdf"))
+    assert "gen-all 'my arm.urdf'" in text(spaced)[-1]
 
 
 def test_each_controller_has_a_line_with_its_verdict_and_why() -> None:

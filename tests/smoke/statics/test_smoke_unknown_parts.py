@@ -218,7 +218,9 @@ def test_the_variable_that_chooses_the_robot_of_a_launch_file_is_named_with_how_
         }
     )
     words = ("smoke", "a/launch/one.launch", "--engine", "none", "--distro", "noetic")
-    wanted = "needs environment variable 'MODEL': MODEL=VALUE urdfctl smoke a/launch/one.launch --env MODEL"
+    wanted = (
+        "the launch file needs environment variable 'MODEL': MODEL=VALUE urdfctl smoke a/launch/one.launch --env MODEL"
+    )
     assert wanted in command(*words).stdout
     monkeypatch.setenv("MODEL", "arm")
     given = command(*words, "--env", "MODEL").stdout
@@ -242,3 +244,23 @@ def test_a_package_that_is_a_submodule_is_added_by_git(
     if filled:
         folder.write({f"{modules}/README.md": "moved"})
     assert f"needs package 'lift_driver', not here: {expected}" in command(*SMOKE).stdout
+
+
+@pytest.mark.parametrize(
+    ("file", "expected"),
+    [
+        ("$(env ROBOT)", "it needs environment variable 'ROBOT': ROBOT=VALUE urdfctl smoke a/launch/one.launch"),
+        ("$(anon arm).urdf", "it starts a robot whose description is known only while it runs: urdfctl smoke ROBOT"),
+    ],
+)
+def test_a_launch_file_whose_robot_is_known_only_while_it_runs_is_named(
+    file: str, expected: str, folder: Folder
+) -> None:
+    folder.write(
+        {
+            "a/package.xml": PACKAGE.format("a"),
+            "a/launch/one.launch": DESCRIBED.replace("'$(find {})/urdf/arm.urdf'", file),
+        }
+    )
+    shown = command("smoke", "a", "--engine", "none", "--distro", "noetic").stdout
+    assert f"a/launch/one.launch (noetic; not simulated)\n  {expected}" in shown

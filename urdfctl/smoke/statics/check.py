@@ -47,7 +47,7 @@ from urdfctl.smoke.statics.simulators import in_simulation
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
 from urdfctl.smoke.statics.undriven import tied_by, undriven, with_own_wheels, with_virtual_wheels
-from urdfctl.smoke.statics.unknown_parts import MOCKED, NEEDS, packages_lacking, why_unknown, with_what_adds
+from urdfctl.smoke.statics.unknown_parts import MOCKED, needs_of, why_unknown
 from urdfctl.smoke.statics.written_limits import written_limit_troubles
 from urdfctl.smoke.tasks import ControllerTask, MotionFamily, TaskFile, tasks_of, with_inferred_drives
 from urdfctl.source.span import Place
@@ -146,14 +146,12 @@ class StaticCheck(NamedTuple):
         diagnostics = list(diagnostics_of(troubles, placed, self.suppressed_codes(), self.not_started))
         crashes = [finding for finding in of_lint if finding.code == rule_crashed.code]
         outcome = Outcome([*crashes, *diagnostics], [], linted.outcome.crashed)
-        lacking = tuple(sorted({*packages_lacking(self.seen.project), *linted.joining.described_in}))
         return RobotResult(
             linted._replace(outcome=outcome),
             self.results,
             self.lifecycle.distro,
             part_of=self.part_of,
-            lacking=lacking,
-            adding=NEEDS.format(*with_what_adds(lacking, linted.path)) if lacking else "",
+            needs=needs_of(self.seen),
         )
 
 

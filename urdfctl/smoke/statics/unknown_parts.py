@@ -10,7 +10,7 @@ from urdfctl.catalog.values import is_known
 from urdfctl.lint.target import LintedTarget
 from urdfctl.model.project import Project
 from urdfctl.names import enumerated
-from urdfctl.report.common import shown
+from urdfctl.report.common import in_command, shown
 from urdfctl.smoke.lifecycle import stops_hardware
 from urdfctl.smoke.robot import mechanism_of
 from urdfctl.source.problem import Problem, ProblemKind
@@ -25,7 +25,9 @@ NO_INCLUDED = (
     "or urdfctl smoke ROBOT --controllers {}"
 )
 NO_PACKAGES = "not simulated: the robot needs {}, not here: {}, or --package-path FOLDER"
-NEEDS = "it needs files of {}, not here: {}, or --package-path FOLDER"
+NEEDS_PACKAGES = "it needs files of {}, not here: {}, or --package-path FOLDER"
+NEEDS_VARIABLE = "it needs {}: {}urdfctl smoke {} {}"
+NEEDS_ROBOT = "it starts a robot whose description is known only while it runs: urdfctl smoke ROBOT"
 NO_ARGUMENT = "not simulated: the robot needs {}: {}urdfctl smoke {} {}"
 NO_VARIABLE = "not simulated: the launch file needs {}: {}urdfctl smoke {} {}"
 COMPUTED = "not simulated: the launch file computes {} of the robot: urdfctl smoke {}"
@@ -46,24 +48,36 @@ def why_unknown(seen: LintedTarget) -> str:
     packages = {problem.subject for problem in problems if problem.kind in _PACKAGES and problem.subject}
     packages |= set(seen.result.missing_packages) if incomplete else set()
     if packages:
-        return NO_PACKAGES.format(*with_what_adds(packages, seen.result.path)) + (
+        return NO_PACKAGES.format(*_with_what_adds(packages, seen.result.path)) + (
             OR_MOCK if is_only_the_driver_missing(project) else ""
         )
     if project.robot is None and project.launch is not None and seen.result.controllers:
-        files = " ".join(map(shown, seen.result.controllers))
+        files = " ".join(map(in_command, seen.result.controllers))
         if seen.result.joining.unread and project.launch.variables:
-            return _asking(NO_VARIABLE, shown(project.launch.path), variables=project.launch.variables)
+            return _asking(NO_VARIABLE, in_command(project.launch.path), variables=project.launch.variables)
         included = {*packages_lacking(project), *seen.result.joining.described_in}
         return (
-            NO_INCLUDED.format(*with_what_adds(included, seen.result.path), files)
+            NO_INCLUDED.format(*_with_what_adds(included, seen.result.path), files)
             if included
             else NO_ROBOT.format(files)
         )
     return _computed(seen) if incomplete and not problems else _why_of(problems, seen.result.path)
 
 
-def with_what_adds(packages: Collection[str], path: str) -> tuple[str, str]:
-    """Return packages that a file needs by name, and what adds them: the command for those that are submodules."""
+def needs_of(seen: LintedTarget) -> str:
+    """Return what a launch file needs that is not here or not given, and what adds it; empty if nothing is known."""
+    joining, launch = seen.result.joining, seen.project.launch
+    packages = {*packages_lacking(seen.project), *joining.described_in}
+    if packages:
+        return NEEDS_PACKAGES.format(*_with_what_adds(packages, seen.result.path))
+    if launch is None or not joining.unread:
+        return ""
+    given = launch.variables
+    return _asking(NEEDS_VARIABLE, in_command(launch.path), variables=given) if given else NEEDS_ROBOT
+
+
+def _with_what_adds(packages: Collection[str], path: str) -> tuple[str, str]:
+    """Packages that a file needs, by name, and what adds them: the command for those that are submodules."""
     names = f"package{'s' * (len(packages) > 1)} {_quoted(sorted(packages))}"
     submodules = list(filter(None, (empty_submodule(name, path) for name in sorted(packages))))
     left = len(packages) - len(submodules)
@@ -84,8 +98,8 @@ def _computed(seen: LintedTarget) -> str:
         return UNKNOWN_ROBOT
     names = list(dict.fromkeys(name for _, name in unknown))
     what = f"argument{'s' if len(names) > 1 else ''} {_quoted(names)}"
-    files = [f"--controllers {shown(path)}" for path in seen.result.controllers]
-    words = [shown(path), *files, *(f"{name}:=VALUE" for name in names)]
+    files = [f"--controllers {in_command(path)}" for path in seen.result.controllers]
+    words = [in_command(path), *files, *(f"{name}:=VALUE" for name in names)]
     return COMPUTED.format(what, " ".join(words))
 
 
@@ -94,7 +108,7 @@ def _why_of(problems: list[Problem], path: str) -> str:
     wanted = dict.fromkeys(name for names in needed for name in re.findall(r"[^,\s]+", names))
     if wanted:
         variables = [name[1:] for name in wanted if name.startswith("$")]
-        return _asking(NO_ARGUMENT, shown(path), [name for name in wanted if not name.startswith("$")], variables)
+        return _asking(NO_ARGUMENT, in_command(path), [name for name in wanted if not name.startswith("$")], variables)
     if problems:
         first = problems[0]
         return NO_PART.format(shown(first.at.source.path), first.at.source.position(first.at.start)[0], first.message)
