@@ -99,6 +99,67 @@ def test_a_server_and_its_window_are_one_simulation(folder: Folder, server: str,
     assert len([one for one in found if one.get("executable") == "parameter_bridge"]) == 1
 
 
+@pytest.mark.parametrize(
+    ("given", "options"),
+    [
+        ("verbose:=false", ["-r", "-s", "a.world"]),
+        ("verbose:=true", ["-r", "-s", "-v4", "a.world"]),
+        ("map:=b", ["-r", "-s", "b.world"]),
+    ],
+)
+def test_a_copy_of_the_empty_world_keeps_its_options_and_its_world(
+    folder: Folder, given: str, options: list[str]
+) -> None:
+    """The command line of gazebo_ros' empty_world.launch: each of its options is an argument with a condition."""
+    lines = (
+        '<arg name="paused" default="false"/><arg name="verbose" default="false"/><arg name="debug" default="false"/>',
+        '<arg name="more" default=""/><arg name="map" default="a"/>',
+        '<arg name="world_name" value="$(find arm)/worlds/$(arg map).world"/>',
+        '<arg unless="$(arg paused)" name="command1" value=""/><arg if="$(arg paused)" name="command1" value="-u"/>',
+        '<arg unless="$(arg verbose)" name="command2" value=""/>',
+        '<arg if="$(arg verbose)" name="command2" value="--verbose"/>',
+        '<arg unless="$(arg debug)" name="script" value="gzserver"/>',
+        '<arg if="$(arg debug)" name="script" value="debug"/>',
+        '<node name="gazebo" pkg="gazebo_ros" type="$(arg script)"',
+        ' args="$(arg command1) $(arg command2) -e ode $(arg more) $(arg world_name)"/>',
+        *SIMULATED[1:],
+    )
+    world = '<sdf version="1.6"><world name="w"/></sdf>'
+    files = {"launch/a.launch": launch(*lines), "worlds/a.world": world, "worlds/b.world": world}
+    found = run(folder, files, given)
+    assert faults(found) == []
+    words = [one["arguments"]["gz_args"].split() for one in found if one["kind"] == "include"]
+    assert [[word.rpartition("/")[2] for word in one] for one in words] == [options]
+
+
+def test_a_robot_spawned_from_its_file_is_what_xacro_makes_of_it(folder: Folder) -> None:
+    """The migrated robot names its controllers by $(find), which gz does not read."""
+    spawn = SPAWN.replace("-param robot_description", "-file $(find arm)/arm.xacro")
+    found = run(folder, {"launch/a.launch": launch(*SIMULATED[:2], spawn, *SIMULATED[3:])})
+    assert faults(found) == []
+    words = next(one["words"] for one in found if one.get("executable") == "create")
+    assert words[0] == "-string"
+    assert "<parameters>/" in words[1]
+
+
+def test_a_model_without_controllers_is_spawned_from_its_file(folder: Folder) -> None:
+    spawn = SPAWN.replace("-param robot_description", "-file $(find arm)/box.urdf")
+    box = '<robot name="box"><link name="box"/></robot>'
+    found = run(folder, {"launch/a.launch": launch(*SIMULATED, spawn), "box.urdf": box})
+    words = [one["words"] for one in found if one.get("executable") == "create"]
+    assert [one[0] for one in words] == ["-topic", "-file"]
+
+
+def test_a_spawner_gets_the_file_of_its_controllers_and_not_one_whose_name_ends_like_it(folder: Folder) -> None:
+    other = EFFORT.replace("ctl", "other").replace("arm:", "arm: # the arm's")
+    loaded = [LOADED.replace("c.yaml", name) for name in ("arm_c.yaml", "c.yaml")]
+    spawners = [SPAWNER.replace('name="s"', 'name="o"').replace('args="ctl"', 'args="other"'), SPAWNER]
+    lines = (*SIMULATED[:4], loaded[0], spawners[0], loaded[1], spawners[1])
+    found = run(folder, {"launch/a.launch": launch(*lines), "config/arm_c.yaml": other})
+    words = [one["words"] for one in found if one.get("executable") == "spawner"]
+    assert [one[-1].rpartition("/")[2] for one in words] == ["arm_c.yaml", "c.yaml"]
+
+
 def test_pass_all_args_gives_what_the_included_file_needs(folder: Folder) -> None:
     files = {
         "launch/a.launch": launch(

@@ -69,6 +69,17 @@ def test_a_parameter_that_is_the_text_of_a_file_is_left_to_a_person(folder: Fold
     assert "# TODO(urdfctl): give node 'a' its parameter 'script'" in after["launch/arm.launch.py"]
 
 
+def test_remappings_in_the_arguments_of_a_node_are_its_own(folder: Folder) -> None:
+    """ROS 1 takes them out of the command line; a node of ROS 2 would read them as plain words."""
+    args = "raw in:=$(arg from)/image out:=/new _rate:=5 __name:=other plain.txt"
+    node = f'<launch><arg name="from" default="eye"/><node name="n" pkg="arm" type="n.py" args="{args}"/></launch>'
+    text = " ".join(migrated(folder, {"launch/arm.launch": node})["launch/arm.launch.py"].split())
+    assert 'name="other"' in text
+    assert 'arguments=["raw", "plain.txt"]' in text
+    assert 'parameters=[{"rate": 5}]' in text
+    assert 'remappings=[("in", [LaunchConfiguration("from"), "/image"]), ("out", "/new")]' in text
+
+
 def test_parameters_that_are_set_by_the_name_of_a_node_are_given_to_it(folder: Folder) -> None:
     text = migrated(folder, {"launch/arm.launch": NAMED})["launch/arm.launch.py"]
     assert 'parameters=[{"rate": 30.0, "topics.frame": "odom", "limits": [1, 2]}]' in text

@@ -9,8 +9,8 @@ from urdfctl.startup.records import NamedTuple
 
 
 class PartOfText(NamedTuple):
-    """A part of a text: its kind is `text`, `arg`, `find`, `env`, `dirname`, `eval`, `yaml`, `double`, or `written`, an
-    expression that a migration wrote in the form of its launch file.
+    """A part of a text: its kind is `text`, `arg`, `find`, `env`, `dirname`, `eval`, `yaml`, `double`, `command` (what
+    one prints), or `written`, an expression that a migration wrote in the form of its launch file.
 
     A `double` is empty: it stands before the value of a parameter that is a double whatever its substitutions give.
 

@@ -118,8 +118,7 @@ def _node(node: Action, depth: int) -> Iterator[str]:
     parameters = [f"ParameterFile({_listed(file)})" if not is_literal(file) else _text(file) for file in node.files]
     values = [f"{python_text(name)}: {_typed(value)}" for name, value in node.pairs]
     if node.description:
-        command = f'Command({_listed(node.description)}, on_stderr="warn")'  # its warnings end no launch
-        values.insert(0, f'"robot_description": ParameterValue({command}, value_type=str)')
+        values.insert(0, f'"robot_description": ParameterValue({_command(node.description)}, value_type=str)')
     if values:
         parameters.append(f"{{{', '.join(values)}}}")
     if parameters:
@@ -170,11 +169,18 @@ def _part(kind: str, text: str, default: str | None) -> str:
         return f"EnvironmentVariable({python_text(text)}{more})"
     if kind == "dirname":
         return "ThisLaunchFileDir()"
+    if kind == "command":
+        return _command(parsed(text))
     if kind == "written":
         return text
     if kind == "eval":
         return f"PythonExpression([{_expression(text)}])"
     return python_text(text)
+
+
+def _command(words: Text) -> str:
+    """What a command prints; its warnings end no launch."""
+    return f'Command({_listed(words)}, on_stderr="warn")'
 
 
 def _expression(text: str) -> str:
@@ -224,5 +230,6 @@ def packages_in(actions: Sequence[Action]) -> list[str]:
     names = {action.package for action in all_actions(tuple(actions)) if action.package}
     for action in all_actions(tuple(actions)):
         texts = [action.value or (), *action.words, *action.files, action.description, *(t for _, t in action.pairs)]
+        texts += [parsed(part.text) for text in texts for part in text if part.kind == "command"]
         names |= {part.text for text in texts for part in text if part.kind == "find"}
     return sorted(names)

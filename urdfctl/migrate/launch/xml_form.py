@@ -83,8 +83,7 @@ def _flags(action: Action) -> Iterator[tuple[str, str]]:
 
 def _children(node: Action) -> Iterator[str]:
     if node.description:
-        command = _text(node.description).replace("'", "&quot;")
-        yield f'<param name="robot_description" value="$(command \'{command}\' \'warn\')" type="str"/>'
+        yield f'<param name="robot_description" value="{_command(node.description)}" type="str"/>'
     for file in node.files:
         yield f'<param from="{_text(file)}"/>'
     for name, value in node.pairs:
@@ -115,11 +114,19 @@ def _part(kind: str, text: str, default: str | None) -> str:
         return f"$(env {text})" if default is None else f"$(env {text} '{xml_text(default)}')"
     if kind == "dirname":
         return "$(dirname)"
+    if kind == "command":
+        return _command(parsed(text))
     if kind == "written":
         return text
     if kind == "eval":
         return f"$(eval &quot;{''.join(map(_in_expression, parts_of(text)))}&quot;)"
     return xml_text(text)
+
+
+def _command(words: Text) -> str:
+    """What a command prints; its warnings end no launch."""
+    command = _text(words).replace("'", "&quot;")
+    return f"$(command '{command}' 'warn')"
 
 
 def _in_expression(part: str | Used) -> str:

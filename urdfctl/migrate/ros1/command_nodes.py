@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.migrate.launch.actions import Action, Text, is_literal, literal, plain
 
@@ -51,3 +51,16 @@ def _value(package: str, parts: Sequence[str]) -> str:
     if written.startswith("{"):
         return written
     return f"{{data: {written}}}" if package == "std_msgs" and len(parts) == 1 else ""
+
+
+def transform_words(words: Sequence[Text], *, is_tf: bool) -> Iterator[Text]:
+    """Yield the arguments of static_transform_publisher, by name (geometry2, tf2_ros static_transform_broadcaster)."""
+    count = len(words) - (1 if is_tf else 0)
+    angles = ("--yaw", "--pitch", "--roll") if count == 8 else ("--qx", "--qy", "--qz", "--qw")  # noqa: PLR2004
+    names = ("--x", "--y", "--z", *angles, "--frame-id", "--child-frame-id")
+    if len(names) != count:
+        yield from words
+        return
+    for name, word in zip(names, words, strict=False):
+        yield literal(name)
+        yield word

@@ -14,7 +14,7 @@ from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.launch.actions import Action, Text, parsed, words_of
 from urdfctl.migrate.launch.expressions import Used, parts_of
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.migrate.ros1.classic_programs import SERVERS
+from urdfctl.migrate.ros1.classic_programs import SERVERS, programs_of
 from urdfctl.migrate.ros1.described import description_names, is_description
 from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.ros1.left_over import addressed_files, named_files
@@ -70,7 +70,7 @@ def included_file(packages: MigratedPackages, written: str, folder: str, depth: 
                 starts |= inner.starts or _WORLDS.match(element.attrs.get("file", "")) is not None
                 spawns |= inner.spawns
             elif element.tagName == "node":
-                starts |= element.attrs.get("type") in SERVERS
+                starts |= not programs_of(element).isdisjoint(SERVERS)
                 spawns |= element.attrs.get("pkg") == "controller_manager"
     return IncludedFile(arguments, frozenset(sets), starts, spawns, describes)
 

@@ -159,6 +159,7 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         moveit=frozenset(packages_of_moveit(packages)),
         spawned=packages.found(spawned_names),
         files_of=lambda node: _files_of(packages, node),
+        is_expanded=lambda written: _is_expanded(packages, written),
         descriptions=packages.found(description_names),
         elsewhere=packages.found(described_elsewhere),
         doubled=packages.found(doubled_names),
@@ -184,6 +185,12 @@ def _controllers_in(packages: MigratedPackages, written: str) -> list[str]:
     """The controllers of a file of the packages, after its own migration."""
     paths = addressed_files(packages, written) if is_yaml(written) else set()
     return [one.controller for one in packages.found(type_names) if one.path in paths] if paths else []
+
+
+def _is_expanded(packages: MigratedPackages, written: str) -> bool:
+    """Whether a robot's file gets the plugin for ros2_control, which names a controller file by `$(find)`."""
+    paths = addressed_files(packages, written) if written.endswith((".urdf", ".xacro")) else set()
+    return any(re.search(rb"gazebo_ros_control|ros2_control-system", packages.read(path).data) for path in paths)
 
 
 def _files_of(packages: MigratedPackages, node: str) -> list[str]:

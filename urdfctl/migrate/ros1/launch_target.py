@@ -38,6 +38,7 @@ class LaunchTarget(NamedTuple):
     doubled: the names of the launch files that get another one, because a file beside them takes theirs.
     elsewhere: whether the description with the plugin of the simulator is in another package.
     has_controllers: whether the packages have files of controllers.
+    is_expanded: returns whether a robot, by its written file name, gets `$(find)` in it, which only xacro expands.
     undeclared: returns the controllers of a controller file whose types the simulator's manager does not get.
     """
 
@@ -66,6 +67,7 @@ class LaunchTarget(NamedTuple):
     elsewhere: bool = False
     doubled: frozenset[str] = frozenset()
     has_controllers: bool = False
+    is_expanded: Callable[[str], bool] = lambda _: False
     undeclared: Callable[[str], list[str]] = lambda _: []
 
     @property

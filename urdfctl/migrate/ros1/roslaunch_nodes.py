@@ -9,6 +9,7 @@ from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
 from urdfctl.migrate.classic.starting import SPAWN, WITHOUT_SUCCESSOR
 from urdfctl.migrate.launch.actions import (
     Action,
+    PartOfText,
     Text,
     is_literal,
     joined,
@@ -19,7 +20,7 @@ from urdfctl.migrate.launch.actions import (
     words_of,
 )
 from urdfctl.migrate.ros1.classic_programs import CLIENT, given_to_simulator
-from urdfctl.migrate.ros1.command_nodes import COMMANDS, published
+from urdfctl.migrate.ros1.command_nodes import COMMANDS, published, transform_words
 from urdfctl.migrate.ros1.described import described_for, names_description
 from urdfctl.migrate.ros1.description_commands import description_command
 from urdfctl.migrate.ros1.doubles import as_double
@@ -28,6 +29,7 @@ from urdfctl.migrate.ros1.launch_target import LaunchTarget
 from urdfctl.migrate.ros1.node_attributes import flags_of, lost_attributes, lost_commands, renamed_parameters
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of, parameters_of, unread_parameters_of
 from urdfctl.migrate.ros1.spawned_names import full_name
+from urdfctl.migrate.ros1.word_remappings import without_remappings
 from urdfctl.source.xml.dom import Element
 
 
@@ -127,13 +129,13 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
         reading.unpauses |= any(plain(word) == "-unpause" for word in words)
         yield from [_spawned_model(reading, element, words)] if reading.target.started != "none" else []
     elif package == "gazebo_ros":
-        yield from _program_of_classic(reading, program, words)
+        yield from _program_of_classic(reading, element, words)
     elif package == "robot_state_publisher":
         yield state_publisher(element, reading.target.apart)._replace(description=description)
     elif package == "joint_state_publisher":
         yield _joint_states(element)
     elif package == "tf2_ros" or (package == "tf" and program == "static_transform_publisher"):
-        yield _plain(element, "tf2_ros", program)._replace(words=tuple(_transform(words, is_tf=package == "tf")))
+        yield _plain(element, "tf2_ros", program)._replace(words=tuple(transform_words(words, is_tf=package == "tf")))
     elif package in COMMANDS:
         yield from _command(reading, element, words)
     elif package in {"xacro", "nodelet"}:
@@ -182,7 +184,7 @@ def _plain(element: Element, package: str, program: str) -> Action:
     children = element.elements()
     files = [parsed(one.attrs["file"]) for one in children if one.tagName == "rosparam" and "file" in one.attrs]
     remaps = [remapping(one) for one in children if one.tagName == "remap"]
-    return Action(
+    node = Action(
         "node",
         program,
         value=parsed(attrs["ns"]) if attrs.get("ns") else None,
@@ -197,6 +199,7 @@ def _plain(element: Element, package: str, program: str) -> Action:
             (one.attrs.get("name", ""), parsed(one.attrs.get("value", ""))) for one in children if one.tagName == "env"
         ),
     )
+    return without_remappings(node)
 
 
 def split_words(args: str) -> tuple[Text, ...]:
@@ -277,7 +280,9 @@ def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> A
             shown += [literal("-entity"), next(rest, ())]
         elif option == "-param":
             shown += [literal("-topic"), _topic_of(target, element, next(rest, ()))]
-        elif option == "-file" or option in _POSES:
+        elif option == "-file":
+            shown += _from_file(target, next(rest, ()))
+        elif option in _POSES:
             shown += [literal(option), next(rest, ())]
         elif option in WITHOUT_SUCCESSOR:
             values = [next(rest, ()) for _ in range(WITHOUT_SUCCESSOR[option])]
@@ -303,6 +308,14 @@ def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> A
     )
 
 
+def _from_file(target: LaunchTarget, file: Text) -> list[Text]:
+    """The words with which a robot in a file is spawned: what xacro makes of it if the file alone is no robot any more."""
+    written = _file_text(file)
+    if target.started != "gz" or not target.is_expanded(written):
+        return [literal("-file"), file]
+    return [literal("-string"), (PartOfText("command", f"xacro {written}"),)]
+
+
 def _topic_of(target: LaunchTarget, node: Element, parameter: Text) -> Text:
     """The topic on which robot_state_publisher publishes the description that was a parameter, whatever its name."""
     if not is_literal(parameter):
@@ -316,9 +329,9 @@ def _topic_of(target: LaunchTarget, node: Element, parameter: Text) -> Text:
     return literal(f"{space}{slash}{topic}")
 
 
-def _program_of_classic(reading: Notes, program: str, words: Sequence[Text]) -> Iterator[Action]:
-    if program != CLIENT:
-        yield from simulator_actions(reading, given_to_simulator(program, words))
+def _program_of_classic(reading: Notes, element: Element, words: Sequence[Text]) -> Iterator[Action]:
+    if element.attrs.get("type") != CLIENT:
+        yield from simulator_actions(reading, given_to_simulator(element, words))
     elif reading.target.started != "none":
         yield Action("include", value=parsed(CLIENT_FILE))
 
@@ -374,16 +387,3 @@ def _joint_states(element: Element) -> Action:
         program = "joint_state_publisher_gui"
     node = _plain(element, program, program)
     return node._replace(pairs=tuple(pair for pair in node.pairs if not pair[0].endswith("use_gui")))
-
-
-def _transform(words: Sequence[Text], *, is_tf: bool) -> Iterator[Text]:
-    """The arguments of static_transform_publisher, by name (geometry2, tf2_ros static_transform_broadcaster)."""
-    count = len(words) - (1 if is_tf else 0)
-    angles = ("--yaw", "--pitch", "--roll") if count == 8 else ("--qx", "--qy", "--qz", "--qw")  # noqa: PLR2004
-    names = ("--x", "--y", "--z", *angles, "--frame-id", "--child-frame-id")
-    if len(names) != count:
-        yield from words
-        return
-    for name, word in zip(names, words, strict=False):
-        yield literal(name)
-        yield word

@@ -84,7 +84,7 @@ def sections_near(known: Sequence[FileSection], source: SourceText, text: bytes)
     package = package_around(os.path.dirname(source.path))
     around = {path: package_around(os.path.dirname(path)) for path in {one.path for one in known}}
     typed = [one for one in known if one.type]
-    named = [one for one in typed if os.path.basename(one.path).encode() in text]
+    named = [one for one in typed if re.search(rb"(?<![\w.-])" + re.escape(os.path.basename(one.path)).encode(), text)]
     beside = [one for one in known if around[one.path] == package]
     mentioned = {path for path in {one.path for one in typed} if _is_mentioned(around[path], source, package)}
     near = [one for one in typed if one.path in mentioned]
@@ -115,7 +115,7 @@ def installed_path(packages: MigratedPackages, path: str) -> tuple[str, list[str
     """Return the package of a file and its path in the share folder: as a description names it, or as installed."""
     folder = package_around(path) or os.path.dirname(path)
     own = package_name(os.path.join(folder, "package.xml"))
-    pattern = rb"\$\(find (%s)\)/([^<>\"'\s]*%s)" % (
+    pattern = rb"\$\(find (%s)\)/((?:[^<>\"'\s]*/)?%s)" % (
         re.escape(own).encode() if own else rb"[\w-]+",
         re.escape(os.path.basename(path)).encode(),
     )
