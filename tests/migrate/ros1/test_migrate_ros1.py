@@ -466,13 +466,36 @@ arm_controller:
     )
 
 
-def test_a_loop_around_effort_becomes_a_pid_controller_with_the_same_gains(folder: Folder) -> None:
-    before = """\
-ctl:
-  type: effort_controllers/JointPositionController
-  joint: shoulder
-  pid: {p: 10, i: 1, d: 0.5, i_clamp: 2}
+def test_joints_with_several_transmissions_are_in_the_component_of_the_others(folder: Folder) -> None:
+    """A joint mimics only one of its own component, and two components of a robot have different names."""
+    one = transmission("hardware_interface/EffortJointInterface")
+    finger = one.replace("shoulder", "finger")
+    joint = """\
+  <link name="tip"/>
+  <joint name="finger" type="revolute">
+    <parent link="upper"/>
+    <child link="tip"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+    <mimic joint="shoulder"/>
+  </joint>
 """
+    robot = arm(one + finger + finger.replace('transmission name="', 'transmission name="second_'), joint)
+    text = migrated(folder, {"urdf/arm.xacro": robot}, "--only", "urdf")["urdf/arm.xacro"]
+    assert text.count("<ros2_control ") == 1
+    assert text.count('<joint name="shoulder">') == text.count('<joint name="finger">') == 1
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        "JointPositionController\n  joint: shoulder\n  pid: {p: 10, i: 1, d: 0.5, i_clamp: 2}",
+        "JointGroupPositionController\n  joints: [shoulder]\n  shoulder/pid: {p: 10, i: 1, d: 0.5, i_clamp: 2}",
+        "JointPositionController\n  joint: shoulder\n  pid/p: 10\n  pid: {i: 1, d: 0.5, i_clamp: 2}",
+    ],
+)
+def test_a_loop_around_effort_becomes_a_pid_controller_with_the_same_gains(folder: Folder, written: str) -> None:
+    before = f"ctl:\n  type: effort_controllers/{written}\n"
     files = {"config/controllers.yaml": before, "urdf/arm.xacro": arm(transmission("EffortJointInterface"))}
     after = migrated(folder, files, "--only", "urdf,yaml")["config/controllers.yaml"]
     assert "      type: pid_controller/PidController\n" in after

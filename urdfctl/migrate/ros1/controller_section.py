@@ -15,6 +15,7 @@ from urdfctl.migrate.moved_topics import CODE
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.controller_map import MapItem
 from urdfctl.migrate.ros1.parameters import MECANUM, ParameterChange, changed, changes_of, pid_settings
+from urdfctl.migrate.ros1.roslaunch_values import parameter_name
 from urdfctl.migrate.ros1.wheel_measures import measured
 from urdfctl.migrate.step import EntryKind, ReportEntry
 from urdfctl.migrate.todo import todo_line
@@ -108,7 +109,7 @@ class _SectionWriter:
             what = f"controller '{self.item.name}' of type '{self.item.type}' became '{self.kind.type}'"
             self.entries.append(ReportEntry(EntryKind.DONE, what, self.item.entry.key.at, authority=_TYPES))
         edits = MapEdits(self.source)
-        names = dict(leaves(self.map))
+        names = {parameter_name(name): path for name, path in leaves(self.map)}
         added = [f"{name}: {_yaml(value)}" for name, value in extra.items() if name not in names]
         added += self._loops(names)
         added += self._unstamped(names, packages)
@@ -211,7 +212,7 @@ class _SectionWriter:
         if targets != [name]:
             message = f"parameter '{name}' of '{self.item.name}' became {' and '.join(targets)}"
             self.entries.append(ReportEntry(EntryKind.DONE, message, key.at, authority=_RENAMED))
-        self._rename(edits, name, path, targets, added)
+        self._rename(edits, path, targets, added)
         self._retype(edits, value, targets[0], as_list=change.as_list)
 
     def _was_ever_read(self, name: str) -> bool:
@@ -241,9 +242,9 @@ class _SectionWriter:
         else:
             edits.drop(path)
 
-    def _rename(self, edits: MapEdits, name: str, path: Path, targets: Sequence[str], added: list[str]) -> None:
+    def _rename(self, edits: MapEdits, path: Path, targets: Sequence[str], added: list[str]) -> None:
         key, value = path[-1][1].key, path[-1][1].value
-        if targets == [name]:
+        if targets == [".".join(entry.key.text for _, entry in path)]:
             return
         written = self.source.data[value.start : value.end].decode("utf-8", "surrogateescape").strip()
         if len(path) == 1:

@@ -11,7 +11,7 @@ from urdfctl.migrate.edits.markup import indented, removal, root_of, step_of
 from urdfctl.migrate.edits.places import ElementKey
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.interfaces import commands_of, states_of
-from urdfctl.migrate.ros1.parts import joint_text
+from urdfctl.migrate.ros1.parts import is_one, joint_text
 from urdfctl.migrate.ros1.passive import Passive
 from urdfctl.migrate.ros1.uses import TransmissionUse, Uses, is_known
 from urdfctl.migrate.shared.hardware import HARDWARE_OPTION, system_plugin, without_hardware
@@ -28,7 +28,8 @@ Joints = Mapping[str, tuple[str, ...]]
 
 
 def doubled_elements(uses: Uses) -> set[ElementKey]:
-    """Return the transmissions of robots in which one of these joints has several of them.
+    """Return the transmissions of robots in which one of their joints has several of them, and those beside them that no
+    macro makes: joints of one component may mimic each other.
 
     Names that are not known, of macros that nothing calls, may be those of different joints.
     """
@@ -40,8 +41,21 @@ def doubled_elements(uses: Uses) -> set[ElementKey]:
     for known in by_robot.values():
         names = (joint.name for _, use in known for joint in use.value.joints)
         counts = Counter(name for name in names if name and is_known(name))
-        found |= {key for key, use in known if any(counts[joint.name or ""] > 1 for joint in use.value.joints)}
+        own = {key for key, use in known if any(counts[joint.name or ""] > 1 for joint in use.value.joints)}
+        found |= own | {key for key, use in known if own and not use.calls and _is_clear(use)}
     return found
+
+
+def _is_clear(use: TransmissionUse) -> bool:
+    """Whether a transmission is its joints' interfaces alone, which are known."""
+    ends = (*use.value.joints, *use.value.actuators)
+    return bool(_joints([use], {})) and all(is_one(one.value) for end in ends for one in end.reductions)
+
+
+def name_for(uses: Uses, number: int) -> str:
+    """Return the name of the component of a robot in which joints have several transmissions."""
+    robot = uses.robots[number].project.robot
+    return f"{(robot.name if robot else None) or 'robot'}_system"
 
 
 def components_of(
@@ -68,8 +82,7 @@ def components_of(
     for path, joints in robots.items():
         root = roots[path]
         assert root is not None  # noqa: S101 (checked above)
-        robot = uses.robots[first[path]].project.robot
-        name = f"{(robot.name if robot else None) or 'robot'}_system"
+        name = name_for(uses, first[path])
         todo = without_hardware(packages, name)
         edits.append(
             _component(

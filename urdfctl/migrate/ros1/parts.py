@@ -146,7 +146,7 @@ def _reduction(element: Element, uses: Sequence[TransmissionUse], kind: str, *, 
     values = {text for use in uses for text in _reductions(use.value)} or set(written)
     if kind != "SimpleTransmission":
         return True, ""
-    if all(_is_one(value) for value in values):
+    if all(is_one(value) for value in values):
         return False, ""
     return not simulated, written[0] if simulated and written else ""
 
@@ -156,7 +156,8 @@ def _reductions(transmission: Transmission) -> Iterator[str]:
         yield from (text.value for text in end.reductions)
 
 
-def _is_one(text: str) -> bool:
+def is_one(text: str) -> bool:
+    """Return whether a reduction is none."""
     try:
         return float(text) == 1.0
     except ValueError:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from itertools import count
 
 from urdfctl.diagnostic import Edit
@@ -10,7 +10,7 @@ from urdfctl.migrate.edits.markup import attribute, element_at, step_of
 from urdfctl.migrate.edits.places import ElementKey, key_of_element, place_of, written_elements
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.migrate.ros1.doubled import components_of, doubled_elements
+from urdfctl.migrate.ros1.doubled import components_of, doubled_elements, name_for
 from urdfctl.migrate.ros1.following import following, idle
 from urdfctl.migrate.ros1.gathering import Component, Gathering, label_of, prefix_of, written_component
 from urdfctl.migrate.ros1.parts import Converted, UnreadableTransmission, converted
@@ -49,7 +49,7 @@ def _transmissions(packages: MigratedPackages) -> Iterator[Proposal]:
     for key in uses.inserted:
         if (element := uses.element(key)) is not None:
             yield _left(packages, element, "it is passed to a macro as a block")
-    yield from _components(packages, uses, passive, parts)
+    yield from _components(packages, uses, passive, parts, doubled)
 
 
 def _left(packages: MigratedPackages, element: Element, reason: str) -> Proposal:
@@ -76,7 +76,11 @@ def _joints_of_components(packages: MigratedPackages) -> set[str]:
 
 
 def _components(
-    packages: MigratedPackages, uses: Uses, passive: Passive, parts: list[tuple[Element, Converted]]
+    packages: MigratedPackages,
+    uses: Uses,
+    passive: Passive,
+    parts: list[tuple[Element, Converted]],
+    doubled: Collection[ElementKey],
 ) -> Iterator[Proposal]:
     sources: Mapping[str, SourceText] = _Sources(packages)
     gathering = Gathering(sources)
@@ -91,7 +95,7 @@ def _components(
             yield _left(packages, element, str(reason))
         return
     texts = {key_of_element(element): part for element, part in parts}
-    names = _names(uses, components)
+    names = _names(uses, components, doubled)
     lifted = [edit for edits in gathering.edits.values() for edit in edits]
     edits: list[Edit] = []
     entries: list[ReportEntry] = []
@@ -124,8 +128,9 @@ class _Sources(dict[str, SourceText]):
         return self._packages.read(path)
 
 
-def _names(uses: Uses, components: list[Component]) -> list[str]:
-    """A name for each component, different for those of one robot."""
+def _names(uses: Uses, components: list[Component], doubled: Collection[ElementKey]) -> list[str]:
+    """A name for each component, different for those of one robot; also from that of its doubled transmissions."""
+    known = {use.robot: name_for(uses, use.robot) for key in doubled for use in uses.by_element[key]}
     names: list[str] = []
     for component in components:
         robots = sorted({robot for item in component.items for robot, _ in item.paths})
@@ -134,6 +139,7 @@ def _names(uses: Uses, components: list[Component]) -> list[str]:
         prefix = prefix_of(name for item in component.items for name in item.names)
         name = f"{prefix}{label}_system"
         taken = {own for other, own in zip(components, names, strict=False) if _share(other, component)}
+        taken |= {known[number] for number in robots if number in known}
         free = (f"{name}_{number}" if number > 1 else name for number in count(1))
         names.append(next(one for one in free if one not in taken))
     return names
