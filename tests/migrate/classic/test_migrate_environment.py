@@ -36,7 +36,27 @@ def after(folder: Folder, more: dict[str, str], gazebo: str = CONTROL) -> dict[s
         (
             "launch/paths.launch.py",
             "import os\n\nMY_GAZEBO_MODEL_PATH = os.environ['GAZEBO_MODEL_PATH']\n",
-            "import os\n\nMY_GAZEBO_MODEL_PATH = os.environ['GZ_SIM_RESOURCE_PATH']\n",
+            "import os\n\nMY_GAZEBO_MODEL_PATH = os.environ.get('GZ_SIM_RESOURCE_PATH', \"\")\n",
+        ),
+        (
+            "launch/set.launch.py",
+            "import os\n\nos.environ['GAZEBO_MODEL_PATH'] = os.environ.get('GAZEBO_MODEL_PATH', '')\n",
+            "import os\n\nos.environ['GZ_SIM_RESOURCE_PATH'] = os.environ.get('GZ_SIM_RESOURCE_PATH', '')\n",
+        ),
+        (
+            "launch/variable.launch.py",
+            "PATH = [EnvironmentVariable('GAZEBO_MODEL_PATH'), EnvironmentVariable('HOME')]\n",
+            "PATH = [EnvironmentVariable('GZ_SIM_RESOURCE_PATH', default_value=\"\"), EnvironmentVariable('HOME')]\n",
+        ),
+        (
+            "launch/exported.launch.py",
+            "import os\nfrom scripts import GazeboRosPaths\n\nmodels, plugins, media = GazeboRosPaths.get_paths()\n",
+            'import os\n\nmodels, plugins, media = ("", "", "")\n',
+        ),
+        (
+            "launch/own.launch.py",
+            "from scripts import paths\n\nmodels = paths.get_paths()\n",
+            "from scripts import paths\n\nmodels = paths.get_paths()\n",
         ),
     ],
 )
@@ -52,6 +72,21 @@ def test_a_package_exports_its_meshes(folder: Folder) -> None:
 def test_a_package_exports_its_models(folder: Folder) -> None:
     manifest = after(folder, {"models/shelf/model.config": "<model/>\n"})["package.xml"]
     assert '    <gazebo_ros gazebo_model_path="${prefix}/models"/>\n  </export>' in manifest
+
+
+def test_a_package_that_exports_another_folder_exports_its_meshes_too(folder: Folder) -> None:
+    own = MANIFEST.replace("  </export>", f"{PARENT.replace('..', 'meshes')}  </export>")
+    manifest = after(folder, {"package.xml": own, "meshes/shell.stl": "solid shell\nendsolid\n"})["package.xml"]
+    assert manifest.count("gazebo_model_path") == 2
+    assert PARENT in manifest
+
+
+def test_a_manifest_without_exports_gets_them_for_its_models(folder: Folder) -> None:
+    start, _, rest = MANIFEST.partition("  <export>")
+    own = start + rest.partition("</export>\n")[2]
+    manifest = after(folder, {"package.xml": own, "models/shelf/model.config": "<model/>\n"})["package.xml"]
+    models = PARENT.replace("..", "models")
+    assert manifest.endswith(f"  <export>\n{models}  </export>\n</package>\n")
 
 
 def test_a_package_without_meshes_and_models_exports_nothing_more(folder: Folder) -> None:

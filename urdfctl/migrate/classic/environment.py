@@ -7,7 +7,9 @@ import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.edits.markup import child, content, end_of, root_of, step_of
+from urdfctl.migrate.classic.python_paths import with_default, without_classic_paths
+from urdfctl.migrate.edits.markup import attribute, child, content, end_of, root_of, step_of
+from urdfctl.migrate.edits.python_edits import PythonFile
 from urdfctl.migrate.edits.tokens import HOOKS, tokens_in
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
@@ -19,6 +21,7 @@ from urdfctl.source.span import Place, SourceSpan
 from urdfctl.source.xml.dom import Element
 
 _VARIABLES = "gz-sim tutorials/resources.md: GZ_SIM_RESOURCE_PATH, GZ_SIM_SYSTEM_PLUGIN_PATH"
+_LAUNCH = "gazebo_ros scripts/gazebo_ros_paths.py; ros_gz#492: gz_sim.launch.py finds the same paths"
 _EXPORT = "ros_gz_sim README, gazebo_ros gazebo_ros_paths.py: <gazebo_ros gazebo_model_path> in package.xml"
 VARIABLES: Mapping[str, str] = {
     "GAZEBO_MODEL_PATH": "GZ_SIM_RESOURCE_PATH",
@@ -26,6 +29,7 @@ VARIABLES: Mapping[str, str] = {
     "GAZEBO_PLUGIN_PATH": "GZ_SIM_SYSTEM_PLUGIN_PATH",
 }
 _NAME = re.compile(rb"(?<!\w)GAZEBO_(?:MODEL|RESOURCE|PLUGIN)_PATH(?!\w)")
+_OF_PYTHON = re.compile(rb"GazeboRosPaths|environ|EnvironmentVariable")
 _OF_XML = (".xacro", ".urdf", ".gazebo")
 _INSIDE = re.compile(rb"['\"]?\)?[\s,]*['\"]?/(?!\.\.)[\w.-]")
 _OTHER_THAN_MODELS = re.compile(rb"['\"]?\)?[\s,]*['\"]?/(?!\.\.|models)[\w.-]")
@@ -39,7 +43,14 @@ def _variables(packages: MigratedPackages) -> Iterator[Proposal]:
     for path in packages.files(*HOOKS, ".py", ".xml", ".launch", ".yaml", ".yml"):
         source = packages.read(path)
         is_read = is_launch(path) or path.endswith((*HOOKS, ".py"))
-        if not is_read or not _NAME.search(source.data) or not packages.may_change(path):
+        if not is_read or not packages.may_change(path):
+            continue
+        file = PythonFile(source) if path.endswith(".py") and _OF_PYTHON.search(source.data) else None
+        if file is not None and (gone := tuple(without_classic_paths(file))):
+            what = "gazebo_ros no longer says where packages have models: gz's launch file looks there itself"
+            at = Place(source, gone[0].span.start, end=gone[0].span.end)
+            yield Proposal(gone, entries=(ReportEntry(EntryKind.DONE, what, at, authority=_LAUNCH),))
+        if not _NAME.search(source.data):
             continue
         names = [found.span() for token in tokens_in(source) for found in _NAME.finditer(source.data, *token[1:])]
         edits = [Edit(SourceSpan(source, *span), VARIABLES[source.data[slice(*span)].decode()]) for span in names]
@@ -47,6 +58,7 @@ def _variables(packages: MigratedPackages) -> Iterator[Proposal]:
             first = edits[0]
             at = Place(source, first.span.start, end=first.span.end)
             what = f"'{first.span.text}' was renamed to '{first.text}'"
+            edits += with_default(file, VARIABLES) if file is not None else ()
             yield Proposal(tuple(edits), entries=(ReportEntry(EntryKind.DONE, what, at, authority=_VARIABLES),))
 
 
@@ -57,16 +69,24 @@ def _exports(packages: MigratedPackages) -> Iterator[Proposal]:
     used = set(_packages_of_meshes(packages))
     for path in packages.files("package.xml"):
         root = root_of(packages.read(path)) if os.path.basename(path) == "package.xml" else None
-        export = child(root, "export") if root is not None else None
         name = child(root, "name") if root is not None else None
-        if root is None or export is None or name is None or b"gazebo_model_path" in root.source.data:
+        if root is None or name is None:
             continue
-        folder = os.path.dirname(path)
+        export, folder = child(root, "export"), os.path.dirname(path)
         is_used = content(name) in used or is_folder(os.path.join(folder, "meshes"))
-        lines = list(_paths(packages, folder, content(name), is_used=is_used))
-        if lines and (edit := _added(export, lines)) is not None:
+        known = {one.rstrip("/") for one in _exported(export)}
+        paths = [one for one in _paths(packages, folder, content(name), is_used=is_used) if one not in known]
+        lines = [f'<gazebo_ros gazebo_model_path="{one}"/>' for one in paths]
+        if lines and (edit := _added(root, export, lines)) is not None:
             what = "the package exports where the simulator finds its meshes and models"
-            yield Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, what, export.at, authority=_EXPORT),))
+            at = export.at if export is not None else root.at
+            yield Proposal((edit,), entries=(ReportEntry(EntryKind.DONE, what, at, authority=_EXPORT),))
+
+
+def _exported(export: Element | None) -> Iterator[str]:
+    """The folders that a package exports already; several are separated as in a variable of the environment."""
+    for one in export.elements() if export is not None else ():
+        yield from attribute(one, "gazebo_model_path").split(":")
 
 
 def _packages_of_meshes(packages: MigratedPackages) -> Iterator[str]:
@@ -77,12 +97,12 @@ def _packages_of_meshes(packages: MigratedPackages) -> Iterator[str]:
 
 
 def _paths(packages: MigratedPackages, folder: str, name: str, *, is_used: bool) -> Iterator[str]:
-    """The elements that export the parent folder of a package, and its folder of models, unless they are set already."""
+    """The parent folder of a package, and its folder of models, unless they are set already."""
     if is_used and not _is_set(packages, name, _INSIDE):
-        yield '<gazebo_ros gazebo_model_path="${prefix}/.."/>'
+        yield "${prefix}/.."
     has_models = any(file == "model.config" for _, _, files in walk(os.path.join(folder, "models")) for file in files)
     if has_models and not _is_set(packages, name, _OTHER_THAN_MODELS):
-        yield '<gazebo_ros gazebo_model_path="${prefix}/models"/>'
+        yield "${prefix}/models"
 
 
 def _is_set(packages: MigratedPackages, name: str, other: re.Pattern[bytes]) -> bool:
@@ -100,15 +120,17 @@ def _is_set(packages: MigratedPackages, name: str, other: re.Pattern[bytes]) -> 
     return False
 
 
-def _added(export: Element, lines: list[str]) -> Edit | None:
-    """The edit that adds lines at the end of an element with an end tag on a line of its own."""
-    source, step = export.source, step_of(export.source)
-    if export.close is None:
+def _added(root: Element, export: Element | None, lines: list[str]) -> Edit | None:
+    """The edit that adds lines at the end of <export>, or this with them, before an end tag on a line of its own."""
+    source, step = root.source, step_of(root.source)
+    around, inner = (export, [f"{step}{line}" for line in lines]) if export is not None else (root, [])
+    inner = inner or ["<export>", *(f"{step}{line}" for line in lines), "</export>"]
+    if around.close is None:
         return None
-    start = source.data.rfind(b"\n", 0, export.close) + 1
-    if source.data[start : export.close].strip() or end_of(export) < export.close:
+    start = source.data.rfind(b"\n", 0, around.close) + 1
+    if source.data[start : around.close].strip() or end_of(around) < around.close:
         return None
-    return Edit(SourceSpan(source, start, start), "".join(f"{step * 2}{line}\n" for line in lines))
+    return Edit(SourceSpan(source, start, start), "".join(f"{step}{line}\n" for line in inner))
 
 
 ENVIRONMENT = Step(
