@@ -9,10 +9,11 @@ from collections.abc import Callable, Iterator
 from urdfctl.diagnostic import Diagnostic, Edit
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import Linted, MigratedPackages
-from urdfctl.migrate.shared.install_rules import install_rule
+from urdfctl.migrate.shared.install_rules import in_setup, install_rule
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.source.disk.gate import is_file, is_folder
 from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.source.workspaces.packages import package_name
 
 _CODE = "UC615"
 _AUTHORITY = "ament_index_python get_package_share_directory(): only what install() lists is there"
@@ -30,7 +31,9 @@ def installs_for_launch_files(lint: Callable[[], Linted], is_new: Callable[[Diag
                     for build_file, name in _missing(finding):
                         missing.setdefault(build_file, {})[name] = None
         for build_file, names in missing.items():
-            edit = Edit(_end(packages.read(build_file)), _rules(os.path.dirname(build_file), list(names)))
+            edit = _edit(packages.read(build_file), list(names))
+            if edit is None:
+                continue
             message = f"{', '.join(names)}: installed, because launch files use it"
             yield Proposal(
                 (edit,), entries=(ReportEntry(EntryKind.DONE, message, file=build_file, authority=_AUTHORITY),)
@@ -40,12 +43,23 @@ def installs_for_launch_files(lint: Callable[[], Linted], is_new: Callable[[Diag
 
 
 def _missing(finding: Diagnostic) -> Iterator[tuple[str, str]]:
-    """Yield the build file, and the folder or the file in its folder that it does not install."""
+    """Yield the build file, and the folder or the file in its folder that it does not install; for a setup.py the
+    file."""
     manifest = next((note.at.file for note in finding.notes if note.at), "")
-    build_file = os.path.join(os.path.dirname(manifest), "CMakeLists.txt")
-    named = re.match(r"'([^'/]+)", finding.message)
-    if named and manifest and is_file(build_file):
-        yield build_file, named[1]
+    named = re.match(r"'([^']+)'", finding.message)
+    for name in ("CMakeLists.txt", "setup.py") if named and manifest else ():
+        build_file = os.path.join(os.path.dirname(manifest), name)
+        if named and is_file(build_file):
+            yield build_file, named[1].partition("/")[0] if name == "CMakeLists.txt" else named[1]
+            return
+
+
+def _edit(source: SourceText, names: list[str]) -> Edit | None:
+    folder = os.path.dirname(source.path)
+    if os.path.basename(source.path) == "setup.py":
+        package = package_name(os.path.join(folder, "package.xml"))
+        return in_setup(source, package, names) if package else None
+    return Edit(_end(source), _rules(folder, names))
 
 
 def _end(source: SourceText) -> SourceSpan:

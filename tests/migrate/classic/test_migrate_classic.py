@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 import yaml
 from classic_packages import CONTROL, CONTROLLERS, DRIVE, MANIFEST, base, migrated
 from folder import Folder
@@ -250,6 +251,32 @@ def bridged(folder: Folder, gazebo: str) -> dict[str, tuple[str, str]]:
     after = migrated(folder, {"urdf/base.xacro": base(gazebo), "launch/sim.launch.py": LAUNCH})
     entries = yaml.safe_load(after["config/bridge.yaml"])
     return {entry["ros_topic_name"]: (entry["gz_topic_name"], entry["ros_type_name"]) for entry in entries}
+
+
+SETUP = """\
+from setuptools import setup
+
+setup(
+    name="base",
+    data_files=[
+        ("share/ament_index/resource_index/packages", ["resource/base"]),
+        ("share/base/launch", ["launch/sim.launch.py"]),
+CONFIG    ],
+)
+"""
+
+
+@pytest.mark.parametrize(
+    ("written", "count"), [("", 1), ('        ("share/base/config", glob("config/*.yaml")),\n', 0)]
+)
+def test_the_file_for_the_bridge_is_installed_by_a_setup_py(folder: Folder, written: str, count: int) -> None:
+    build = {
+        "package.xml": MANIFEST.replace("ament_cmake", "ament_python"),
+        "setup.py": SETUP.replace("CONFIG", written),
+    }
+    after = migrated(folder, {"urdf/base.xacro": base(DRIVE), "launch/sim.launch.py": LAUNCH, **build})
+    assert after["setup.py"].count('("share/base/config", ["config/bridge.yaml"]),\n') == count
+    assert "ros_gz_bridge" in after["launch/sim.launch.py"]
 
 
 def test_a_sensor_keeps_its_topics_in_ros(folder: Folder) -> None:

@@ -125,6 +125,16 @@ def test_a_ray_sensor_of_ros_1_publishes_the_same_messages_in_ros_2(folder: Fold
     assert after(folder, old, *TO_CLASSIC) == new
 
 
+@pytest.mark.parametrize(
+    ("remapping", "topic"), [("~/out:=imu/data", "imu/data"), ("it/out:=imu/data", "imu/data"), ("other/out:=x", "imu")]
+)
+def test_a_sensor_of_ros_2_publishes_where_its_output_is_remapped(folder: Folder, remapping: str, topic: str) -> None:
+    """Its topic is ~/out, below the plugin's name; <topicName> is a setting of ROS 1 alone."""
+    settings = f"<ros><remapping>{remapping}</remapping></ros>\n<topicName>imu</topicName>"
+    shown = after(folder, sensor("imu", "gazebo_ros_imu_sensor", settings), "--from", "humble", "--to", "jazzy")
+    assert f"<topic>{topic}</topic>" in shown
+
+
 def test_a_camera_keeps_its_topics_below_its_name_and_gives_its_rate_to_the_sensor(folder: Folder) -> None:
     old = sensor(
         "depth",
@@ -217,7 +227,10 @@ def test_a_steered_vehicle_becomes_one_of_gz_with_its_measures(folder: Folder) -
     old = "".join(f"<{name}>{name}</{name}>\n" for name in names)
     old += "<left_steering_joint>front_left_joint</left_steering_joint>\n<max_speed>20</max_speed>\n"
     old += "<right_steering_joint>front_right_joint</right_steering_joint>"
-    shown = after(folder, wheels + plugin("gazebo_ros_ackermann_drive", old))
+    files = migrated(folder, {"urdf/base.xacro": base(wheels + plugin("gazebo_ros_ackermann_drive", old))})
+    shown, bridged = files["urdf/base.xacro"], files["config/bridge.yaml"]
+    assert "ros_topic_name: cmd_vel\n" in bridged
+    assert "ros_topic_name: odom\n" in bridged
     for line in (
         '<plugin filename="gz-sim-ackermann-steering-system" name="gz::sim::systems::AckermannSteering">',
         "<left_joint>rear_left_joint</left_joint>",

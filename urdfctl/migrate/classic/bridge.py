@@ -45,7 +45,13 @@ _OF_SYSTEMS = {
     "odom_topic": ("nav_msgs/msg/Odometry", "Odometry", False),
     "tf_topic": ("tf2_msgs/msg/TFMessage", "Pose_V", False),
 }
-_DRIVES = ("gz-sim-diff-drive-system", "gz-sim-velocity-control-system", "gz-sim-odometry-publisher-system")
+_DRIVES = (
+    "gz-sim-ackermann-steering-system",
+    "gz-sim-diff-drive-system",
+    "gz-sim-mecanum-drive-system",
+    "gz-sim-odometry-publisher-system",
+    "gz-sim-velocity-control-system",
+)
 _STATES = "gz-sim-joint-state-publisher-system"
 _OF_SENSORS: dict[str, tuple[tuple[str, str, str], ...]] = {
     "gpu_lidar": (

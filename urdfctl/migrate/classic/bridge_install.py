@@ -9,10 +9,12 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.shared.hardware import goes_to_gz
-from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, install_rule, installs
+from urdfctl.migrate.shared.install_rules import BRIDGE_FILE, in_setup, install_rule, installs
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.workspaces.install_maps import read_install_map
 from urdfctl.source.workspaces.packages import package_name
+from urdfctl.source.workspaces.setup_files import is_plain_setup
 
 _AUTHORITY = "ros_gz_bridge README: config_file"
 _IDLE = "no launch file starts a bridge with this file: start parameter_bridge with it as config_file"
@@ -21,15 +23,33 @@ _IDLE = "no launch file starts a bridge with this file: start parameter_bridge w
 def _installed(packages: MigratedPackages) -> Iterator[Proposal]:
     """Install the file for the bridge with its package, unless a rule does."""
     for path in packages.files(BRIDGE_FILE) if goes_to_gz(packages) else ():
-        source = packages.read(os.path.join(os.path.dirname(os.path.dirname(path)), "CMakeLists.txt"))
-        text = source.data.decode("utf-8", "surrogateescape")
-        at = source.data.rfind(b"ament_package(")
-        if at >= 0 and not installs(text, os.path.dirname(BRIDGE_FILE)):
-            rule = f"{install_rule(os.path.dirname(BRIDGE_FILE))}\n"
-            entry = ReportEntry(EntryKind.DONE, f"{BRIDGE_FILE} is installed", file=source.path, authority=_AUTHORITY)
-            yield Proposal((Edit(SourceSpan(source, at, at), rule),), entries=(entry,))
+        folder = os.path.dirname(os.path.dirname(path))
+        edit = _rule(packages, folder) or _in_setup(packages, folder)
+        if edit is not None:
+            file = edit.span.source.path
+            entry = ReportEntry(EntryKind.DONE, f"{BRIDGE_FILE} is installed", file=file, authority=_AUTHORITY)
+            yield Proposal((edit,), entries=(entry,))
         if _is_idle(packages, path):
             yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, _IDLE, file=path, authority=_AUTHORITY),))
+
+
+def _rule(packages: MigratedPackages, folder: str) -> Edit | None:
+    """The edit that adds an install rule to the CMakeLists.txt of a package that has none for the file."""
+    source = packages.read(os.path.join(folder, "CMakeLists.txt"))
+    at = source.data.rfind(b"ament_package(")
+    if at < 0 or installs(source.data.decode("utf-8", "surrogateescape"), os.path.dirname(BRIDGE_FILE)):
+        return None
+    return Edit(SourceSpan(source, at, at), f"{install_rule(os.path.dirname(BRIDGE_FILE))}\n")
+
+
+def _in_setup(packages: MigratedPackages, folder: str) -> Edit | None:
+    """The edit of the setup.py of a package that surely does not install the file."""
+    name = package_name(os.path.join(folder, "package.xml")) or ""
+    source = packages.read(os.path.join(folder, "setup.py"))
+    is_known = bool(name) and is_plain_setup(source.data.decode("utf-8", "surrogateescape"), name)
+    if not is_known or read_install_map(folder, name).source_of(BRIDGE_FILE) is not None:
+        return None
+    return in_setup(source, name, [BRIDGE_FILE])
 
 
 def _is_idle(packages: MigratedPackages, path: str) -> bool:

@@ -111,8 +111,8 @@ class SensorPlugin(NamedTuple):
     def _name(self, known: Sensor, kind: str, *, is_ros1: bool) -> str:
         if kind in _OF_CAMERAS:
             return self._in_space(self._of_camera(known.topic, known.output, is_ros1=is_ros1))
-        written = self._set(known.topic) or self.remappings.get(known.output, "")
-        return self._in_space(written or known.default)
+        written, remapped = self._set(known.topic), self.remappings.get(known.output, "")
+        return self._in_space((written or remapped if is_ros1 else remapped or written) or known.default)
 
     def _of_camera(self, setting: str, output: str, *, is_ros1: bool) -> str:
         """A topic of a camera: in ROS 2 below the camera's name, which is that of its sensor unless it has one."""
@@ -138,7 +138,8 @@ def plugin_as_written(plugin: Element, sensor: Element, library: str) -> SensorP
     space = child(ros, "namespace") if ros is not None else child(plugin, "robotNamespace")
     settings = {one.tagName: content(one) for one in plugin.elements()}
     texts = [content(one) for one in inner]
-    return SensorPlugin(library, attribute(sensor, "name"), settings, _remappings(texts), _space(space))
+    remappings = _remappings(texts, attribute(plugin, "name"))
+    return SensorPlugin(library, attribute(sensor, "name"), settings, remappings, _space(space))
 
 
 def plugin_as_expanded(plugin: Tag, sensor: Tag, library: str) -> SensorPlugin:
@@ -148,16 +149,20 @@ def plugin_as_expanded(plugin: Tag, sensor: Tag, library: str) -> SensorPlugin:
     space = next(ros.named("namespace") if ros is not None else plugin.named("robotNamespace"), None)
     settings = {one.name: one.text.strip() for one in plugin.children}
     name = sensor.attributes.get("name", "")
-    return SensorPlugin(library, name, settings, _remappings(inner), space.text.strip().strip("/") if space else "")
+    remappings = _remappings(inner, plugin.attributes.get("name", ""))
+    return SensorPlugin(library, name, settings, remappings, space.text.strip().strip("/") if space else "")
 
 
 def _space(element: Element | None) -> str:
     return content(element).strip("/") if element is not None else ""
 
 
-def _remappings(texts: Sequence[str]) -> Mapping[str, str]:
+def _remappings(texts: Sequence[str], plugin: str) -> Mapping[str, str]:
+    """The remappings of a plugin; the topic `~/out` is also written below the plugin's name, which is its node's."""
     pairs = (text.partition(":=") for text in texts)
-    return {old.strip().removeprefix("~").strip("/ "): new.strip() for old, mark, new in pairs if mark and new.strip()}
+    found = {old.strip().removeprefix("~").strip("/ "): new.strip() for old, mark, new in pairs if mark and new.strip()}
+    private = found.get(f"{plugin}/out")
+    return {"out": private, **found} if private else found
 
 
 def unread(plugin: Element, known: Sensor, kind: str, kept: Sequence[str]) -> Iterator[str]:

@@ -1,10 +1,16 @@
-"""The rules in CMakeLists.txt that install the folders of a package."""
+"""The rules in CMakeLists.txt and setup.py that install the folders and files of a package."""
 
 from __future__ import annotations
 
+import ast
+import os
 import re
+from collections.abc import Iterable
 
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.edits.python_edits import PythonFile, keyword
 from urdfctl.source.lengths import Room
+from urdfctl.source.span import SourceText
 
 BRIDGE_FILE = "config/bridge.yaml"
 """The new file for ros_gz_bridge, which one step writes and another installs."""
@@ -37,3 +43,15 @@ def _with_lists(text: str) -> str:
 def install_rule(*folders: str) -> str:
     """Return the rule that installs folders of a package."""
     return f"install(DIRECTORY {' '.join(folders)}\n  DESTINATION share/${{PROJECT_NAME}}\n)\n"
+
+
+def in_setup(source: SourceText, package: str, files: Iterable[str]) -> Edit | None:
+    """Return the edit with which a setup.py installs some files of its package too; None if it has no list for that."""
+    file = PythonFile(source)
+    for call, scope in file.calls("setup"):
+        given = keyword(call, "data_files")
+        listed = file.value_of(given.value, scope) if given is not None else None
+        if isinstance(listed, ast.List):
+            folders = ((os.path.dirname(f"share/{package}/{one}"), one) for one in files)
+            return file.appended(listed, [f'("{folder}", ["{one}"])' for folder, one in folders])
+    return None
