@@ -193,6 +193,22 @@ def test_the_solver_that_moveit_no_longer_has_becomes_the_one_for_the_same_chain
     assert after == given.replace("lma_", "kdl_").replace("LMA", "KDL")
 
 
+def test_the_packages_and_arguments_of_commands_are_renamed_as_words(folder: Folder) -> None:
+    script = """\
+# ros2 run ros_ign_bridge parameter_bridge
+ros2 launch ros_ign_gazebo ign_gazebo.launch.py ign_args:="$HERE/ros_ign_bridge/a.sdf -r"
+cd ros_ign_bridge
+"""
+    launch = 'cmd = ["ros2 run ros_ign_bridge parameter_bridge ", "ros_ign_bridge is here"]\n'
+    files = {"start.sh": script, "launch/arm.launch.py": launch}
+    after = migrated(folder, files, *HUMBLE, "--to", "jazzy")
+    assert after["start.sh"].splitlines()[1:] == [
+        'ros2 launch ros_gz_sim gz_sim.launch.py gz_args:="$HERE/ros_ign_bridge/a.sdf -r"',
+        "cd ros_ign_bridge",
+    ]
+    assert after["launch/arm.launch.py"] == launch.replace("run ros_ign", "run ros_gz")
+
+
 def test_names_change_as_whole_values_and_not_in_comments_or_other_words(folder: Folder) -> None:
     world = '<!-- ignition-gazebo-x-system --><sdf><plugin filename="libignition-gazebo-imu-system.so"/></sdf>\n'
     sensor = "<sensor><ignition_frame_id>f</ignition_frame_id></sensor>"

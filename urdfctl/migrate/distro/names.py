@@ -78,9 +78,16 @@ def _unconditional(source: SourceText, moves: Sequence[MovedNames], target: str)
             yield Proposal((Edit(SourceSpan(source, found.start(), found.end()), ""),), entries=(entry,))
 
 
+_COMMAND = re.compile(r"\bros2\s+(?:launch|run)\s")
+_WORD = re.compile(r"(?<![\w./-])[\w-]+(?![\w./-])")
+
+
 def _new_name(text: str, move: MovedNames) -> str:
     if not move.is_pattern:
-        return move.names.get(text, text)
+        is_command = _COMMAND.search(text) is not None
+        return (
+            _WORD.sub(lambda word: move.names.get(word[0], word[0]), text) if is_command else move.names.get(text, text)
+        )
     for old, new in move.names.items():
         text = re.sub(old, new, text)
     return text
