@@ -6,8 +6,9 @@ import textwrap
 
 import pytest
 from folder import Folder
-from ros1_packages import arm, migrated, transmission
+from ros1_packages import EFFORT, PLUGIN, arm, migrated, transmission
 
+ROBOT = arm(transmission("hardware_interface/EffortJointInterface"), PLUGIN)
 ONE_NODE = """\
 <launch>
   <node name="states" pkg="joint_state_publisher" type="joint_state_publisher">
@@ -78,6 +79,15 @@ def test_remappings_in_the_arguments_of_a_node_are_its_own(folder: Folder) -> No
     assert 'arguments=["raw", "plain.txt"]' in text
     assert 'parameters=[{"rate": 5}]' in text
     assert 'remappings=[("in", [LaunchConfiguration("from"), "/image"]), ("out", "/new")]' in text
+
+
+@pytest.mark.parametrize("program", ["gzserver", "gzclient"])
+def test_a_remapping_of_the_simulator_is_left_to_a_person(folder: Folder, program: str) -> None:
+    """It reached the controllers in it, and those of gz have no node of a launch file."""
+    node = f'<node name="g" pkg="gazebo_ros" type="{program}"><remap from="/c/command" to="motor"/></node>'
+    files = {"launch/sim.launch": f"<launch>{node}</launch>", "config/c.yaml": EFFORT, "arm.xacro": ROBOT}
+    text = migrated(folder, files)["launch/sim.launch.py"]
+    assert ("the remapping of '/c/command' to 'motor' reached the controllers" in text) is (program == "gzserver")
 
 
 def test_parameters_that_are_set_by_the_name_of_a_node_are_given_to_it(folder: Folder) -> None:

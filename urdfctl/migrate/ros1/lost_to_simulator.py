@@ -17,12 +17,13 @@ _ARGUMENTS = {"extra_gazebo_args": ("",), "physics": ("", "ode"), "recording": (
 """Arguments of empty_world.launch that gz's launch file does not have, each with the values that change nothing."""
 
 
-def remapped_in_simulator(include: Element) -> Iterator[str]:
-    """Yield what is left to a person of each remapping that applies to an include of Gazebo Classic."""
-    for outer in around(include):
+def remapped_in_simulator(start: Element) -> Iterator[str]:
+    """Yield what is left to a person of each remapping that applies to an include or a node of Gazebo Classic."""
+    for outer in (start, *around(start)):
         for one in outer.elements():
             old, new = attribute(one, "from"), attribute(one, "to")
-            if one.tagName != "remap" or one.start > include.start or old.rpartition("/")[2] == _DESCRIPTION:
+            is_after = outer is not start and one.start > start.start
+            if one.tagName != "remap" or is_after or old.rpartition("/")[2] == _DESCRIPTION:
                 continue
             yield (
                 f"the remapping of '{old}' to '{new}' reached the controllers in the simulator: give it to their spawner "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
+from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE, is_spawner
 from urdfctl.migrate.launch.actions import (
     Action,
     ActionCondition,
@@ -89,13 +89,13 @@ class LaunchReading(Notes):
         return found if has_description or self.target.describes else [one for one in found if not _is_idle(one)]
 
     def _needs_simulated_time(self, actions: Sequence[Action]) -> bool:
-        """Whether actions start a simulator and a node that needs its time, or another launch file, which may start one:
-        empty_world.launch set that for all nodes."""
+        """Whether actions start a simulator or spawn into one, and start a node that needs its time or another launch file,
+        which may start one: empty_world.launch set that for all nodes."""
         every = list(all_actions(tuple(actions)))
         is_set = any(action.kind == "set_parameter" and action.name == "use_sim_time" for action in every)
         worlds = [one for one in every if one.kind == "include" and one.value == parsed(CLASSIC_FILE)]
         inner = [self._included.get(one.value or ()) for one in every if one.kind == "include"]
-        starts = bool(worlds) or any(one is not None and one.starts for one in inner)
+        starts = bool(worlds) or any(map(is_spawner, every)) or any(one is not None and one.starts for one in inner)
         nodes = any(action.kind == "node" and action.package not in _TIMED for action in every)
         return starts and not is_set and (nodes or len(inner) > 1)
 

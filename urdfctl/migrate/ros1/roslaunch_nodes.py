@@ -26,6 +26,7 @@ from urdfctl.migrate.ros1.description_commands import description_command
 from urdfctl.migrate.ros1.doubles import as_double
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
+from urdfctl.migrate.ros1.lost_to_simulator import remapped_in_simulator
 from urdfctl.migrate.ros1.node_attributes import flags_of, lost_attributes, lost_commands, renamed_parameters
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of, parameters_of, unread_parameters_of
 from urdfctl.migrate.ros1.spawned_names import full_name
@@ -331,6 +332,7 @@ def _topic_of(target: LaunchTarget, node: Element, parameter: Text) -> Text:
 
 def _program_of_classic(reading: Notes, element: Element, words: Sequence[Text]) -> Iterator[Action]:
     if element.attrs.get("type") != CLIENT:
+        reading.left += remapped_in_simulator(element) if reading.target.has_controllers else ()
         yield from simulator_actions(reading, given_to_simulator(element, words))
     elif reading.target.started != "none":
         yield Action("include", value=parsed(CLIENT_FILE))
