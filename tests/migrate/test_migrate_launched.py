@@ -160,6 +160,27 @@ def test_a_spawner_gets_the_file_of_its_controllers_and_not_one_whose_name_ends_
     assert [one[-1].rpartition("/")[2] for one in words] == ["arm_c.yaml", "c.yaml"]
 
 
+def test_two_robots_that_share_a_launch_file_read_the_description_where_it_is_set(folder: Folder) -> None:
+    """A robot_state_publisher without a description of its own is started where that is set, not in the shared file."""
+    one = f'<launch><arg name="name"/>{SPAWN.replace("-param ", "-param /")}{PUBLISHER}</launch>'
+    include = (
+        '<group ns="{0}"><include file="$(find arm)/launch/one.launch"><arg name="name" value="{0}"/></include></group>'
+    )
+    files = {
+        "launch/a.launch": launch(WORLD, DESCRIPTION, include.format("left"), LOADED, SPAWNER),
+        "launch/b.launch": launch(DESCRIPTION, include.format("right")),
+        "launch/one.launch": one,
+    }
+    found = run(folder, files)
+    assert faults(found) == []
+
+
+def test_a_launch_file_that_spawns_into_a_running_simulator_has_its_time(folder: Folder) -> None:
+    found = run(folder, {"launch/a.launch": launch(*SIMULATED[1:]), "launch/sim.launch": launch(WORLD)})
+    publisher = next(one for one in found if one.get("executable") == "robot_state_publisher")
+    assert publisher["values"]["use_sim_time"] is True
+
+
 def test_pass_all_args_gives_what_the_included_file_needs(folder: Folder) -> None:
     files = {
         "launch/a.launch": launch(

@@ -120,19 +120,24 @@ def _started_together(packages: MigratedPackages) -> dict[str, set[str]]:
 
 def _published(packages: MigratedPackages) -> dict[str, set[str]]:
     """The namespaces in which a launch file publishes the description, by its path: those of its publishers, or of the
-    parameter where no publisher is started with it."""
-    roots = packages.found(launch_roots)
+    parameter where no publisher is started with it.
+
+    A publisher in a file without a description is started in the files that set one.
+    """
+    roots, names = packages.found(launch_roots), packages.found(description_names)
     contexts = _contexts(packages, roots)
-    nodes = [(path, one) for path, root in roots.items() for one in elements(root) if _is_publisher(one)]
-    names = packages.found(description_names)
-    publishing = {path for path, _ in nodes}
+    set_in = {path: [one for one in elements(root) if is_description(one, names)] for path, root in roots.items()}
     together, idle = packages.found(_started_together), packages.found(idle_publishers)
-    alone = [path for path in roots if not together[path] & publishing and idle.get(path) is None]
-    parameters = [(path, one) for path in alone for one in elements(roots[path]) if is_description(one, names)]
+    staying = [path for path in roots if set_in[path] or not any(set_in[other] for other in together[path])]
+    nodes = [(path, one) for path in staying for one in elements(roots[path]) if _is_publisher(one)]
+    publishing = {path for path, _ in nodes}
+    parameters = [(path, one) for path in roots if not together[path] & publishing for one in set_in[path]]
     found: dict[str, set[str]] = {}
     for path, one in (*nodes, *parameters):
+        moved = idle.get(path) if one.tagName != "node" else None
+        own = namespace_of(moved) if moved is not None else ""
         spaces = {"/".join(part for part in (space, _own_space(one)) if part) for space in contexts[path]}
-        found.setdefault(path, set()).update(spaces)
+        found.setdefault(path, set()).update({own} if own else spaces)
     return found
 
 
