@@ -126,3 +126,21 @@ def test_a_sensor_in_sdf_loses_its_plugin_and_keeps_its_topic(folder: Folder) ->
     assert "<topic>pole/scan</topic>" in after
     assert "<gz_frame_id>pole</gz_frame_id>" in after
     assert "gazebo_ros" not in after
+
+
+@pytest.mark.parametrize(("config", "count"), [("<model/>\n", 2), ("", 1)])
+def test_each_version_of_a_model_loads_the_systems_of_its_sensors(folder: Folder, config: str, count: int) -> None:
+    """The simulator reads one of the files that model.config names."""
+    model = """\
+<sdf version="1.6">
+  <model name="buoy">
+    <link name="hull">
+      <sensor name="motion" type="imu"/>
+    </link>
+  </model>
+</sdf>
+"""
+    files = {"models/buoy/model.sdf": model, "models/buoy/model-1_4.sdf": model, "urdf/base.xacro": base(DRIVE)}
+    files |= {"models/buoy/model.config": config} if config else {}
+    after = migrated(folder, files)
+    assert "".join(after[name] for name in files).count('filename="gz-sim-imu-system"') == count

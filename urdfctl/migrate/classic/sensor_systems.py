@@ -17,6 +17,7 @@ from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.model.robot import Robot
+from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import SourceSpan
 
 _AUTHORITY = "gz-sim server.config: sensors, IMU, contact and force-torque systems are not loaded by default"
@@ -75,15 +76,16 @@ def _systems_of_models(packages: MigratedPackages) -> Iterator[Proposal]:
     """The systems for the sensors of models in SDF: those of a world that the packages have are enough."""
     if not goes_to_gz(packages) or packages.was_in_gz:
         return
-    worlds = b"".join(packages.read(path).data for path in packages.files(*OF_SDF))
-    for path in packages.files(*OF_SDF):
+    files = list(packages.files(*OF_SDF))
+    for path in files:
         source = packages.read(path)
         root = root_of(source) if b"<sensor" in source.data and packages.may_change(path) else None
         models = [each for each in root.elements() if each.tagName == "model"] if root is not None else []
         for model in models:
             sensors = (each.attrs.get("type", "") for each in elements(model) if each.tagName == "sensor")
             needed = dict.fromkeys(SYSTEMS[kind] for kind in sensors if kind in SYSTEMS)
-            missing = [system for system in needed if system[0].encode() not in worlds]
+            others = [other for other in files if not _is_other_version(other, path)] if needed else []
+            missing = [one for one in needed if not any(one[0].encode() in packages.read(each).data for each in others)]
             if missing and model.close is not None:
                 lines = (f'<plugin filename="{file}" name="{name}"/>' for file, name in missing)
                 names = ", ".join(file for file, _ in missing)
@@ -93,6 +95,12 @@ def _systems_of_models(packages: MigratedPackages) -> Iterator[Proposal]:
                 indent = indent_of(model) + step_of(source)
                 yield Proposal((appended(model, (f"{indent}{line}" for line in lines)),), entries=(entry,))
                 return
+
+
+def _is_other_version(other: str, path: str) -> bool:
+    """Whether a file is another version of the same model, of which the simulator reads only one."""
+    folder = os.path.dirname(path)
+    return other != path and os.path.dirname(other) == folder and is_file(os.path.join(folder, "model.config"))
 
 
 def _needed(packages: MigratedPackages, loaded: LoadedTarget, robot: Robot) -> list[tuple[str, str]]:
