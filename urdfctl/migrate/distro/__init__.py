@@ -12,6 +12,7 @@ from urdfctl.migrate.distro.moveit import MOVEIT
 from urdfctl.migrate.distro.names import NAMES
 from urdfctl.migrate.distro.open_loop import OPEN_LOOP
 from urdfctl.migrate.distro.parameters import PARAMETERS
+from urdfctl.migrate.distro.prefix import PREFIX
 from urdfctl.migrate.distro.spawner_types import SPAWNER_TYPES
 from urdfctl.migrate.distro.stamped import STAMPED, STAMPED_TOPICS
 from urdfctl.migrate.distro.stamped_nodes import STAMPED_NODES
@@ -20,6 +21,7 @@ from urdfctl.migrate.step import Step
 
 STEPS: tuple[Step, ...] = (
     *NAMES,
+    PREFIX,
     MIMIC,
     TYPES,
     DEPENDENCIES,
