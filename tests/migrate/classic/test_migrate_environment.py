@@ -124,6 +124,16 @@ def test_a_robot_that_is_simulated_in_gz_already_finds_its_meshes_and_sensors_as
     assert "gz_ros2_control-system" in now["urdf/base.xacro"]
 
 
+def test_a_package_in_gz_whose_name_has_gazebo_needs_nothing_instead_of_classic(folder: Folder) -> None:
+    own = MANIFEST.replace("<name>base<", "<name>gazebo_base<")
+    own = "".join(line for line in own.splitlines(keepends=True) if "exec_depend" not in line)
+    launch = 'PACKAGE = "ros_gz_bridge"\n'
+    world = '<sdf version="1.6"><world name="w"><plugin name="s" filename="libgazebo_ros_state.so"/></world></sdf>\n'
+    more = {"package.xml": own, "launch/a.launch.py": launch, "w.sdf": world}
+    now = after(folder, more, IN_GZ.replace("find base", "find gazebo_base"))
+    assert "ros_gz_bridge" not in now["package.xml"]
+
+
 IMU = '  <gazebo reference="body"><sensor name="imu" type="imu"><topic>imu</topic></sensor></gazebo>\n'
 INCLUDE = '  <xacro:include filename="$(find vendor_description)/urdf/arm.xacro"/>\n'
 

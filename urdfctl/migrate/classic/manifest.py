@@ -29,7 +29,9 @@ def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
         root = root_of(source) if b"gazebo" in source.data or not packages.was_in_gz else None
         if root is None or root.tagName != "package":
             continue
-        known = {content(one) for one in root.elements()}
+        known = {content(one) for one in root.elements() if one.tagName.endswith("depend")}
+        if packages.was_in_gz and not any("gazebo" in one for one in known):
+            continue
         edits = []
         for element in root.elements():
             new = _successors(packages, content(element)) if element.tagName.endswith("depend") else None
