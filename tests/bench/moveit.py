@@ -8,8 +8,11 @@ ROBOTS.yaml lists `robots`, each with a name, its tree (a folder of DIR), and in
 generated twice, with other seeds, in the folder `moveit_of_urdfctl` of its tree. Of a robot is said:
 
 - which groups, end effectors and controllers of theirs are found: those that move the same joints;
-- on how many pairs of links, of those on which both runs agree, theirs agrees, and each pair on which it does not;
-  known pairs are of links that theirs disables any pair of: it was made before the robot got the others;
+- on how many pairs of links, of those on which both runs agree, theirs agrees, and why each other pair differs, by a
+  measure of its own; known pairs are of links that theirs disables any pair of: it was made before the robot got the
+  others;
+- why the Setup Assistant cannot have made their matrix for this description, if it cannot; the totals say how many
+  pairs agree in those that it can have made;
 - the processor time of one run;
 - whether lint has no error in the package, gen-check is quiet, smoke passes, and a second run changes nothing.
 """
@@ -29,12 +32,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import yaml
+from matrices import Poses, described, judged, packages_in, signs_of_hands
 
 _OUTPUT = "moveit_of_urdfctl"
 _SEEDS = (1, 2)
 _MOVING = ("revolute", "continuous", "prismatic")
 _ENDS = ("lower", "upper")
-_LISTED = 40
+_LISTED = 60
 Pair = frozenset[str]
 
 
@@ -42,7 +46,7 @@ class Tree:
     """The links of a description, and the joints that move them."""
 
     def __init__(self, text: str) -> None:
-        root = ET.fromstring(text)
+        self.root = root = ET.fromstring(text)
         self.joints = {joint.get("name", ""): joint for joint in root.findall("joint")}
         self.above = {joint.find("child").get("link"): joint for joint in self.joints.values()}
         self.solid = [link.get("name", "") for link in root.findall("link") if link.find("collision") is not None]
@@ -183,7 +187,8 @@ def compared(tool: Tool, out: Path, samples: int) -> dict[str, Any]:
         said = next(one for one in made if one.returncode).stderr.strip().splitlines()
         return {"refused": said[-1] if said else "?", "seconds": round(seconds, 1)}
     tree = Tree(tool.run("expand", robot["description"], *robot.get("arguments", ())).stdout)
-    theirs = semantic_in(tool.semantic(), tree)
+    written = tool.semantic()
+    theirs = semantic_in(written, tree)
     ours = [semantic_in(next(one.glob("config/*.srdf")).read_text(), tree) for one in packages]
     config = tool.folder / robot.get("controllers", Path(robot["semantic"]).parent)
     mine = controllers_in(packages[0] / "config", tree)
@@ -193,7 +198,8 @@ def compared(tool: Tool, out: Path, samples: int) -> dict[str, Any]:
         "composed": missing({n: theirs.groups[n] for n in theirs.composed}, ours[0].groups, together=True),
         "end effectors": tools_missing(theirs, ours[0]),
         "controllers": missing(controllers_in(config, tree), mine, together=True),
-        "pairs": pairs_compared(tree, theirs, ours),
+        "signs of hands": signs_of_hands(ET.fromstring(written), described(tree.root)),
+        "pairs": pairs_compared(tree, theirs, ours, Poses(tree.root, packages_in(tool.folder), tool.folder)),
         "checks": checks(tool, packages[0], samples),
     }
 
@@ -226,18 +232,17 @@ def tools_missing(theirs: Semantic, ours: Semantic) -> dict[str, str]:
     return found
 
 
-def pairs_compared(tree: Tree, theirs: Semantic, ours: Sequence[Semantic]) -> dict[str, Any]:
-    """Count the pairs on which both runs of ours agree, and those of them on which theirs does; list the others."""
+def pairs_compared(tree: Tree, theirs: Semantic, ours: Sequence[Semantic], poses: Poses) -> dict[str, Any]:
+    """Count the pairs on which both runs of ours agree, and those of them on which theirs does; judge the others."""
     every = [frozenset(pair) for pair in combinations(tree.solid, 2)]
     sure = [pair for pair in every if len({pair in one.pairs for one in ours}) == 1]
     differ = [pair for pair in sure if (pair in theirs.pairs) != (pair in ours[0].pairs)]
-    kinds = Counter(
-        f"ours {ours[0].pairs[pair]}" if pair in ours[0].pairs else f"theirs {theirs.pairs[pair]}" for pair in differ
-    )
-    verdicts = [[one.pairs.get(pair, "tested") for one in (ours[0], theirs)] for pair in differ]
+    verdicts = [(pair, *(one.pairs.get(pair, "tested") for one in (ours[0], theirs))) for pair in differ]
+    measures = [poses.measured(pair) for pair in differ]
+    reasons = [judged(mine, other, found) for (_, mine, other), found in zip(verdicts, measures, strict=True)]
     shown = [
-        f"{', '.join(sorted(pair))}: ours {mine}, theirs {other}"
-        for pair, (mine, other) in zip(differ, verdicts, strict=True)
+        f"{', '.join(sorted(pair))}: ours {mine}, theirs {other}: {why} {tuple(found)}"
+        for (pair, mine, other), found, why in zip(verdicts, measures, reasons, strict=True)
     ]
     agreed = len(sure) - len(differ)
     share = round(100 * agreed / len(sure), 1) if sure else 100.0
@@ -251,7 +256,7 @@ def pairs_compared(tree: Tree, theirs: Semantic, ours: Sequence[Semantic]) -> di
         "percent": share,
         "known": len(known),
         "agree on known": of_known,
-        "kinds": dict(kinds),
+        "reasons": dict(Counter(reasons)),
         "differ": shown[:_LISTED],
     }
 
@@ -300,13 +305,23 @@ def totals(results: Mapping[str, Mapping[str, Any]]) -> str:
     """Return the lines below all robots."""
     whole = [one for one in results.values() if "refused" not in one]
     found = [one for one in whole if not any("MISSING" in said for kind in _FOUND for said in one[kind].values())]
-    kinds = ("sure", "agree", "known", "agree on known")
-    sure, agree, known, of_known = (sum(one["pairs"][kind] for one in whole) for kind in kinds)
+    made = [one for one in whole if not one["signs of hands"]]
     clean = [one for one in whole if {*one["checks"].values()} <= {"quiet", "passes", "changes nothing"}]
+    reasons = sum((Counter(one["pairs"]["reasons"]) for one in made), Counter())
     return (
         f"{len(results)} robots, {len(whole)} written; groups, end effectors and controllers found in {len(found)}; "
-        f"pairs: {agree} of {sure} agree, {of_known} of {known} known ones; {len(clean)} pass all checks\n"
+        f"{len(clean)} pass all checks\n"
+        f"pairs: {_agreeing(whole)}\n"
+        f"{len(made)} without a sign of hands: {_agreeing(made)}\n"
+        + "".join(f"  {count} {why}\n" for why, count in reasons.most_common())
     )
+
+
+def _agreeing(robots: Sequence[Mapping[str, Any]]) -> str:
+    kinds = ("sure", "agree", "known", "agree on known")
+    sure, agree, known, of_known = (sum(one["pairs"][kind] for one in robots) for kind in kinds)
+    share = f" ({100 * agree / sure:.1f} %)" if sure else ""
+    return f"{agree} of {sure} agree{share}, {of_known} of {known} known ones"
 
 
 _FOUND = ("groups", "end effectors", "controllers")
