@@ -95,12 +95,17 @@ def robot(mesh: Path) -> str:
 </robot>"""
 
 
-def reasons(mesh: Path) -> dict[tuple[str, str], str]:
-    """Return why pairs of links need no test."""
-    root = parse(SourceText("plates.urdf", robot(mesh).encode())).documentElement
+def reasons_of(text: str) -> dict[tuple[str, str], str]:
+    """Return why pairs of links of a robot need no test."""
+    root = parse(SourceText("robot.urdf", text.encode())).documentElement
     assert root is not None
     _, touching = touching_links(robot_of(root), str, 50, 1)
     return {(one, other): reason for one, other, reason in touching.pairs}
+
+
+def reasons(mesh: Path) -> dict[tuple[str, str], str]:
+    """Return why pairs of links need no test."""
+    return reasons_of(robot(mesh))
 
 
 @pytest.mark.parametrize("made", [as_triangles, as_polylist, as_polygons])
@@ -137,3 +142,22 @@ def test_as_convex_hulls_the_plates_are_a_block_that_touches_it(
     (tmp_path / "plates.stl").write_bytes(stl())
     monkeypatch.setattr(contacts, "tests_surfaces", lambda: False)
     assert reasons(tmp_path / "plates.stl")["plates", "ball"] == "Default"
+
+
+SLIDING = """<robot name="table">
+  <link name="table"><collision><origin xyz="0 0 -0.05"/><geometry><box size="9 9 0.1"/></geometry></collision></link>
+  <link name="rail"><collision><origin xyz="0 0 1"/><geometry><sphere radius="0.01"/></geometry></collision></link>
+  <link name="block"><collision><origin xyz="0 0 {height}"/><geometry>{block}</geometry></collision></link>
+  <joint name="along" type="prismatic"><parent link="table"/><child link="rail"/><axis xyz="1 0 0"/>
+    <limit lower="-0.7" upper="0.7" effort="1" velocity="1"/></joint>
+  <joint name="across" type="prismatic"><parent link="rail"/><child link="block"/><axis xyz="0 1 0"/>
+    <limit lower="-0.7" upper="0.7" effort="1" velocity="1"/></joint>
+</robot>"""
+
+
+@pytest.mark.parametrize(("height", "reason"), [(0.52, "Default"), (0.521, "Never")])
+@pytest.mark.parametrize("block", ['<mesh filename="{path}"/>', '<cylinder radius="0.1" length="1.04"/>'])
+def test_faces_that_slide_on_each_other_touch(block: str, height: float, reason: str, tmp_path: Path) -> None:
+    (tmp_path / "plates.stl").write_bytes(stl())
+    text = SLIDING.format(block=block.format(path=tmp_path / "plates.stl"), height=height)
+    assert reasons_of(text).get(("table", "block")) == reason

@@ -16,7 +16,7 @@ from urdfctl.errors import UserError
 from urdfctl.model.robot import Robot
 from urdfctl.smoke.engines import quick_mujoco
 from urdfctl.smoke.engines.engine import installed
-from urdfctl.smoke.engines.surfaces import Surfaces, read_surface, tests_surfaces
+from urdfctl.smoke.engines.surfaces import TIE, Surfaces, read_surface, tests_surfaces
 from urdfctl.smoke.engines.urdf import engine_urdf
 from urdfctl.smoke.robot import Hinge, Mechanism, mechanism_of
 from urdfctl.startup.records import NamedTuple
@@ -167,6 +167,7 @@ class _Meeting:
             spec.option.disableflags |= library.mjtDisableBit.mjDSBL_FILTERPARENT
             for shape in spec.geoms:
                 shape.contype = shape.conaffinity = 1
+                shape.margin = TIE
             for mesh in spec.meshes:
                 if not (tests_surfaces() and read_surface(mesh)):
                     read_mesh(mesh)
@@ -267,7 +268,7 @@ class _Meeting:
         for group in shapes.values():
             for pair in ((one, other) for n, one in enumerate(group) for other in group[n + 1 :]):
                 bodies = [int(model.geom_bodyid[shape]) for shape in pair]
-                apart = bodies[0] == bodies[1] or library.mj_geomDistance(model, data, *pair, 1.0, None) > 0
+                apart = bodies[0] == bodies[1] or library.mj_geomDistance(model, data, *pair, 1.0, None) > TIE
                 if not apart and self._touch(*pair):
                     found.add(self._pair(*(self._body[body] for body in bodies)))
         return found
