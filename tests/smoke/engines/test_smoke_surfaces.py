@@ -161,3 +161,26 @@ def test_faces_that_slide_on_each_other_touch(block: str, height: float, reason:
     (tmp_path / "plates.stl").write_bytes(stl())
     text = SLIDING.format(block=block.format(path=tmp_path / "plates.stl"), height=height)
     assert reasons_of(text).get(("table", "block")) == reason
+
+
+FOLLOWING = """<robot name="slides">
+  <link name="base"><collision><origin xyz="0.6 0 0"/><geometry><box size="0.1 1 1"/></geometry></collision></link>
+  <link name="first"/><link name="second"/>
+  <link name="turned"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
+  <link name="block"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
+  <joint name="turn" type="revolute"><parent link="base"/><child link="turned"/><axis xyz="1 0 0"/>
+    <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+  {joints}
+</robot>"""
+SLIDE = """<joint name="{child}_slide" type="prismatic"><parent link="{parent}"/><child link="{child}"/>
+  <axis xyz="1 0 0"/><limit lower="0" upper="{upper}" effort="1" velocity="1"/>{mimic}</joint>"""
+
+
+@pytest.mark.parametrize(("last", "reason"), [('<mimic joint="second_slide"/>', "Never"), ("", None)])
+def test_what_follows_a_follower_is_tested_where_the_first_joint_takes_it(last: str, reason: str | None) -> None:
+    slides = [
+        SLIDE.format(parent="base", child="first", upper=0.2, mimic=""),
+        SLIDE.format(parent="base", child="second", upper=1, mimic='<mimic joint="first_slide"/>'),
+        SLIDE.format(parent="turned", child="block", upper=1, mimic=last),
+    ]
+    assert reasons_of(FOLLOWING.format(joints="".join(slides))).get(("base", "block")) == reason

@@ -147,6 +147,7 @@ class _Meeting:
         self._library: Any = quick_mujoco.load()
         self._urdf, self._mechanism, self._solid = urdf, mechanism, solid
         self._moving = [hinge for hinge in mechanism.hinges if hinge.moves]
+        self._leaders = _leaders(self._moving)
         self._between = _between(mechanism, solid)
         self._model: Any = None
         self._data: Any = None
@@ -224,10 +225,8 @@ class _Meeting:
         """The pairs that touch in a pose, without those that are known already."""
         library, model, data = self._library, self._model, self._data
         for hinge in self._moving:
-            position = positions[hinge.name]
-            if hinge.mimic and hinge.mimic[0] in positions:
-                position = positions[hinge.mimic[0]] * hinge.mimic[1] + hinge.mimic[2]
-            data.qpos[self._at[hinge.name]] = position
+            leader, factor, offset = self._leaders[hinge.name]
+            data.qpos[self._at[hinge.name]] = positions[leader] * factor + offset
         library.mj_kinematics(model, data)
         library.mj_comPos(model, data)
         library.mj_collision(model, data)
@@ -282,11 +281,22 @@ def _between(mechanism: Mechanism, solid: Sequence[str]) -> dict[LinkPair, Hinge
     """The pairs of links that a single joint moves against each other, alone or with those that follow it, and it."""
     hinges = {hinge.name: hinge for hinge in mechanism.hinges if hinge.moves}
     above = {link: {hinge.name for hinge in mechanism.above(link) if hinge.moves} for link in solid}
-    leader = {
-        name: hinge.mimic[0] if hinge.mimic and hinge.mimic[0] in hinges else name for name, hinge in hinges.items()
-    }
-    moved = {pair: {leader[name] for name in above[pair[0]] ^ above[pair[1]]} for pair in _all_pairs(solid)}
+    leaders = _leaders([*hinges.values()])
+    moved = {pair: {leaders[name][0] for name in above[pair[0]] ^ above[pair[1]]} for pair in _all_pairs(solid)}
     return {pair: hinges[next(iter(names))] for pair, names in moved.items() if len(names) == 1}
+
+
+def _leaders(moving: Sequence[Hinge]) -> dict[str, tuple[str, float, float]]:
+    """The hinge that each one follows at last, itself if none, with what it multiplies and adds."""
+    known = {hinge.name: hinge.mimic for hinge in moving}
+    found = {}
+    for name in known:
+        leader, factor, offset, told = name, 1.0, 0.0, set()
+        while (mimic := known[leader]) and mimic[0] in known and leader not in told:
+            told.add(leader)
+            leader, factor, offset = mimic[0], factor * mimic[1], offset + factor * mimic[2]
+        found[name] = leader, factor, offset
+    return found
 
 
 def _usual(hinge: Hinge) -> float:
