@@ -18,7 +18,8 @@ import numpy as np
 
 REASONS = ("Adjacent", "Default", "Always", "Never")
 _MOVING = ("revolute", "continuous", "prismatic")
-_SAMPLES, _MEASURED = 4000, 300
+_SAMPLES, _MEASURED, _ENOUGH = 3000, 60, 150
+"""Poses of a pair, those of them in which its distance is measured, and contacts after which its share is known."""
 _NEAR = 0.005
 """Two links that come as near as this, in m, touch in another reading of the same mesh."""
 _ALWAYS = (0.9, 0.98)
@@ -111,6 +112,7 @@ class Poses:
         self._joints = {joint.get("name", ""): joint for joint in self._above.values()}
         self._links = {link.get("name", ""): link for link in root.findall("link")}
         self._shapes: dict[str, tuple[list[tuple[Any, np.ndarray]], str]] = {}
+        self._steps: dict[str, tuple[np.ndarray, np.ndarray, np.ndarray]] = {}
 
     def measured(self, pair: Pair) -> Measure:
         """Return how often two links touch, and how near they come."""
@@ -118,14 +120,14 @@ class Poses:
         shapes = [self._shapes_of(name) for name in (one, other)]
         between = sorted(self._moved_above(one) ^ self._moved_above(other))
         chance = random.Random(0)  # noqa: S311 (it samples poses)
-        count = _SAMPLES if between else 1
-        touched, nearest = 0, math.inf
-        for n in range(count):
+        touched, nearest, count = 0, math.inf, 0
+        while count < (_SAMPLES if between else 1) and touched < _ENOUGH:
+            count += 1
             places = self._places((one, other), self._drawn(between, chance))
             met = self._met(shapes, places)
             touched += met
             nearest = 0.0 if met else nearest
-            if nearest and n < _MEASURED:
+            if nearest and count <= _MEASURED:
                 nearest = min(nearest, self._apart(shapes, places))
         default = self._met(shapes, self._places((one, other), {}))
         ends = any(self._met(shapes, self._places((one, other), ends)) for ends in self._ends(between))
@@ -189,17 +191,29 @@ class Poses:
         return given.get(leader, usual) * factor + offset
 
     def _places(self, links: Sequence[str], given: Mapping[str, float]) -> list[np.ndarray]:
-        return [self._place(link, given) for link in links]
+        ways = [self._way(link) for link in links]
+        shared = set(ways[0]) & set(ways[1])
+        return [self._place([link for link in way if link not in shared], given) for way in ways]
 
-    def _place(self, link: str, given: Mapping[str, float]) -> np.ndarray:
-        place = np.eye(4)
+    def _way(self, link: str) -> list[str]:
+        """A link and those that carry it, but the root."""
+        way = []
         while link in self._above:
+            way.append(link)
+            link = self._above[link].find("parent").get("link", "")
+        return way
+
+    def _place(self, way: Sequence[str], given: Mapping[str, float]) -> np.ndarray:
+        place = np.eye(4)
+        for link in way:
             joint = self._above[link]
-            moved = np.eye(4)
+            if link not in self._steps:
+                self._steps[link] = _origin(joint), *_turn(joint)
+            origin, axis, cross = self._steps[link]
             if joint.get("type") in _MOVING:
-                moved = _moved(joint, self._position(joint.get("name", ""), given))
-            place = _origin(joint) @ moved @ place
-            link = joint.find("parent").get("link", "")
+                moved = _moved(joint, axis, cross, self._position(joint.get("name", ""), given))
+                place = moved @ place
+            place = origin @ place
         return place
 
     def _shapes_of(self, name: str) -> tuple[list[tuple[Any, np.ndarray]], str]:
@@ -342,15 +356,20 @@ def _origin(element: ET.Element) -> np.ndarray:
     return place
 
 
-def _moved(joint: ET.Element, position: float) -> np.ndarray:
+def _turn(joint: ET.Element) -> tuple[np.ndarray, np.ndarray]:
+    """The axis of a joint, and the matrix of its cross product."""
     given = joint.find("axis")
     axis = np.array(_numbers(given.get("xyz", "1 0 0") if given is not None else "1 0 0", 3))
-    axis = axis / (np.linalg.norm(axis) or 1.0)
+    x, y, z = axis = axis / (np.linalg.norm(axis) or 1.0)
+    return axis, np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def _moved(joint: ET.Element, axis: np.ndarray, cross: np.ndarray, position: float) -> np.ndarray:
     place = np.eye(4)
     if joint.get("type") == "prismatic":
         place[:3, 3] = axis * position
     else:
-        place[:3, :3] = _about(axis, position)
+        place[:3, :3] += math.sin(position) * cross + (1 - math.cos(position)) * cross @ cross
     return place
 
 

@@ -8,7 +8,7 @@ ROBOTS.yaml lists `robots`, each with a name, its tree (a folder of DIR), and in
 generated twice, with other seeds, in the folder `moveit_of_urdfctl` of its tree. Of a robot is said:
 
 - which groups, end effectors and controllers of theirs are found: those that move the same joints;
-- on how many pairs of links, of those on which both runs agree, theirs agrees, and why each other pair differs, by a
+- on how many pairs of links, of those on which both runs agree, theirs agrees, and why the other pairs differ, by a
   measure of its own; known pairs are of links that theirs disables any pair of: it was made before the robot got the
   others;
 - why the Setup Assistant cannot have made their matrix for this description, if it cannot; the totals say how many
@@ -238,11 +238,11 @@ def pairs_compared(tree: Tree, theirs: Semantic, ours: Sequence[Semantic], poses
     sure = [pair for pair in every if len({pair in one.pairs for one in ours}) == 1]
     differ = [pair for pair in sure if (pair in theirs.pairs) != (pair in ours[0].pairs)]
     verdicts = [(pair, *(one.pairs.get(pair, "tested") for one in (ours[0], theirs))) for pair in differ]
-    measures = [poses.measured(pair) for pair in differ]
-    reasons = [judged(mine, other, found) for (_, mine, other), found in zip(verdicts, measures, strict=True)]
+    measures = [poses.measured(pair) for pair in differ[:_LISTED]]
+    reasons = [judged(mine, other, found) for (_, mine, other), found in zip(verdicts, measures, strict=False)]
     shown = [
         f"{', '.join(sorted(pair))}: ours {mine}, theirs {other}: {why} {tuple(found)}"
-        for (pair, mine, other), found, why in zip(verdicts, measures, reasons, strict=True)
+        for (pair, mine, other), found, why in zip(verdicts, measures, reasons, strict=False)
     ]
     agreed = len(sure) - len(differ)
     share = round(100 * agreed / len(sure), 1) if sure else 100.0
@@ -257,7 +257,7 @@ def pairs_compared(tree: Tree, theirs: Semantic, ours: Sequence[Semantic], poses
         "known": len(known),
         "agree on known": of_known,
         "reasons": dict(Counter(reasons)),
-        "differ": shown[:_LISTED],
+        "differ": shown,
     }
 
 
