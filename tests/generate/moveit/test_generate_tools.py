@@ -61,3 +61,28 @@ def test_a_trajectory_controller_of_a_joint_that_fingers_follow_moves_a_tool_wha
     assert command("gen-moveit", "six.urdf", *JAZZY, *words).returncode == 0
     assert [one.get("group") for one in semantic(folder).findall("end_effector")] == ["end"]
     assert [one.get("name") for one in semantic(folder).findall("group[chain]")] == ["arm"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "controllers", "groups"),
+    [
+        (
+            "hand=bend,turn",
+            {"arm_controller": ["pan", "lift", "elbow", "roll"], "hand_controller": ["bend", "turn"]},
+            {"arm": "roll_link", "hand": None, "arm_with_hand": "tool0"},
+        ),
+        ("arm=base_link:hand", {"arm_controller": [name for name, _, _ in ROW]}, {"arm": "hand"}),
+    ],
+)
+def test_a_group_that_is_a_part_of_a_chain_has_a_controller_of_its_own_and_the_rest_has_one_too(
+    asked: str, controllers: dict[str, list[str]], groups: dict[str, str | None], folder: Folder
+) -> None:
+    bare = arm().split('<link name="left_finger">')[0] + "</robot>"
+    folder.write({"six.urdf": bare})
+    assert command("gen-moveit", "six.urdf", *JAZZY, "--group", asked).returncode == 0
+    listed = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["moveit_simple_controller_manager"]
+    assert {name: listed[name]["joints"] for name in listed["controller_names"]} == controllers
+    root = semantic(folder)
+    tips = {group.get("name"): group.find("chain") for group in root.findall("group")}
+    assert {name: None if tip is None else tip.get("tip_link") for name, tip in tips.items()} == groups
+    assert {one.get("group") for one in root.findall("end_effector")} == {"hand"} & {*groups}

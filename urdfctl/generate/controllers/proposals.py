@@ -44,7 +44,7 @@ def proposed(robot: RobotFacts, joints: Sequence[JointFacts], options: Generator
         *_of_tools(parts.tools, robot, offered),
         *(_of_sensors(robot) if options.ros == 2 else ()),  # noqa: PLR2004
     ]
-    return tuple(_numbered(_unlike(found, {joint.name for joint in robot.joints})))
+    return tuple(numbered(_unlike(found, {joint.name for joint in robot.joints})))
 
 
 def _unlike(requests: Sequence[Request], taken: Collection[str]) -> list[Request]:
@@ -170,8 +170,8 @@ def _prefix(chain: Sequence[JointFacts], label: str) -> str:
     return "".join(f"{word.lower()}_" for word in kept[:2] if not word[0].isdigit()) or _side(chain)
 
 
-def _numbered(requests: Sequence[Request]) -> Iterator[Request]:
-    """The requests with unique names."""
+def numbered(requests: Sequence[Request]) -> Iterator[Request]:
+    """Yield the requests with unique names."""
     names = [request.name for request in requests]
     count: dict[str, int] = {}
     for request in requests:

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers.proposals import proposed, shown, with_interfaces
+from urdfctl.generate.controllers.proposals import numbered, proposed, shown, with_interfaces
 from urdfctl.generate.controllers.recipes import kind_of
-from urdfctl.generate.options import GeneratorOptions
+from urdfctl.generate.options import GeneratorOptions, Request
+from urdfctl.generate.request.planning_group import LinkTree, asked_group
 from urdfctl.generate.request.requests import of_list, requested
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
 
@@ -38,14 +39,38 @@ def with_requests(
     if asked or options.types or robot is None or not (is_open or command in _OF_CONTROLLERS):
         return options._replace(requests=asked), ""
     try:
-        found = proposed(robot, joints, options)
+        options = _parted(proposed(robot, joints, options), options, robot)
     except UserError:
         if not is_open:
             raise
-        found = ()  # the interfaces of the joints can be written without their controllers
-    line = f"controllers proposed from the robot: {shown(found)}" if found else ""
+        options = options._replace(requests=())  # the interfaces of the joints can be written without their controllers
+    line = f"controllers proposed from the robot: {shown(options.requests)}" if options.requests else ""
     line = f"interfaces for the {line}" if line and is_open else line
-    return options._replace(requests=found), line
+    return options, line
+
+
+def _parted(requests: Sequence[Request], options: GeneratorOptions, robot: RobotFacts) -> GeneratorOptions:
+    """The options with these requests, those for more joints than a group in two: for the group, and for the rest.
+
+    A trajectory controller takes only goals for all of its joints. Together they move the whole chain, which is a group
+    as well.
+    """
+    groups = options.planning_groups
+    tree = LinkTree(robot.linkage.links) if robot.linkage and groups else None
+    for group in [asked_group(text, tree) for text in groups] if tree else ():
+        moved = {*group.joints}
+        whole = next((one for one in requests if one.type == "trajectory" and moved < {*one.patterns}), None)
+        if tree is None or whole is None:
+            continue
+        rest = tuple(name for name in whole.patterns if name not in moved)
+        part = whole._replace(name=f"{group.name}_controller", patterns=group.joints)
+        parts = [part, whole._replace(patterns=rest)]
+        requests = [other for one in requests for other in (parts if one is whole else (one,))]
+        first, last = tree.of_joint[whole.patterns[0]], tree.of_joint[whole.patterns[-1]]
+        stem = whole.name.removesuffix("_controller")
+        name = f"whole_{stem}" if stem == group.name else f"{stem}_with_{group.name}"
+        groups = (*groups, f"{name}={first.parent}:{last.name}")
+    return options._replace(requests=tuple(numbered(requests)), planning_groups=groups)
 
 
 def way_out(options: GeneratorOptions, proposal: str) -> str:

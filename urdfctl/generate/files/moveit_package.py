@@ -10,10 +10,11 @@ from urdfctl.errors import UserError
 from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.files.bringup import FORMS, launch_name, planning_launch_name
 from urdfctl.generate.files.moveit import usable_by_moveit
-from urdfctl.generate.files.planning_groups import LinkTree, PlanningGroup, planning_groups
+from urdfctl.generate.files.planning_groups import planning_groups
 from urdfctl.generate.files.semantic import SemanticPart, semantic_parts, semantic_text, with_own_parts
 from urdfctl.generate.options import File, GeneratorOptions
 from urdfctl.generate.request.choice import chosen
+from urdfctl.generate.request.planning_group import LinkTree, PlanningGroup
 from urdfctl.generate.robot.anatomy import anatomy_of
 from urdfctl.generate.robot.facts import JointFacts, Linkage, RobotFacts
 from urdfctl.generate.robot.mounting import needs_world

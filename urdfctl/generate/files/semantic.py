@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.errors import UserError
-from urdfctl.generate.files.planning_groups import LinkTree, PlanningGroup
+from urdfctl.generate.request.planning_group import LinkTree, PlanningGroup
 from urdfctl.generate.robot.facts import JointFacts, Linkage, RobotFacts
 from urdfctl.generate.text.scalars import xml_text
 from urdfctl.source.disk.files import named_bytes
