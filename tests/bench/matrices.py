@@ -10,16 +10,18 @@ from __future__ import annotations
 import math
 import random
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import fcl
 import numpy as np
+import trimesh
 
 REASONS = ("Adjacent", "Default", "Always", "Never")
 _MOVING = ("revolute", "continuous", "prismatic")
-_SAMPLES, _MEASURED, _ENOUGH = 3000, 60, 150
-"""Poses of a pair, those of them in which its distance is measured, and contacts after which its share is known."""
+_SAMPLES, _RARE, _MEASURED, _ENOUGH = 3000, 20_000, 60, 150
+"""Poses of a pair; those of one that ours tests, hence touched; those with a distance; contacts that tell a share."""
 _NEAR = 0.005
 """Two links that come as near as this, in m, touch in another reading of the same mesh."""
 _ALWAYS = (0.9, 0.98)
@@ -33,7 +35,6 @@ Pair = frozenset[str]
 class Described(NamedTuple):
     """A description. solid: links with collision geometry; seen: those with any, which old versions of MoveIt test."""
 
-    root: ET.Element
     links: frozenset[str]
     solid: frozenset[str]
     seen: frozenset[str]
@@ -48,7 +49,7 @@ def described(root: ET.Element) -> Described:
     seen = frozenset(link.get("name", "") for link in links if link.find("visual/geometry") is not None)
     joints = [joint for joint in root.findall("joint") if joint.find("parent") is not None]
     joined = tuple((joint.find("parent").get("link", ""), joint.find("child").get("link", "")) for joint in joints)
-    return Described(root, names, solid, solid | seen, joined)
+    return Described(names, solid, solid | seen, joined)
 
 
 def adjacent(of: Described, solid: frozenset[str]) -> set[Pair]:
@@ -114,14 +115,15 @@ class Poses:
         self._shapes: dict[str, tuple[list[tuple[Any, np.ndarray]], str]] = {}
         self._steps: dict[str, tuple[np.ndarray, np.ndarray, np.ndarray]] = {}
 
-    def measured(self, pair: Pair) -> Measure:
+    def measured(self, pair: Pair, *, touched_ours: bool) -> Measure:
         """Return how often two links touch, and how near they come."""
         one, other = sorted(pair)
         shapes = [self._shapes_of(name) for name in (one, other)]
         between = sorted(self._moved_above(one) ^ self._moved_above(other))
         chance = random.Random(0)  # noqa: S311 (it samples poses)
         touched, nearest, count = 0, math.inf, 0
-        while count < (_SAMPLES if between else 1) and touched < _ENOUGH:
+        most = _RARE if touched_ours else _SAMPLES
+        while count < (most if between else 1) and touched < _ENOUGH:
             count += 1
             places = self._places((one, other), self._drawn(between, chance))
             met = self._met(shapes, places)
@@ -133,6 +135,15 @@ class Poses:
         ends = any(self._met(shapes, self._places((one, other), ends)) for ends in self._ends(between))
         kinds = " and ".join(kind for _, kind in shapes)
         return Measure(touched / count, nearest, default, ends, kinds, ", ".join(self._kinds(between)) or "nothing")
+
+    def touching(self, pairs: Iterable[Pair], positions: Mapping[str, float]) -> list[Pair]:
+        """Return the pairs that touch with some joints at positions, and the others where MoveIt takes them to be."""
+        known = {name: value for name, value in positions.items() if name in self._joints}
+        return [
+            pair
+            for pair in pairs
+            if self._met([self._shapes_of(name) for name in sorted(pair)], self._places(sorted(pair), known))
+        ]
 
     def _ends(self, names: Sequence[str]) -> Iterator[dict[str, float]]:
         leaders = sorted({self._leader(name)[0] for name in names})
@@ -229,8 +240,6 @@ class Poses:
         return self._shapes[name]
 
     def _shape(self, shape: ET.Element) -> Any:
-        import fcl
-
         if shape.tag == "box":
             made = fcl.Box(*_numbers(shape.get("size"), 3))
         elif shape.tag == "sphere":
@@ -244,9 +253,6 @@ class Poses:
         return made and fcl.CollisionObject(made, fcl.Transform())
 
     def _surface(self, name: str, scale: Sequence[float]) -> Any:
-        import fcl
-        import trimesh
-
         path = self._path(name)
         try:
             mesh = trimesh.load(path, force="mesh")
@@ -269,16 +275,12 @@ class Poses:
         return self._folder / (rest if scheme == "file" else name)
 
     def _met(self, shapes: Sequence[tuple[list[Any], str]], places: Sequence[np.ndarray]) -> bool:
-        import fcl
-
         return any(
             fcl.collide(one, other, fcl.CollisionRequest(), fcl.CollisionResult())
             for one, other in self._placed(shapes, places)
         )
 
     def _apart(self, shapes: Sequence[tuple[list[Any], str]], places: Sequence[np.ndarray]) -> float:
-        import fcl
-
         found = [
             fcl.distance(one, other, fcl.DistanceRequest(), fcl.DistanceResult())
             for one, other in self._placed(shapes, places)
@@ -288,13 +290,22 @@ class Poses:
     def _placed(
         self, shapes: Sequence[tuple[list[Any], str]], places: Sequence[np.ndarray]
     ) -> Iterator[tuple[Any, Any]]:
-        import fcl
-
         for (found, _), place in zip(shapes, places, strict=True):
             for made, origin in found:
                 at = place @ origin
                 made.setTransform(fcl.Transform(at[:3, :3], at[:3, 3]))
         return ((one, other) for one, _ in shapes[0][0] for other, _ in shapes[1][0])
+
+
+def touching_in_poses(semantic: ET.Element, pairs: Mapping[Pair, str], poses: Poses) -> list[str]:
+    """Say which pairs that a matrix calls Never touch in a named pose of an SRDF."""
+    never = [pair for pair, why in pairs.items() if why == "Never"]
+    found = []
+    for state in semantic.findall("group_state"):
+        given = [(one.get("name", ""), (one.get("value") or "").split()) for one in state.findall("joint")]
+        met = poses.touching(never, {name: float(value[0]) for name, value in given if len(value) == 1})
+        found += [f"{state.get('name')} of {state.get('group')}: {', '.join(sorted(pair))}" for pair in met]
+    return found
 
 
 def judged(mine: str, theirs: str, found: Measure) -> str:

@@ -11,6 +11,7 @@ generated twice, with other seeds, in the folder `moveit_of_urdfctl` of its tree
 - on how many pairs of links, of those on which both runs agree, theirs agrees, and why the other pairs differ, by a
   measure of its own; known pairs are of links that theirs disables any pair of: it was made before the robot got the
   others;
+- which links of pairs that ours calls Never touch in named poses, ours and theirs;
 - why the Setup Assistant cannot have made their matrix for this description, if it cannot; the totals say how many
   pairs agree in those that it can have made;
 - the processor time of one run;
@@ -32,7 +33,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import yaml
-from matrices import Poses, described, judged, packages_in, signs_of_hands
+from matrices import Poses, described, judged, packages_in, signs_of_hands, touching_in_poses
 
 _OUTPUT = "moveit_of_urdfctl"
 _SEEDS = (1, 2)
@@ -189,17 +190,23 @@ def compared(tool: Tool, out: Path, samples: int) -> dict[str, Any]:
     tree = Tree(tool.run("expand", robot["description"], *robot.get("arguments", ())).stdout)
     written = tool.semantic()
     theirs = semantic_in(written, tree)
-    ours = [semantic_in(next(one.glob("config/*.srdf")).read_text(), tree) for one in packages]
+    texts = [next(one.glob("config/*.srdf")).read_text() for one in packages]
+    ours = [semantic_in(text, tree) for text in texts]
+    poses = Poses(tree.root, packages_in(tool.folder), tool.folder)
     config = tool.folder / robot.get("controllers", Path(robot["semantic"]).parent)
     mine = controllers_in(packages[0] / "config", tree)
     return {
         "seconds": round(seconds, 1),
         "groups": missing({n: one for n, one in theirs.groups.items() if n not in theirs.composed}, ours[0].groups),
         "composed": missing({n: theirs.groups[n] for n in theirs.composed}, ours[0].groups, together=True),
-        "end effectors": tools_missing(theirs, ours[0]),
+        "end effectors": tools_missing(theirs, ours[0], tree),
         "controllers": missing(controllers_in(config, tree), mine, together=True),
         "signs of hands": signs_of_hands(ET.fromstring(written), described(tree.root)),
-        "pairs": pairs_compared(tree, theirs, ours, Poses(tree.root, packages_in(tool.folder), tool.folder)),
+        "pairs": pairs_compared(tree, theirs, ours, poses),
+        "touching in named poses": {
+            whose: touching_in_poses(ET.fromstring(text), ours[0].pairs, poses)
+            for whose, text in (("ours", texts[0]), ("theirs", written))
+        },
         "checks": checks(tool, packages[0], samples),
     }
 
@@ -220,12 +227,14 @@ def missing(
     return found
 
 
-def tools_missing(theirs: Semantic, ours: Semantic) -> dict[str, str]:
-    """Say which of their end effectors is found, and whether it is mounted on the same part."""
+def tools_missing(theirs: Semantic, ours: Semantic, tree: Tree) -> dict[str, str]:
+    """Say which of their end effectors is found, and whether it is mounted on the same part; an arm itself is none."""
     found = {}
     for name, (joints, mount) in theirs.tools.items():
         same = [(other, at) for other, (moved, at) in ours.tools.items() if moved == joints]
-        if not same:
+        if not same and joints & {*tree.chain("", mount)}:
+            found[name] = "moves what it is mounted on"
+        elif not same:
             found[name] = "no joint moves it" if not joints else f"MISSING {sorted(joints)}"
         else:
             found[name] = same[0][0] + ("" if same[0][1] == mount else f" on {same[0][1]} instead of {mount}")
@@ -238,7 +247,7 @@ def pairs_compared(tree: Tree, theirs: Semantic, ours: Sequence[Semantic], poses
     sure = [pair for pair in every if len({pair in one.pairs for one in ours}) == 1]
     differ = [pair for pair in sure if (pair in theirs.pairs) != (pair in ours[0].pairs)]
     verdicts = [(pair, *(one.pairs.get(pair, "tested") for one in (ours[0], theirs))) for pair in differ]
-    measures = [poses.measured(pair) for pair in differ[:_LISTED]]
+    measures = [poses.measured(pair, touched_ours=pair not in ours[0].pairs) for pair in differ[:_LISTED]]
     reasons = [judged(mine, other, found) for (_, mine, other), found in zip(verdicts, measures, strict=False)]
     shown = [
         f"{', '.join(sorted(pair))}: ours {mine}, theirs {other}: {why} {tuple(found)}"
