@@ -95,7 +95,9 @@ class RunCache:
             results = [(Target.from_json(target), result_from_json(result)) for target, result in data["results"]]
             robots = [results[index][1] for index in data["robots"]]
             silent = tuple(map(result_from_json, data["silent"]))
-            return LintRun(robots, results, silent=silent, unjoined=tuple(map(Unjoined.from_json, data["unjoined"])))
+            unjoined = tuple(map(Unjoined.from_json, data["unjoined"]))
+            covered = tuple((path, launch) for path, launch in data["covered"])
+            return LintRun(robots, results, silent=silent, unjoined=unjoined, covered=covered)
         except (OSError, LookupError, ValueError, TypeError):
             return None
 
@@ -115,6 +117,7 @@ class RunCache:
             "robots": [index for index, result in enumerate(run.results) if id(result) in robots],
             "silent": [result_to_json(result) for result in run.silent],
             "unjoined": [each._asdict() for each in run.unjoined],
+            "covered": run.covered,
         }
         text = json.dumps(data)
         from urdfctl.output.temporary import remove_leftovers, write_beside

@@ -70,10 +70,12 @@ class Joined(NamedTuple):
 
     results: the targets with what is started beside them.
     replaced: the identities of the results that these stand for: of starts, and of launch files without a robot.
+    covered: launch files without a robot, each with the launch file of a start that spawns all that it spawns.
     """
 
     results: tuple[Pair, ...] = ()
     replaced: frozenset[int] = frozenset()
+    covered: tuple[tuple[str, str], ...] = ()
 
 
 def is_lonely(result: TargetResult) -> bool:
@@ -109,7 +111,9 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     lonely += [start.robots[0] for start in starts if len(start.robots) == 1 and start.first.joining.waits]
     if not lonely:
         return Joined()
-    covered = {id(result) for _, result in lonely if any(_spawns_all(start, result) for start in starts)}
+    whole = {id(result): start for _, result in lonely for start in starts[::-1] if _spawns_all(start, result)}
+    parts = [(result.path, whole[id(result)].first.launch) for _, result in lonely if id(result) in whole]
+    covered = {*whole}
     lonely = [pair for pair in lonely if id(pair[1]) not in covered]
     loading = [pair for pair in lonely if pair[1].joining.claimed]
     first = _joined_once(_joins(loading, starts, wanted, alone=alone), lint)
@@ -122,7 +126,8 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     results = (*kept, *second.results)
     within = {path for _, result in results if result.bringup for path in result.bringup.includes}
     covered |= {id(result) for result in inner if result.path in within}
-    return Joined(results, first.replaced | second.replaced | covered)
+    named = tuple((path, launch) for path, launch in parts if launch)
+    return Joined(results, first.replaced | second.replaced | covered, named)
 
 
 def starts_in(pairs: Iterable[Pair]) -> list[Start]:

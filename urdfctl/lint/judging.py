@@ -54,6 +54,7 @@ class LintRun(NamedTuple):
     targets: all targets with their results, also macro libraries, fragments and files not used by any robot.
     silent: the results of launch files that start a robot without controllers, and have no findings of their own.
     unjoined: launch files that start controllers, and no robot that these fit; or a robot that is not here.
+    covered: launch files that only spawn controllers, each with one that starts the robot and spawns them, too.
     despite: files that were linted although COLCON_IGNORE or CATKIN_IGNORE excludes them: there is nothing else.
     """
 
@@ -62,6 +63,7 @@ class LintRun(NamedTuple):
     silent: tuple[TargetResult, ...] = ()
     unjoined: tuple[Unjoined, ...] = ()
     despite: tuple[str, ...] = ()
+    covered: tuple[tuple[str, str], ...] = ()
 
     @property
     def unused(self) -> list[TargetResult]:
@@ -130,6 +132,7 @@ def judge(plan: Plan, linter: TargetLinter) -> LintRun:
         silent=silent,
         unjoined=_unjoined(launches, reported, together),
         despite=tuple(files.despite),
+        covered=together.covered,
     )
     return _without_generated(run, files)
 
@@ -189,7 +192,7 @@ def _with_chosen(together: Joined, started: LaunchedTargets, linter: TargetLinte
     chosen = chosen_starts(launched, together.replaced, linter.variants, linted)
     included = {path for _, result in chosen if result.bringup for path in result.bringup.includes}
     covered = {id(result) for _, result in launched if is_lonely(result) and result.path in included}
-    return Joined((*together.results, *chosen), together.replaced | covered)
+    return together._replace(results=(*together.results, *chosen), replaced=together.replaced | covered)
 
 
 def _named(files: DiscoveredFiles) -> set[str]:

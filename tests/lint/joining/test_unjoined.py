@@ -392,3 +392,16 @@ def test_a_simulator_without_a_robot_starts_no_controllers(
     assert [line.partition(":")[0].rstrip(")") for line in named] == (
         [f"launch/up.launch.xml  (starts {starts}"] if starts else []
     )
+
+
+def test_show_says_which_start_spawns_the_controllers_of_a_launch_file_without_a_robot(folder: Folder) -> None:
+    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    whole = xml(PUBLISHER.format("hoist.urdf"), SPAWNER.format("states"))
+    written(folder, whole=whole, up=xml(SPAWNER.format("states")))
+    assert "launch/up.launch.xml  (launch/whole.launch.xml spawns its controllers)" in told(folder)
+    shown = json.loads(folder.run("show", ".", "--format", "json").stdout)
+    assert shown["covered"] == [{"launch": "launch/up.launch.xml", "by": "launch/whole.launch.xml"}]
+    assert (shown["unjoined"], shown["unused"]) == ([], [])
+    written(folder, up=xml(SPAWNER.format("winch")))
+    again = json.loads(folder.run("show", ".", "--format", "json").stdout)
+    assert again["covered"] == []

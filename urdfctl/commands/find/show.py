@@ -57,7 +57,9 @@ def _json(run: LintRun) -> str:
     targets = [target_document(target) for target in _started(run)]
     unused = [shown(one.path) for one in run.unused]
     unjoined = [unjoined_document(each) for each in run.unjoined]
-    return as_json({"version": 1, "targets": targets, "unjoined": unjoined, "unused": unused}, 1) + "\n"
+    covered = [{"launch": shown(path), "by": shown(whole)} for path, whole in run.covered]
+    document = {"version": 1, "targets": targets, "covered": covered, "unjoined": unjoined, "unused": unused}
+    return as_json(document, 1) + "\n"
 
 
 def _lines(run: LintRun) -> Iterator[str]:
@@ -69,6 +71,8 @@ def _lines(run: LintRun) -> Iterator[str]:
         how = "it with these arguments" if os.path.abspath(target.path) in launched else "it"
         yield shown(target.launch) if target.launch else f"{_described(target)}  (no launch file starts {how})"
         yield from (f"  {name:{_WIDTH}}{value}" for name, value in _facts(target) if value)
+    for path, whole in run.covered:
+        yield f"{shown(path)}  ({shown(whole)} spawns its controllers)"
     for unjoined in run.unjoined:
         yield f"{shown(unjoined.path)}  (starts {what_it_starts(unjoined)})"
     for target in run.unused:
