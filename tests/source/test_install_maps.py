@@ -140,10 +140,16 @@ def test_a_loop_over_known_words_hides_nothing(words: str, whole: bool, tmp_path
 
 
 @pytest.mark.parametrize(
-    ("command", "whole"), [("ament_python_install_package", True), ("arm_install_files", False), ("install_arm", False)]
+    ("command", "whole"),
+    [
+        ("ament_python_install_package(${PROJECT_NAME})", True),
+        ("ament_python_install_package(arm DESTINATION share/arm)", False),
+        ("arm_install_files(arm)", False),
+        ("install_arm(arm)", False),
+    ],
 )
 def test_python_modules_that_cmake_installs_hide_nothing_in_the_share(
     command: str, whole: bool, tmp_path: Path
 ) -> None:
-    (tmp_path / "CMakeLists.txt").write_text(f"install(DIRECTORY launch DESTINATION share/arm)\n{command}(arm)\n")
+    (tmp_path / "CMakeLists.txt").write_text(f"install(DIRECTORY launch DESTINATION share/arm)\n{command}\n")
     assert read_install_map(str(tmp_path), "arm").whole is whole

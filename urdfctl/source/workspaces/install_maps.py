@@ -32,8 +32,8 @@ _INSTALLS_MORE = frozenset(
     "add_custom_command add_custom_target configure_file".split()
 )
 """Commands of CMake that can make or install files without a literal `install()`; so can macros named as below."""
-_INSTALLS_PYTHON = frozenset({"ament_python_install_package", "ament_python_install_module"})
-"""Commands that install Python modules, and nothing into the package's share (ament_cmake_python)."""
+_INSTALLS_PYTHON = r"(?i)\bament_python_install_(?:package|module)\s*\((?![^()]*DESTINATION)[^()]*\)"
+"""What installs Python modules, and nothing into the package's share (ament_cmake_python)."""
 _MACROS_OF_OTHERS = ("xacro_add_", "install_", "fetchcontent_", "externalproject_")
 _WRITES = frozenset("download generate configure write append rename copy archive_extract".split())
 """What `file()` does that makes files."""
@@ -219,9 +219,7 @@ def _auto_installed(call: re.Match[str]) -> str:
 
 def _installs_more(text: str) -> bool:
     """Whether a CMakeLists.txt may make or install files that its literal install() rules do not name."""
-    for command, first in re.findall(_CALL, text.lower()):
-        if command in _INSTALLS_PYTHON:
-            continue
+    for command, first in re.findall(_CALL, re.sub(_INSTALLS_PYTHON, "", text).lower()):
         if command in _INSTALLS_MORE or command.startswith(_MACROS_OF_OTHERS) or "_install" in command:
             return True
         if command == "file" and first in _WRITES:
