@@ -48,6 +48,28 @@ def test_a_wheel_with_rollers_on_its_rim_is_a_wheel() -> None:
     assert [joint.name for joint in base.joints] == ["left", "right"]
 
 
+@pytest.mark.parametrize(
+    ("right", "link", "expected"),
+    [
+        ((0.1, -0.2, 0.1), "b", ["left", "right"]),
+        ((0.1, -0.15, 0.1), "b", []),
+        ((0.1, 0.2, 0.1), "b", []),
+        ((0.1, -0.15, 0.1), "right_wheel_1", ["right"]),
+    ],
+)
+def test_wheels_of_unknown_size_are_known_by_the_names_of_links_or_as_a_pair(
+    right: tuple[float, float, float], link: str, expected: list[str]
+) -> None:
+    made = endless("left")._replace(at=(0.1, 0.2, 0.1), radius=None)
+    base = anatomy(made, endless("right")._replace(at=right, radius=None, link=link)).base
+    assert [joint.name for joint in (base.joints if base else ())] == expected
+
+
+def test_a_pair_of_endless_joints_that_carry_arms_is_no_pair_of_wheels() -> None:
+    shoulders = [endless(name)._replace(at=(0.0, y, 1.0), radius=None) for name, y in (("l", 0.2), ("r", -0.2))]
+    assert anatomy(*shoulders, turning("l_elbow", "l"), turning("r_elbow", "r")).base is None
+
+
 def test_the_springs_on_fingers_that_follow_a_motor_are_one_hand_with_it() -> None:
     fingers = [
         part

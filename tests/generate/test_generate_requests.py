@@ -377,26 +377,33 @@ def test_the_fingers_of_two_arms_get_two_grippers(folder: Folder) -> None:
     assert [one["joint"] for one in found.values() if "gripper" in one["type"]] == ["l_finger", "r_finger"]
 
 
-def cart(shape: str, turn: str = "0 0 0") -> str:
+def cart(shape: str, turn: str = "0 0 0", called: str = "wheel") -> str:
     """Two wheels whose shapes are 0.02 m farther out than their joints."""
     parts = []
     for side, sign in (("left", 1), ("right", -1)):
         place = f'<collision><origin xyz="0 {0.02 * sign} 0" rpy="{turn}"/><geometry>{shape}</geometry></collision>'
-        part = joint(f"{side}_wheel", "base", kind="continuous", at=f"0 {0.2 * sign} 0")
+        part = joint(f"{side}_{called}", "base", kind="continuous", at=f"0 {0.2 * sign} 0")
         parts.append(part.replace("</inertial></link>", f"</inertial>{place}</link>"))
     return robot(*parts)
 
 
-@pytest.mark.parametrize("shape", ['<cylinder radius="0.1" length="0.04"/>', '<mesh filename="w.stl" scale="2 1 2"/>'])
-def test_wheels_are_measured_where_they_touch_the_ground(shape: str, folder: Folder) -> None:
+@pytest.mark.parametrize(
+    ("shape", "called"),
+    [
+        ('<cylinder radius="0.1" length="0.04"/>', "wheel"),
+        ('<mesh filename="w.stl" scale="2 1 2"/>', "wheel"),
+        ('<mesh filename="rear_wheel.stl" scale="2 1 2"/>', "rear"),
+    ],
+)
+def test_wheels_are_measured_where_they_touch_the_ground(shape: str, called: str, folder: Folder) -> None:
     corners = [(x, y, z) for x, z in ((0.05, 0), (0, 0.05), (-0.05, 0), (0, -0.05)) for y in (-0.01, 0.01)]
     faces = "".join(
         "facet normal 0 0 1 outer loop " + "".join(f"vertex {x} {y} {z} " for x, y, z in three) + "endloop endfacet "
         for three in (corners[:3], corners[3:6], corners[5:])
     )
-    folder.write({"w.stl": f"solid w {faces}endsolid w"})
+    folder.write(dict.fromkeys(("w.stl", "rear_wheel.stl"), f"solid w {faces}endsolid w"))
     turn = "1.5707963 0 0" if "cylinder" in shape else "0 0 0"
-    found = written(folder, cart(shape, turn), "--type", "diff_drive")["diff_drive_controller"]
+    found = written(folder, cart(shape, turn, called), "--type", "diff_drive")["diff_drive_controller"]
     assert found["wheel_radius"] == pytest.approx(0.1)
     assert found["wheel_separation"] == pytest.approx(0.44)
 

@@ -17,6 +17,8 @@ _UNEVEN = 0.3
 """The greatest height above the lowest wheel, in radii, at which another wheel still touches the ground."""
 _TRAIL = 0.25
 """A caster's wheel is at least this far from its swivel axis, in radii."""
+_ASKEW = 0.05
+"""How much farther to one side than to the other a wheel may be, in track widths."""
 _ROLLERS = 4
 _FINGERS = 3
 _FINGER = re.compile(r"finger|gripper|jaw|claw|gripping|grasp", re.IGNORECASE)
@@ -98,7 +100,8 @@ class _JointTree:
 
 
 def _base(tree: _JointTree, joints: Sequence[JointFacts], name: str) -> Base | None:
-    rolling = [joint for joint in joints if _is_wheel(tree, joint)]
+    turning = [joint for joint in joints if _may_be_wheel(tree, joint)]
+    rolling = [joint for joint in turning if joint.radius or _is_named_wheel(joint)] or _mirrored(tree, turning)
     ground = min((_bottom(wheel) for wheel in rolling), default=0.0)
     wheels = [wheel for wheel in rolling if _bottom(wheel) - ground <= _UNEVEN * (wheel.radius or 0.0) + 1e-6]
     casters = [wheel for wheel in wheels if _is_caster(tree, wheel)]
@@ -116,19 +119,31 @@ def _base(tree: _JointTree, joints: Sequence[JointFacts], name: str) -> Base | N
     return Base(kind, roles, mine, others)
 
 
-def _is_wheel(tree: _JointTree, joint: JointFacts) -> bool:
-    """Whether a joint turns a wheel: level, endless, and on the base itself, a steering joint or a spring."""
+def _may_be_wheel(tree: _JointTree, joint: JointFacts) -> bool:
+    """Whether a joint may turn a wheel: level, endless, and on the base itself, a steering joint or a spring."""
     if joint.type != "continuous" or joint.axis is None or abs(joint.axis[2]) > _LEVEL or joint.at is None:
-        return False
-    if not joint.radius and not _WHEEL.search(joint.name):
         return False
     carriers = tree.over(joint)
     carried = tree.below.get(joint.name, ())
     if carried and (len(carried) < _ROLLERS or any(tree.below.get(roller.name) for roller in carried)):
         return False
     rockers = [upper for upper in carriers if not (_is_upright(upper) or upper.slides)]
-    named = bool(_WHEEL.search(joint.name) or _WHEEL.search(joint.link or ""))
-    return not rockers or (named and all(_carries_wheels(tree, rocker) for rocker in rockers))
+    return not rockers or (_is_named_wheel(joint) and all(_carries_wheels(tree, rocker) for rocker in rockers))
+
+
+def _is_named_wheel(joint: JointFacts) -> bool:
+    return bool(_WHEEL.search(joint.name) or _WHEEL.search(joint.link or ""))
+
+
+def _mirrored(tree: _JointTree, joints: Sequence[JointFacts]) -> list[JointFacts]:
+    """Joints on the base itself of which one on the left mirrors one on the right: its wheels, whatever their names."""
+    bare = [joint for joint in joints if joint.at and not tree.over(joint) and not tree.below.get(joint.name)]
+    return [joint for joint in bare if any(_mirrors(joint, other) for other in bare)]
+
+
+def _mirrors(joint: JointFacts, other: JointFacts) -> bool:
+    (x, y, z), (across, side, up) = joint.at or (0.0, 0.0, 0.0), other.at or (0.0, 0.0, 0.0)
+    return y * side < 0 and max(abs(x - across), abs(y + side), abs(z - up)) <= _ASKEW * abs(y - side)
 
 
 def _carries_wheels(tree: _JointTree, rocker: JointFacts) -> bool:

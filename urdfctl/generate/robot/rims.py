@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 from collections.abc import Callable, Iterator, Sequence
 
@@ -37,12 +38,18 @@ def rim_of(joint: Joint, link: Link | None, axis: Vector, corners: Corners = no_
     for role in ("collision", "visual"):
         shapes = [(one.shape, _pose(tag)) for one, tag in geometries_of(link) if one.role == role and one.shape]
         rims = [Rim(radius, pose.place) for shape, pose in shapes if (radius := _radius(shape))]
-        if not rims and joint.type == "continuous" and _WHEEL.search(f"{joint.name} {link.name if link else ''}"):
+        if not rims and joint.type == "continuous" and _is_called_wheel(joint, link, [shape for shape, _ in shapes]):
             points = [point for shape, pose in shapes for point in _points(shape, pose, corners)]
             rims = [_of_points(points, axis)] if points else []
         if rims:
             return max(rims, key=lambda rim: rim.radius)
     return None
+
+
+def _is_called_wheel(joint: Joint, link: Link | None, shapes: Sequence[Tag]) -> bool:
+    """Whether the name of a joint, of its link, or of the file of a mesh is that of a wheel."""
+    files = (os.path.basename(shape.attributes.get("filename", "")) for shape in shapes)
+    return any(_WHEEL.search(name) for name in (joint.name or "", link.name or "" if link else "", *files))
 
 
 def _pose(tag: Tag) -> Pose:
