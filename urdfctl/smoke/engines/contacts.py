@@ -98,15 +98,16 @@ def touching_links(
     adjacent = adjacent_pairs(mechanism, solid)
     meeting = _Meeting(urdf, mechanism, solid)
     reasons = dict.fromkeys(adjacent, ADJACENT)
-    meeting.build(reasons)
+    meeting.build(reasons, 0.0)
     reasons.update(dict.fromkeys(meeting.at_rest(), DEFAULT))
-    meeting.build(reasons)
+    start = sorted(meeting.at_start())
+    meeting.build(reasons, TIE)
     never, always = meeting.sampled(samples, seed)
     reasons.update({pair: NEVER for pair in never if pair not in reasons})
     reasons.update({pair: ALWAYS for pair in always if pair not in reasons})
     hulls = () if tests_surfaces() else tuple(link for link in solid if _has_mesh(robot, link))
     pairs = tuple((*pair, reasons[pair]) for pair in _all_pairs(solid) if pair in reasons)
-    starting = tuple(pair for pair in sorted(meeting.at_start()) if pair not in reasons)
+    starting = tuple(pair for pair in start if pair not in reasons)
     return mechanism, TouchingLinks(pairs, hulls, starting)
 
 
@@ -152,8 +153,8 @@ class _Meeting:
         self._model: Any = None
         self._data: Any = None
 
-    def build(self, untested: Mapping[LinkPair, str]) -> None:
-        """Make the model again, without a test of some pairs."""
+    def build(self, untested: Mapping[LinkPair, str], tie: float) -> None:
+        """Make the model again, without a test of some pairs. tie: how near, in m, is as good as touching."""
         from urdfctl.smoke.engines.mujoco_engine import COMPILER, GROUND, read_mesh
         from urdfctl.smoke.engines.urdf import quoted
 
@@ -168,7 +169,7 @@ class _Meeting:
             spec.option.disableflags |= library.mjtDisableBit.mjDSBL_FILTERPARENT
             for shape in spec.geoms:
                 shape.contype = shape.conaffinity = 1
-                shape.margin = TIE
+                shape.margin = tie
             for mesh in spec.meshes:
                 if not (tests_surfaces() and read_surface(mesh)):
                     read_mesh(mesh)
@@ -179,7 +180,7 @@ class _Meeting:
             raise Untestable(f"MuJoCo rejects the robot: {' '.join(str(error).split())}") from None
         self._data = library.MjData(self._model)
         self._found: dict[tuple[int, int, int], bool] = {}
-        self._surfaces = Surfaces(library, self._model) if tests_surfaces() else None
+        self._surfaces = Surfaces(library, self._model, tie) if tests_surfaces() else None
         self._at = {hinge.name: int(self._model.joint(hinge.name).qposadr[0]) for hinge in self._moving}
         self._body = {self._model.body(name).id: name for name in self._solid}
 
@@ -267,7 +268,7 @@ class _Meeting:
         for group in shapes.values():
             for pair in ((one, other) for n, one in enumerate(group) for other in group[n + 1 :]):
                 bodies = [int(model.geom_bodyid[shape]) for shape in pair]
-                apart = bodies[0] == bodies[1] or library.mj_geomDistance(model, data, *pair, 1.0, None) > TIE
+                apart = bodies[0] == bodies[1] or library.mj_geomDistance(model, data, *pair, 1.0, None) > 0
                 if not apart and self._touch(*pair):
                     found.add(self._pair(*(self._body[body] for body in bodies)))
         return found

@@ -13,7 +13,7 @@ from urdfctl.source.disk.files import first_bytes
 
 _MOST_BYTES = 20 << 20
 TIE = 1e-6
-"""Shapes touch that are as near as this, in m: of faces that meet exactly, each pose is rounded otherwise."""
+"""Shapes that are as near as this, in m, touch in some poses: of faces that meet exactly, each is rounded otherwise."""
 
 
 def tests_surfaces() -> bool:
@@ -24,10 +24,10 @@ def tests_surfaces() -> bool:
 class Surfaces:
     """The shapes of a compiled model of MuJoCo, in FCL."""
 
-    def __init__(self, library: Any, model: Any) -> None:
+    def __init__(self, library: Any, model: Any, tie: float) -> None:
         import fcl
 
-        self._library, self._model, self._fcl = library, model, fcl
+        self._library, self._model, self._fcl, self._tie = library, model, fcl, tie
         self._meshes: dict[int, Any] = {}
         self._objects: dict[int, Any] = {}
 
@@ -74,14 +74,15 @@ class Surfaces:
             made = self._fcl.BVHModel()
             made.beginModel(count, triangles)
             faces = model.mesh_face[start : start + triangles]
-            made.addSubModel(_grown(model.mesh_vert[first : first + count].astype(float), faces), faces)
+            corners = model.mesh_vert[first : first + count].astype(float)
+            made.addSubModel(_grown(corners, faces, self._tie), faces)
             made.endModel()
             self._meshes[number] = made
         return self._meshes[number]
 
 
-def _grown(corners: Any, faces: Any) -> Any:
-    """The corners of a mesh, moved outwards by as much as makes a tie."""
+def _grown(corners: Any, faces: Any, by: float) -> Any:
+    """The corners of a mesh, moved outwards."""
     import numpy as np
 
     one, two, three = (corners[faces[:, n]] for n in range(3))
@@ -89,7 +90,7 @@ def _grown(corners: Any, faces: Any) -> Any:
     for n in range(3):
         np.add.at(outwards, faces[:, n], np.cross(two - one, three - one))
     lengths = np.linalg.norm(outwards, axis=1, keepdims=True)
-    return corners + TIE * outwards / np.where(lengths > 0, lengths, 1.0)
+    return corners + by * outwards / np.where(lengths > 0, lengths, 1.0)
 
 
 def read_surface(mesh: Any) -> bool:
