@@ -50,6 +50,7 @@ class ProblemKind(Enum):
     PYTHON_SYNTAX = "python syntax"
     PYTHON_NAME = "python name"
     ACTION_UNUSED = "action unused"
+    ARGUMENT_COMPARED = "argument compared"
     LAUNCH_FORM = "launch form"
     PYTHON_CALL = "python call"
     MERGE_CONFLICT = "merge conflict"

@@ -13,6 +13,7 @@ from urdfctl.model.launch.ros2 import Ros2Sources, launch_of_ros2
 from urdfctl.source.launch.python import Surroundings, read_python
 from urdfctl.source.launch.terms import Term
 from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import Place, SourceText
 
 IMPORTS = """\
@@ -43,7 +44,7 @@ def launch(body: str, arguments: Mapping[str, str] | None = None, **files: str) 
         if path not in texts:
             return None
         script = read_python(SourceText(path, texts[path].encode()), Surroundings(find, {"HERE": "x"}))
-        assert not script.problems, script.problems
+        assert {problem.kind for problem in script.problems} <= {ProblemKind.ARGUMENT_COMPARED}, script.problems
         return script.term
 
     sources = Ros2Sources(read, lambda path: (path, True), find, {"HERE": "x"})

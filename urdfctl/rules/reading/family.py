@@ -16,6 +16,7 @@ from urdfctl.rules.reading.file_unreadable import file_unreadable
 from urdfctl.rules.reading.forbidden_expression import forbidden_expression
 from urdfctl.rules.reading.indentation_lost import indentation_lost
 from urdfctl.rules.reading.launch_action_unused import launch_action_unused
+from urdfctl.rules.reading.launch_argument_compared import launch_argument_compared
 from urdfctl.rules.reading.launch_call_refused import launch_call_refused
 from urdfctl.rules.reading.launch_element_malformed import launch_element_malformed
 from urdfctl.rules.reading.launch_file_not_python import launch_file_not_python
@@ -84,5 +85,6 @@ FAULTS: tuple[Fault, ...] = (
     launch_action_unused,
     launch_call_refused,
     launch_element_malformed,
+    launch_argument_compared,
     suppression_unused,
 )

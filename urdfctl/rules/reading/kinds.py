@@ -43,6 +43,7 @@ _OF_PROBLEMS = {
     ProblemKind.PYTHON_SYNTAX: "launch_file_not_python",
     ProblemKind.PYTHON_NAME: "launch_name_undefined",
     ProblemKind.ACTION_UNUSED: "launch_action_unused",
+    ProblemKind.ARGUMENT_COMPARED: "launch_argument_compared",
     ProblemKind.LAUNCH_FORM: "launch_element_malformed",
     ProblemKind.PYTHON_CALL: "launch_call_refused",
     ProblemKind.PYTHON_TAG: "python_tag",

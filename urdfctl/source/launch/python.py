@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from urdfctl.source.launch.classes import class_of
+from urdfctl.source.launch.compared import compared_arguments
 from urdfctl.source.launch.expressions import Evaluation
 from urdfctl.source.launch.frames import Frame, extend, merged
 from urdfctl.source.launch.modules import Modules
@@ -28,6 +29,7 @@ from urdfctl.startup.records import NamedTuple
 MOST_BYTES = 1 << 20
 _NONE: Mapping[str, Term] = MappingProxyType({})
 _ENTRY = "generate_launch_description"
+_WITH_VALUE = "use IfCondition, or perform(context) in an OpaqueFunction"
 _MOST_JUDGED = 1 << 15
 """Bytes of a launch file whose calls are judged one by one; more are not written by hand."""
 
@@ -109,6 +111,9 @@ def _mistakes(tree: ast.Module, source: SourceText, at: Callable[[ast.expr | ast
     for unused in unused_actions(nodes, source.data.decode("utf-8", "replace")):
         message = f"'{unused.id}' is created, but not started; add it to the LaunchDescription"
         yield Problem(ProblemKind.ACTION_UNUSED, at(unused), message, unused.id)
+    for compared in compared_arguments(nodes) if b"LaunchConfiguration" in source.data else ():
+        message = f"this is always {compared.gives}: a LaunchConfiguration is not its value; {_WITH_VALUE}"
+        yield Problem(ProblemKind.ARGUMENT_COMPARED, at(compared.at), message)
 
 
 def _told(source: SourceText, error: SyntaxError) -> str:
