@@ -49,6 +49,19 @@ def included_file(packages: MigratedPackages, written: str, folder: str, depth: 
 
     folder: that of the file that includes it.
     """
+    known = packages.found(_included_files)
+    key = written, folder, depth
+    if key not in known:
+        known[key] = _included_file(packages, written, folder, depth)
+    return known[key]
+
+
+def _included_files(_: MigratedPackages) -> dict[tuple[str, str, int], IncludedFile]:
+    """The included files that were read: many files include the same ones, and these others."""
+    return {}
+
+
+def _included_file(packages: MigratedPackages, written: str, folder: str, depth: int) -> IncludedFile:
     arguments: dict[str, str | None] = {}
     sets: set[str] = set()
     starts = spawns = False
