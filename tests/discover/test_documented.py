@@ -191,3 +191,47 @@ def test_an_included_launch_file_is_not_checked_again_where_nothing_else_is_star
     readme: str, launch: str, outer: str, folder: Folder
 ) -> None:
     assert [name for name, _, _ in spawned(folder, readme, launch, outer)] == ["still.launch"]
+
+
+DEMO = """\
+<launch>
+  <!-- By default, we will load or override the robot_description -->
+  <arg name="load_robot_description" default="true"/>
+  <param if="$(arg load_robot_description)" name="robot_description" command="xacro {}"/>
+  <node pkg="moveit_ros_move_group" type="move_group" name="move_group"/>
+</launch>
+"""
+IN_GAZEBO = """\
+<launch>
+  <param name="robot_description" textfile="$(find arm)/launch/large.urdf"/>
+  <include file="$(find arm)/launch/demo.launch"><arg name="load_robot_description" value="false"/></include>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(
+    ("demo", "said"),
+    [
+        (DEMO.format("$(find arm)/launch/small.urdf"), "  description arm/launch/small.urdf\n"),
+        (
+            DEMO.format("$(find heron)/heron.urdf"),
+            "demo.launch  (starts a robot of package 'heron', not in this workspace)\n",
+        ),
+    ],
+)
+def test_the_demo_of_moveit_for_ros_1_is_started_alone_although_that_for_gazebo_includes_it(
+    folder: Folder, demo: str, said: str
+) -> None:
+    folder.write({"arm/launch/demo.launch": demo, "arm/launch/demo_gazebo.launch": IN_GAZEBO})
+    started(folder, "# Arm", "<launch/>")
+    shown = folder.run("show", ".").stdout
+    assert said in shown
+    assert "  description arm/launch/large.urdf\n" in shown
+
+
+def test_another_launch_file_with_the_name_demo_is_no_start_of_its_own(folder: Folder) -> None:
+    demo = DEMO.format("$(find arm)/launch/small.urdf").replace("load_robot_description", "load")
+    outer = IN_GAZEBO.replace("load_robot_description", "load")
+    folder.write({"arm/launch/demo.launch": demo, "arm/launch/demo_gazebo.launch": outer})
+    started(folder, "# Arm", "<launch/>")
+    assert "description arm/launch/small.urdf" not in folder.run("show", ".").stdout

@@ -25,6 +25,7 @@ _MOST_CHOICES = 16
 _WORD = r"(?:[\w./~+$(){}<>\[\],:=*%@^…-]|\"[^\"\n]*\"|'[^'\n]*')+"
 _COMMAND = rf"\b(?:roslaunch|ros2[ \t]+launch)((?:(?:[ \t]|\\\r?\n)+{_WORD})+)"
 _ARGUMENT = r"(?<!\S)([A-Za-z_]\w*):=(\"[^\"\n]*\"|'[^'\n]*'|\S+)"
+_OF_DEMO = r'<arg\s+name="load_robot_description"\s+default="true"'
 _ENDS_SENTENCE = ".,:)"
 _PLACEHOLDER = r"(?i)[<>$^*|{}…]|\.\.\.|xxx|\byour|\[[^\]]*[a-z]|(?:true|false)/(?:true|false)"
 """What stands for a value that the reader has to choose."""
@@ -75,8 +76,9 @@ class Documentation:
         return tuple(islice(found.values(), _MOST_CHOICES))
 
     def bare_start(self, path: str) -> str | None:
-        """Return where a text starts a launch file without arguments, the nearest text first; None if none does."""
-        return next((command.start.place for command in self._of(path) if command.bare), None)
+        """Return where a text starts a launch file without arguments, the nearest text first, or where the file itself
+        says that people do; None if nothing does."""
+        return next((command.start.place for command in self._of(path) if command.bare), None) or _own_start(path)
 
     def _of(self, path: str) -> Iterator[_Command]:
         """Yield the starts of a launch file; those of the nearest text first."""
@@ -86,6 +88,18 @@ class Documentation:
         for command in chain(*map(_commands, _folders_around(path)), self._elsewhere):
             if command.name == os.path.basename(path) and command.package in (None, name):
                 yield command
+
+
+def _own_start(path: str) -> str | None:
+    """Where MoveIt's demo for ROS 1 says that it loads the description unless another launch file does.
+
+    moveit_setup_assistant templates/moveit_config_pkg_template/launch/demo.launch; demo_gazebo.launch includes it.
+    """
+    if os.path.basename(path) != "demo.launch":
+        return None
+    text = _start_of(path)
+    found = re.search(_OF_DEMO, text)
+    return _place(path, text, found) if found else None
 
 
 def is_document(path: str) -> bool:
@@ -119,11 +133,16 @@ def _texts(folder: str) -> Iterator[str]:
 
 @remembered
 def _in_text(path: str) -> tuple[_Command, ...]:
+    text = _start_of(path)
+    return tuple(_commands_in(text, path)) if "launch" in text else ()
+
+
+def _start_of(path: str) -> str:
+    """The text of a file, as far as it is read; empty if it cannot be."""
     try:
-        text = first_bytes(path, _MOST_BYTES)
+        return first_bytes(path, _MOST_BYTES).decode("utf-8", "replace")
     except OSError:
-        return ()
-    return tuple(_commands_in(text.decode("utf-8", "replace"), path)) if b"launch" in text else ()
+        return ""
 
 
 def _commands_in(text: str, path: str) -> Iterator[_Command]:
@@ -132,9 +151,13 @@ def _commands_in(text: str, path: str) -> Iterator[_Command]:
         first, *rest = [word for word in words.replace("\\", " ").split() if not word.startswith("-")] or [""]
         is_path = ".launch" in first
         name = os.path.basename(first if is_path else rest[0] if rest else "")
-        line = text.count("\n", 0, match.start()) + 1
-        start = DocumentedStart(tuple(_arguments(words)), f"{os.path.abspath(path)}:{line}")
+        start = DocumentedStart(tuple(_arguments(words)), _place(path, text, match))
         yield _Command(None if is_path else first, name.rstrip(_ENDS_SENTENCE), start, ":=" not in words)
+
+
+def _place(path: str, text: str, match: re.Match[str]) -> str:
+    line = text.count("\n", 0, match.start()) + 1
+    return f"{os.path.abspath(path)}:{line}"
 
 
 def _arguments(words: str) -> Iterator[tuple[str, str]]:

@@ -57,7 +57,7 @@ def documented_starts(
     inner: Iterable[Target], started: Collection[Pair], variants: Variants, lint: LintPairs
 ) -> list[Pair]:
     """Return the documented starts of launch files that others include, where nothing else starts the same robot with
-    the same controllers.
+    the same controllers, and those of robots in packages that are not here.
 
     inner: the launch files, with the arguments that are documented, and the place that documents a start without any.
     started: the results of those that were started.
@@ -67,7 +67,8 @@ def documented_starts(
     targets = [one._replace(documented=()) for one in inner if one.told_at]
     targets += [one for found in choices for one in found if one.arguments and not one.guessed]
     known = {_controlled(pair) for pair in started}
-    return [pair for pair in lint(targets) if pair[1].is_controlled and _controlled(pair) not in known]
+    found = [pair for pair in lint(targets) if pair[1].is_controlled or pair[1].joining.described_in]
+    return [pair for pair in found if _controlled(pair) not in known]
 
 
 def _controlled(pair: Pair) -> tuple[object, ...]:

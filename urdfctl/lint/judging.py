@@ -166,8 +166,14 @@ def _unjoined(launches: Launches, reported: LintedTargets, together: Joined) -> 
     """The launch files that the user names, or in a folder of theirs, which start controllers without a robot."""
     meant = [pair for entry, pair in launches.started if entry.origin is not TargetOrigin.AROUND] + reported
     included = {path for _, result in meant if result.bringup for path in result.bringup.includes}
-    left = [result for _, result in meant if id(result) not in together.replaced and result.path not in included]
+    left = [result for _, result in meant if id(result) not in together.replaced]
+    left = [result for result in left if result.path not in included or _is_told(result)]
     return tuple(unjoined(left, starts_in(meant)))
+
+
+def _is_told(result: TargetResult) -> bool:
+    """Whether something says that a launch file is started alone, though another one includes it."""
+    return result.bringup is not None and result.bringup.told_at is not None
 
 
 def _robots(reported: LintedTargets, files: DiscoveredFiles) -> list[TargetResult]:
