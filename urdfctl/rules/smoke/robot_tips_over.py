@@ -31,4 +31,5 @@ def robot_tips_over(when: str, roll: float, pitch: float) -> str:
     It falls over as soon as it stands on the ground. Only its wheels and other parts that touch the ground support it:
     two wheels without a caster do not.
     """
+    roll, pitch = (round(angle, 3) + 0.0 for angle in (roll, pitch))  # no power of ten, and no -0
     return f"the robot tips over{when}: roll {roll:.2g} rad, pitch {pitch:.2g} rad"
