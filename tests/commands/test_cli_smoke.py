@@ -219,6 +219,14 @@ def test_a_run_that_tested_no_controller_is_not_green(tmp_path: Path) -> None:
     assert smoke(bare_robot(tmp_path), *NONE, "--allow-empty").exit_code == 0
 
 
+def test_a_run_without_a_robot_says_that_models_in_sdf_are_not_read(tmp_path: Path) -> None:
+    (tmp_path / "model.sdf").write_text("<sdf version='1.9'><model name='ball'><link name='ball'/></model></sdf>")
+    (tmp_path / "world.launch").write_text('<launch><node pkg="gazebo_ros" type="gzserver" name="gazebo"/></launch>')
+    done = smoke(tmp_path, *NONE)
+    assert done.exit_code == 5
+    assert "there is no robot in URDF or xacro here; models in SDF are not read\n" in done.stdout
+
+
 def test_a_run_that_tested_no_controller_names_a_controller_file_that_no_robot_uses(tmp_path: Path) -> None:
     robot, config = bare_robot(tmp_path), tmp_path / "config" / "spare.yaml"
     config.parent.mkdir()

@@ -27,6 +27,7 @@ _STYLES = {
 
 
 _NOTHING = "nothing was tested: no controllers found; name their file with --controllers"
+_NO_ROBOT = "nothing was tested: there is no robot in URDF or xacro here; models in SDF are not read"
 _UNUSED = "nothing was tested: no robot uses {}: urdfctl smoke {} --controllers {}"
 _PROPOSED = ", or see what 'urdfctl gen-all {}' proposes"
 
@@ -166,6 +167,8 @@ def _what_next(report: SmokeReport) -> str:
         first, others = shown(report.unused[0]), len(report.unused) - 1
         which = f"'{first}'{f' (and {others} more)' if others else ''}"
         return _UNUSED.format(which, in_command(*whole) if len(whole) == 1 else "ROBOT", in_command(report.unused[0]))
+    if not report.robots and not report.unused:
+        return _NO_ROBOT
     most = max(whole.values(), key=lambda linted: linted.idle, default=None)
     return _NOTHING + (_PROPOSED.format(in_command(most.path)) if most else "")
 
