@@ -9,7 +9,7 @@ from itertools import chain
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import ROS1, ROS2, generation
 from urdfctl.catalog.entries import Replacement
-from urdfctl.control.parameters.readers import controllers_in, is_of_ros2, type_of
+from urdfctl.control.parameters.readers import builds_fork, controllers_in, is_of_ros2, type_of
 from urdfctl.model.controllers import Controller, Value
 from urdfctl.model.project import Project
 from urdfctl.names import is_alike, is_slip, nearest
@@ -69,6 +69,19 @@ def meant_by(project: Project, unknown: TypedController) -> str | None:
     if own is not None:
         return _of_same_class(project.catalog, unknown, own) or own
     return _meant_in(project.catalog, unknown.ros, unknown.type.strip(" '\"").replace("::", "/"))
+
+
+def types_beside(project: Project, unknown: TypedController) -> list[str]:
+    """Return the types called after the package of an unknown type, if it comes with ros_control or ros2_control.
+
+    Then all are known. None if the workspace may be built with another version of the package.
+    """
+    package, catalog = unknown.type.partition("/")[0], project.catalog
+    known = [each for distro in unknown.distros for each in catalog.types_of_ros_control(distro)]
+    is_own = any(name.startswith(f"{package}/") for name in project.own.controllers)
+    if is_own or all(owner != package for _, owner in known) or builds_fork(project, unknown.distros[-1]):
+        return []
+    return sorted({name for name, _ in known if name.startswith(f"{package}/")})
 
 
 def is_surely_meant(project: Project, unknown: TypedController, meant: str) -> bool:

@@ -96,9 +96,12 @@ def _of_idle(finding: Finding) -> Finding:
 
 def _is_forked(project: Project, reader: Reader) -> bool:
     """Whether the workspace is built with a fork of the repository that has the type of a controller."""
-    if reader.type is None or reader.type.external:
-        return False
-    name = "ros2_controllers" if generation(reader.distro) == _ROS2 else "ros_controllers"
+    return reader.type is not None and not reader.type.external and builds_fork(project, reader.distro)
+
+
+def builds_fork(project: Project, distro: str) -> bool:
+    """Return whether the workspace is built with a fork of the repository of a distro's controllers."""
+    name = "ros2_controllers" if generation(distro) == _ROS2 else "ros_controllers"
     fork = rf"(?:url\W+|uri\W+|clone\s+)\S*[:/](?!ros-controls/)[\w.-]+/{name}\b"
     return bool(project.mentioned(fork, of_builds=True))
 

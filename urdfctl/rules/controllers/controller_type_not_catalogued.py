@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.parameters.controller_types import may_be_installed, meant_by, typed
+from urdfctl.control.parameters.controller_types import may_be_installed, meant_by, typed, types_beside
 from urdfctl.rule import Finding, Project, Severity, rule
 
 _LAUNCH = """
@@ -74,6 +74,8 @@ def controller_type_not_catalogued(project: Project) -> Iterator[Finding]:
         catalog = project.catalog
         is_other = any(kind in (*catalog.known_hardware(each), *catalog.known_transmissions(each)) for each in distros)
         if controller.known_in or is_other or not kind.strip() or kind in reported or meant_by(project, controller):
+            continue
+        if types_beside(project, controller):
             continue
         if not set(distros) & set(ROS2) and not _is_named_like_a_controller(kind):
             continue  # in ROS 1 other things have a type too, and no manager's section lists the controllers

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.parameters.controller_types import TypedController, is_surely_meant, meant_by, typed
+from urdfctl.control.parameters.controller_types import (
+    TypedController,
+    is_surely_meant,
+    meant_by,
+    typed,
+    types_beside,
+)
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import replaced
+from urdfctl.rules.common import in_words, replaced
 
 
 @rule(
@@ -37,6 +43,16 @@ from urdfctl.rules.common import replaced
                     update_rate: 100
                     arm: {type: «transmission_interface/SimpleTransmission»}
             """
+        },
+        {
+            "options": "--distro=noetic",
+            "arm.launch": """
+                <launch>
+                  <rosparam command="load" file="$(find arm)/controllers.yaml"/>
+                  <node name="spawner" pkg="controller_manager" type="spawner" args="wrist"/>
+                </launch>
+            """,
+            "controllers.yaml": "wrist: {type: «position_controllers/JointForceController», joint: wrist}",
         },
     ],
     good=[
@@ -74,6 +90,10 @@ def controller_type_unknown(project: Project) -> Iterator[Finding]:
             yield Finding(
                 at, message, fix=replaced(at, controller.type, meant, safe=is_surely_meant(project, controller, meant))
             )
+        elif beside := types_beside(project, controller):
+            package = controller.type.partition("/")[0]
+            message = f"controller type '{controller.type}' does not exist; '{package}' has {in_words(beside, 4)}"
+            yield Finding(at, message)
 
 
 def _other_kind(project: Project, controller: TypedController) -> str | None:
