@@ -6,6 +6,18 @@ import pytest
 from classic_packages import DRIVE, base, migrated
 from folder import Folder
 
+BUOY = """\
+<sdf version="1.6">
+  <model name="buoy">
+    <link name="hull">
+      <sensor name="motion" type="imu"/>
+    </link>
+  </model>
+</sdf>
+"""
+MODEL = {"model.config": "<model/>\n", "model.sdf": BUOY}
+IMU = 'filename="gz-sim-imu-system"'
+
 
 def world(inside: str) -> str:
     """A world with some elements."""
@@ -131,16 +143,44 @@ def test_a_sensor_in_sdf_loses_its_plugin_and_keeps_its_topic(folder: Folder) ->
 @pytest.mark.parametrize(("config", "count"), [("<model/>\n", 2), ("", 1)])
 def test_each_version_of_a_model_loads_the_systems_of_its_sensors(folder: Folder, config: str, count: int) -> None:
     """The simulator reads one of the files that model.config names."""
-    model = """\
-<sdf version="1.6">
-  <model name="buoy">
-    <link name="hull">
-      <sensor name="motion" type="imu"/>
-    </link>
-  </model>
-</sdf>
-"""
-    files = {"models/buoy/model.sdf": model, "models/buoy/model-1_4.sdf": model, "urdf/base.xacro": base(DRIVE)}
+    files = {"models/buoy/model.sdf": BUOY, "models/buoy/model-1_4.sdf": BUOY, "urdf/base.xacro": base(DRIVE)}
     files |= {"models/buoy/model.config": config} if config else {}
     after = migrated(folder, files)
     assert "".join(after[name] for name in files).count('filename="gz-sim-imu-system"') == count
+
+
+@pytest.mark.parametrize(
+    ("worlds", "loading"),
+    [
+        ({"one": ("red",), "two": ("blue",)}, ["blue", "red"]),
+        ({"one": ("red", "blue"), "two": ("blue",)}, ["blue"]),
+        ({"one": ("red", "blue")}, ["blue"]),
+        ({}, ["blue", "red"]),
+    ],
+)
+def test_one_model_of_each_world_loads_the_systems_of_its_sensors(
+    folder: Folder, worlds: dict[str, tuple[str, ...]], loading: list[str]
+) -> None:
+    """Models that no world includes are spawned, one or the other."""
+    files = {f"models/{name}/{file}": text for name in ("blue", "red") for file, text in MODEL.items()}
+    for name, models in worlds.items():
+        files[f"worlds/{name}.world"] = world("".join(included(f"model://{one}") for one in models))
+    after = migrated(folder, {"urdf/base.xacro": base(DRIVE), **files})
+    assert [one for one in ("blue", "red") if IMU in after[f"models/{one}/model.sdf"]] == loading
+
+
+def test_no_model_loads_a_system_twice_in_a_world(folder: Folder) -> None:
+    """Two worlds need it for one model each, and a third has both models."""
+    files = {f"models/{name}/{file}": text for name in ("blue", "red") for file, text in MODEL.items()}
+    for name in ("blue", "red", "blue red"):
+        files[f"worlds/{name.replace(' ', '_')}.world"] = world(
+            "".join(included(f"model://{one}") for one in name.split())
+        )
+    after = migrated(folder, {"urdf/base.xacro": base(DRIVE), **files})
+    assert [one for one in ("blue", "red") if IMU in after[f"models/{one}/model.sdf"]] == ["blue"]
+    assert "TODO(urdfctl): gz-sim-imu-system: no model of this world can load it alone" in after["worlds/red.world"]
+
+
+def test_a_model_in_a_world_loads_the_systems_of_its_sensors(folder: Folder) -> None:
+    model = "".join(f"  {line}\n" for line in BUOY.splitlines()[1:-1])
+    assert of_world(folder, model).count(IMU) == 1

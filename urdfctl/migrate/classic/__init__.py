@@ -16,9 +16,10 @@ from urdfctl.migrate.classic.loose_sensors import LOOSE_SENSORS
 from urdfctl.migrate.classic.manifest import CLASSIC_MANIFEST
 from urdfctl.migrate.classic.materials import CLASSIC_MATERIALS
 from urdfctl.migrate.classic.migrated_launch import MIGRATED_LAUNCH
+from urdfctl.migrate.classic.model_systems import MODEL_SYSTEMS
 from urdfctl.migrate.classic.multicamera import MULTICAMERA
 from urdfctl.migrate.classic.plugins import CLASSIC_HARDWARE, CLASSIC_INTERFACES, CLASSIC_PLUGINS, CONTROL_PLUGIN
-from urdfctl.migrate.classic.sensor_systems import MODEL_SYSTEMS, SENSOR_SYSTEMS
+from urdfctl.migrate.classic.sensor_systems import SENSOR_SYSTEMS
 from urdfctl.migrate.classic.sensors import CLASSIC_SENSORS
 from urdfctl.migrate.classic.worlds import WORLD_MODELS, WORLD_PLUGINS
 from urdfctl.migrate.step import Step

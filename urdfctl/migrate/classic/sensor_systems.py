@@ -8,8 +8,7 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.classic.choice import CHOICE
-from urdfctl.migrate.classic.sdf import OF_SDF
-from urdfctl.migrate.edits.markup import MACRO, ancestors, appended, elements, indent_of, root_of, step_of
+from urdfctl.migrate.edits.markup import MACRO, ancestors, elements, root_of, step_of
 from urdfctl.migrate.edits.tokens import XML
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
@@ -17,10 +16,9 @@ from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.model.robot import Robot
-from urdfctl.source.disk.gate import is_file
 from urdfctl.source.span import SourceSpan
 
-_AUTHORITY = "gz-sim server.config: sensors, IMU, contact and force-torque systems are not loaded by default"
+AUTHORITY = "gz-sim server.config: sensors, IMU, contact and force-torque systems are not loaded by default"
 _SENSORS = ("gz-sim-sensors-system", "gz::sim::systems::Sensors")
 SYSTEMS: Mapping[str, tuple[str, str]] = {
     "imu": ("gz-sim-imu-system", "gz::sim::systems::Imu"),
@@ -59,7 +57,7 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
         done.add(path)
         if not loaded.project.complete and path not in whole and robot.links:
             names = ", ".join(file for file, _ in missing)
-            yield for_you(root.at, f"{names}: {_UNKNOWN}", authority=_AUTHORITY)
+            yield for_you(root.at, f"{names}: {_UNKNOWN}", authority=AUTHORITY)
         if not loaded.project.complete:
             continue
         step = step_of(root.source)
@@ -68,39 +66,8 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
         edit = Edit(SourceSpan(root.source, start, start), f"{step}<gazebo>\n{lines}{step}</gazebo>\n")
         names = ", ".join(file for file, _ in missing)
         message = f"the robot loads {names} for its sensors: no world of the packages does"
-        entry = ReportEntry(EntryKind.DECIDED, message, root.at, authority=_AUTHORITY, option="load them in the world")
+        entry = ReportEntry(EntryKind.DECIDED, message, root.at, authority=AUTHORITY, option="load them in the world")
         yield Proposal((edit,), entries=(entry,))
-
-
-def _systems_of_models(packages: MigratedPackages) -> Iterator[Proposal]:
-    """The systems for the sensors of models in SDF: those of a world that the packages have are enough."""
-    if not goes_to_gz(packages) or packages.was_in_gz:
-        return
-    files = list(packages.files(*OF_SDF))
-    for path in files:
-        source = packages.read(path)
-        root = root_of(source) if b"<sensor" in source.data and packages.may_change(path) else None
-        models = [each for each in root.elements() if each.tagName == "model"] if root is not None else []
-        for model in models:
-            sensors = (each.attrs.get("type", "") for each in elements(model) if each.tagName == "sensor")
-            needed = dict.fromkeys(SYSTEMS[kind] for kind in sensors if kind in SYSTEMS)
-            others = [other for other in files if not _is_other_version(other, path)] if needed else []
-            missing = [one for one in needed if not any(one[0].encode() in packages.read(each).data for each in others)]
-            if missing and model.close is not None:
-                lines = (f'<plugin filename="{file}" name="{name}"/>' for file, name in missing)
-                names = ", ".join(file for file, _ in missing)
-                message = f"the model loads {names} for its sensors: no world of the packages does"
-                option = "load them in the world"
-                entry = ReportEntry(EntryKind.DECIDED, message, model.at, authority=_AUTHORITY, option=option)
-                indent = indent_of(model) + step_of(source)
-                yield Proposal((appended(model, (f"{indent}{line}" for line in lines)),), entries=(entry,))
-                return
-
-
-def _is_other_version(other: str, path: str) -> bool:
-    """Whether a file is another version of the same model, of which the simulator reads only one."""
-    folder = os.path.dirname(path)
-    return other != path and os.path.dirname(other) == folder and is_file(os.path.join(folder, "model.config"))
 
 
 def _needed(packages: MigratedPackages, loaded: LoadedTarget, robot: Robot) -> list[tuple[str, str]]:
@@ -131,7 +98,7 @@ SENSOR_SYSTEMS = Step(
     part=Part.URDF,
     summary="Systems for sensors in gz",
     propose=_systems,
-    rows=tuple(Row(f'<sensor type="{kind}">', f"{one[0]} too", "jazzy", _AUTHORITY) for kind, one in SYSTEMS.items()),
+    rows=tuple(Row(f'<sensor type="{kind}">', f"{one[0]} too", "jazzy", AUTHORITY) for kind, one in SYSTEMS.items()),
     before=[
         {
             "options": "--to=jazzy --simulator=gz",
@@ -151,42 +118,6 @@ SENSOR_SYSTEMS = Step(
                 <gazebo>
                   <plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>
                 </gazebo>
-            """,
-        },
-    ],
-)
-
-
-MODEL_SYSTEMS = Step(
-    name="sensor-systems-of-models",
-    part=Part.URDF,
-    summary="Systems for the sensors of models in SDF",
-    propose=_systems_of_models,
-    before=[
-        {
-            "options": "--to=jazzy --simulator=gz",
-            "models/buoy/model.sdf": """
-                <sdf version="1.6">
-                  <model name="buoy">
-                    <link name="hull">
-                      <sensor name="motion" type="imu"/>
-                    </link>
-                  </model>
-                </sdf>
-            """,
-        },
-    ],
-    after=[
-        {
-            "models/buoy/model.sdf": """
-                <sdf version="1.6">
-                  <model name="buoy">
-                    <link name="hull">
-                      <sensor name="motion" type="imu"/>
-                    </link>
-                    <plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>
-                  </model>
-                </sdf>
             """,
         },
     ],
