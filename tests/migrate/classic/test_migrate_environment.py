@@ -145,3 +145,22 @@ def test_the_systems_of_a_robot_that_is_in_another_package_too_are_left_to_a_per
     text = after(folder, {}, CONTROL + IMU + included)["urdf/base.xacro"]
     assert ("TODO(urdfctl): gz-sim-imu-system: load it in the world" in text) is bool(included)
     assert ('<plugin filename="gz-sim-imu-system"' in text) is not bool(included)
+
+
+@pytest.mark.parametrize(
+    ("model", "exported"),
+    [
+        ("shelves/shelf", "${prefix}/shelves"),
+        ("shelf", "${prefix}"),
+        ("models/wood/shelf", "${prefix}/models/wood"),
+        ("shelves/other", None),
+    ],
+)
+def test_a_package_exports_the_folder_in_which_its_worlds_find_models(
+    folder: Folder, model: str, exported: str | None
+) -> None:
+    """Gazebo Classic had it in a variable that people set themselves, as GAZEBO_MODEL_PATH in ~/.bashrc."""
+    world = '<sdf version="1.6"><world name="w"><include><uri>model://shelf</uri></include></world></sdf>\n'
+    manifest = after(folder, {f"{model}/model.config": "<model/>\n", "worlds/w.world": world})["package.xml"]
+    assert (f'gazebo_model_path="{exported}"/>' in manifest) == (exported is not None)
+    assert ("gazebo_model_path" in manifest) == (exported is not None)

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.python_paths import with_default, without_classic_paths
+from urdfctl.migrate.classic.sdf import MODELS, model_folders
 from urdfctl.migrate.edits.markup import attribute, child, content, end_of, root_of, step_of
 from urdfctl.migrate.edits.python_edits import PythonFile
 from urdfctl.migrate.edits.tokens import HOOKS, tokens_in
@@ -32,7 +33,6 @@ _NAME = re.compile(rb"(?<!\w)GAZEBO_(?:MODEL|RESOURCE|PLUGIN)_PATH(?!\w)")
 _OF_PYTHON = re.compile(rb"GazeboRosPaths|environ|EnvironmentVariable")
 _OF_XML = (".xacro", ".urdf", ".gazebo")
 _INSIDE = re.compile(rb"['\"]?\)?[\s,]*['\"]?/(?!\.\.)[\w.-]")
-_OTHER_THAN_MODELS = re.compile(rb"['\"]?\)?[\s,]*['\"]?/(?!\.\.|models)[\w.-]")
 _NEAR = 300
 """Bytes around the name of a variable in which its value is mostly written."""
 
@@ -97,12 +97,19 @@ def _packages_of_meshes(packages: MigratedPackages) -> Iterator[str]:
 
 
 def _paths(packages: MigratedPackages, folder: str, name: str, *, is_used: bool) -> Iterator[str]:
-    """The parent folder of a package, and its folder of models, unless they are set already."""
+    """The parent folder of a package, and its folders of models, unless they are set already."""
     if is_used and not _is_set(packages, name, _INSIDE):
         yield "${prefix}/.."
-    has_models = any(file == "model.config" for _, _, files in walk(os.path.join(folder, "models")) for file in files)
-    if has_models and not _is_set(packages, name, _OTHER_THAN_MODELS):
-        yield "${prefix}/models"
+    has_models = any(file == "model.config" for _, _, files in walk(os.path.join(folder, MODELS)) for file in files)
+    for relative in (*([MODELS] if has_models else []), *packages.found(model_folders).get(folder, ())):
+        if not _is_set(packages, name, _other_than(relative)):
+            yield "${prefix}" if relative == os.curdir else f"${{prefix}}/{relative}"
+
+
+def _other_than(relative: str) -> re.Pattern[bytes]:
+    """What follows the name of a package where it is for another folder than one of its own."""
+    first = re.escape(relative.partition("/")[0].encode())
+    return re.compile(rb"['\"]?\)?[\s,]*['\"]?/(?!\.\.|%s)[\w.-]" % first)
 
 
 def _is_set(packages: MigratedPackages, name: str, other: re.Pattern[bytes]) -> bool:

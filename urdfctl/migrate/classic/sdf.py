@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 
 from urdfctl.migrate.edits.markup import elements, root_of
 from urdfctl.migrate.packages import MigratedPackages
-from urdfctl.source.workspaces.packages import package_name
+from urdfctl.source.workspaces.packages import package_around, package_name
 from urdfctl.source.xml.dom import Element
 
 OF_SDF = (".sdf", ".world")
 _MAY_BE_SDF = (*OF_SDF, ".xacro")
+_OF_MODELS = (*_MAY_BE_SDF, ".urdf", ".gazebo")
+_USED = re.compile(rb"model://([^/<>\s'\"]+)")
+MODELS = "models"
 
 
 def sdf_elements(packages: MigratedPackages, mark: bytes) -> Iterator[Element]:
@@ -33,3 +37,23 @@ def own_models(packages: MigratedPackages) -> set[str]:
         elif os.path.basename(folder) == "models":
             names.add(name)
     return names - {""}
+
+
+def model_folders(packages: MigratedPackages) -> dict[str, list[str]]:
+    """Return the folders, beside models/, in which files of the packages find models by `model://NAME`: relative to a
+    package, by its folder."""
+    used = {
+        found[1].decode() for path in packages.files(*_OF_MODELS) for found in _USED.finditer(packages.read(path).data)
+    }
+    places: dict[str, list[tuple[str, str]]] = {}
+    for path in packages.files("/model.config"):
+        around, name = os.path.split(os.path.dirname(path))
+        package = package_around(around) if name in used else None
+        if package is not None and packages.may_change(path):
+            places.setdefault(name, []).append((package, os.path.relpath(around, package).replace(os.sep, "/")))
+    found: dict[str, list[str]] = {}
+    for models in places.values():
+        if not any(relative == MODELS for _, relative in models):
+            package, relative = models[0]
+            found[package] = sorted({*found.get(package, ()), relative})
+    return found

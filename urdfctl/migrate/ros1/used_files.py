@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 
+from urdfctl.migrate.classic.sdf import model_folders
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.source.disk.gate import is_file, is_folder
 
@@ -44,7 +45,8 @@ def _pairs(packages: MigratedPackages, pattern: re.Pattern[bytes]) -> dict[str, 
 
 def used_in(packages: MigratedPackages, folder: str, name: str) -> tuple[list[str], list[str]]:
     """Return the folders and the files, directly in a package, that files of any package use."""
-    names = sorted(packages.found(used_names).get(name, ()))
+    models = {one.partition("/")[0] for one in packages.found(model_folders).get(folder, ()) if one != os.curdir}
+    names = sorted({*packages.found(used_names).get(name, ()), *models})
     paths = {one: os.path.join(folder, one) for one in names if one not in ("package.xml", "CMakeLists.txt")}
     return [one for one, path in paths.items() if is_folder(path)], [
         one for one, path in paths.items() if is_file(path)
