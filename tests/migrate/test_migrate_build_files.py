@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from folder import Folder
 from ros1_packages import MANIFEST, migrated
 
@@ -239,3 +240,23 @@ def test_a_dependency_that_ros_2_does_not_have_is_named(folder: Folder) -> None:
     report = migrated(folder, {"package.xml": manifest, "urdf/arm.urdf": ROBOT})["MIGRATION.md"]
     assert "'dynamic_reconfigure' does not exist in ROS 2: use the parameters of a node in its place" in report
     assert "std_msgs" not in report
+
+
+@pytest.mark.parametrize(
+    ("imported", "installed"), [("import legs", True), ("from legs import *", True), ("import os", False)]
+)
+def test_the_modules_that_a_program_imports_from_its_folder_are_installed_beside_it(
+    folder: Folder, imported: str, installed: bool
+) -> None:
+    launch = '<launch><node name="w" pkg="arm" type="walk.py"/></launch>\n'
+    files = {
+        "CMakeLists.txt": "project(arm)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
+        "launch/a.launch": launch,
+        "scripts/walk.py": f"#!/usr/bin/env python\n{imported}\n",
+        "scripts/legs.py": "from sizes import LENGTH\n",
+        "scripts/sizes.py": "LENGTH = 1\n",
+        "scripts/other.py": "WIDTH = 1\n",
+    }
+    build = migrated(folder, files)["CMakeLists.txt"]
+    modules = "  scripts/legs.py\n  scripts/sizes.py\n" if installed else ""
+    assert f"install(PROGRAMS\n  scripts/walk.py\n{modules}  DESTINATION lib/${{PROJECT_NAME}}\n)" in build

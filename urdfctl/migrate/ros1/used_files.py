@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import posixpath
 import re
+from collections.abc import Iterable, Iterator
 
 from urdfctl.migrate.classic.sdf import model_folders
 from urdfctl.migrate.packages import MigratedPackages
@@ -19,6 +21,7 @@ _STARTED = re.compile(
     rb"package=\"([\w-]+)\",\s*executable=\"([\w.-]+)\""
     rb"|<node\b(?=[^<>]*?\bpkg=['\"]([\w-]+))(?=[^<>]*?\b(?:exec|type)=['\"]([\w.-]+)['\"])"
 )
+_IMPORT = re.compile(rb"(?m)^[ \t]*(?:from|import)[ \t]+(\w+)")
 _INSTALL = r"(?is)\b(?:catkin_install_python|install)\s*\(((?:[^()]|\([^()]*\))*)\)"
 _NO_PROGRAMS = ("cfg", "test", "tests", "msg", "srv", "action")
 _ENDINGS = ("", ".py", ".sh", ".bash")
@@ -56,7 +59,8 @@ def used_in(packages: MigratedPackages, folder: str, name: str) -> tuple[list[st
 def programs_in(packages: MigratedPackages, folder: str, name: str, build: str) -> list[str]:
     """Return the scripts of a package that its build file does not install, relative to the package.
 
-    They are those that launch files start, and others that may be executed, which rosrun found wherever they are.
+    They are those that launch files start, and others that may be executed, which rosrun found wherever they are; and
+    the modules beside these that they import, because Python looks for these beside the program.
     """
     started = packages.found(started_programs).get(name, frozenset())
     rules = [one[1] for one in re.finditer(_INSTALL, re.sub(r"#[^\n]*", "", build))]
@@ -69,7 +73,21 @@ def programs_in(packages: MigratedPackages, folder: str, name: str, build: str) 
         is_wanted = parts[-1] in started or (os.access(path, os.X_OK) and parts[0] not in _NO_PROGRAMS)
         if is_wanted and relative != "setup.py" and not _is_installed(relative.replace(os.sep, "/"), rules):
             found.append(relative.replace(os.sep, "/"))
-    return found
+    modules = (one for one in _imported(packages, folder, found) if not _is_installed(one, rules))
+    return [*found, *sorted({*modules} - {*found})]
+
+
+def _imported(packages: MigratedPackages, folder: str, programs: Iterable[str]) -> Iterator[str]:
+    """The modules that programs import from their own folder, and those that these import."""
+    waiting, known = list(programs), {*programs}
+    while waiting:
+        path = waiting.pop()
+        for name in dict.fromkeys(_IMPORT.findall(packages.read(os.path.join(folder, path)).data)):
+            module = posixpath.join(posixpath.dirname(path), f"{name.decode()}.py")
+            if module not in known and is_file(os.path.join(folder, module)):
+                known.add(module)
+                waiting.append(module)
+                yield module
 
 
 def _is_installed(relative: str, rules: list[str]) -> bool:
