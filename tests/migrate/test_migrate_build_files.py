@@ -260,3 +260,19 @@ def test_the_modules_that_a_program_imports_from_its_folder_are_installed_beside
     build = migrated(folder, files)["CMakeLists.txt"]
     modules = "  scripts/legs.py\n  scripts/sizes.py\n" if installed else ""
     assert f"install(PROGRAMS\n  scripts/walk.py\n{modules}  DESTINATION lib/${{PROJECT_NAME}}\n)" in build
+
+
+def test_packages_that_use_each_other_do_not_depend_on_each_other(folder: Folder) -> None:
+    """colcon builds none of them otherwise."""
+    other = MANIFEST.replace("<name>arm</name>", "<name>drive</name>")
+    starts = '<launch><include file="$(find {})/launch/a.launch"/></launch>\n'
+    files = {"arm/launch/a.launch": starts.format("drive"), "drive/launch/a.launch": starts.format("arm")}
+    folder.write({"src/arm/package.xml": MANIFEST, "src/drive/package.xml": other})
+    folder.write({f"src/{name}": text for name, text in files.items()})
+    ran = folder.run("migrate", "src", "--from", "noetic", "--to", "jazzy", "-o", "new")
+    assert ran.returncode == 0, ran.stderr
+    names = ("arm/package.xml", "drive/package.xml", "MIGRATION.md")
+    arm, drive, report = (folder.path.joinpath("new", name).read_text() for name in names)
+    assert "<exec_depend>drive</exec_depend>" in arm
+    assert "<exec_depend>arm</exec_depend>" not in drive
+    assert "'arm' is used, but no dependency: it uses this package, too" in report

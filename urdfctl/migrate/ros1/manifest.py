@@ -14,6 +14,7 @@ from urdfctl.migrate.edits.markup import child, children, content, end_of, inden
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.build_file import ament_build_file
+from urdfctl.migrate.ros1.circles import closing
 from urdfctl.migrate.ros1.looked_up import looked_up_packages
 from urdfctl.migrate.ros1.lost_packages import lost_dependencies
 from urdfctl.migrate.shared.hardware import host_plugin, started_by_launch_files, system
@@ -22,6 +23,7 @@ from urdfctl.source.span import SourceSpan
 from urdfctl.source.xml.dom import Element
 
 _AUTHORITY = "docs.ros.org, Migrating packages from ROS 1 to ROS 2"
+_CIRCLE = "colcon-core topological_order.py: packages that run each other cannot be ordered, and none is built"
 _FORMAT = "REP 149: package.xml format 3"
 _DEPENDS = ("depend", "exec_depend", "run_depend", "build_depend", "build_export_depend", "test_depend")
 _NEW_NAMES: Mapping[str, tuple[str, ...]] = {
@@ -59,12 +61,8 @@ _COMPILED = r"(?im)^\s*(?:add_executable|add_library|generate_messages|pybind11_
 
 def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
     yield from looked_up_packages(packages)
-    for path in packages.files("package.xml"):
-        if os.path.basename(path) != "package.xml":
-            continue
-        source = packages.read(path)
-        root = root_of(source)
-        if root is None or root.tagName != "package" or not _is_catkin(root):
+    for path, root in _manifest_roots(packages):
+        if not _is_catkin(root):
             continue
         lost = lost_dependencies([one for one in root.elements() if one.tagName in _DEPENDS])
         cmake = packages.read(os.path.join(os.path.dirname(path), "CMakeLists.txt"))
@@ -77,11 +75,41 @@ def _manifests(packages: MigratedPackages) -> Iterator[Proposal]:
             entries=(
                 ReportEntry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),
                 *lost,
+                *_circular(packages, root),
             ),
         )
         if cmake.data:
             is_classic = started_by_launch_files(packages) == "gazebo-classic"
             yield ament_build_file(packages, cmake, name=content(child(root, "name") or root), is_classic=is_classic)
+
+
+def _manifest_roots(packages: MigratedPackages) -> Iterator[tuple[str, Element]]:
+    """The manifests of the packages, by their paths."""
+    for path in packages.files("/package.xml"):
+        root = root_of(packages.read(path))
+        if root is not None and root.tagName == "package":
+            yield path, root
+
+
+def _circles(packages: MigratedPackages) -> frozenset[tuple[str, str]]:
+    """The dependencies that the manifests would have, but that would close a circle, each with its package."""
+    known: dict[str, set[str]] = {}
+    needed: dict[str, set[str]] = {}
+    for path, root in _manifest_roots(packages):
+        own = content(child(root, "name") or root)
+        known[own] = {content(one) for name in _DEPENDS for one in children(root, name)}
+        if _is_catkin(root):
+            needed[own] = {*_needed(packages, os.path.dirname(path))} - {own}
+    return closing(known, {own: names & known.keys() for own, names in needed.items()})
+
+
+def _circular(packages: MigratedPackages, root: Element) -> Iterator[ReportEntry]:
+    """The entries about what a package uses, and does not depend on."""
+    own = content(child(root, "name") or root)
+    for package, name in sorted(packages.found(_circles)):
+        if package == own:
+            what = f"'{name}' is used, but no dependency: it uses this package, too"
+            yield ReportEntry(EntryKind.DECIDED, what, root.at, authority=_CIRCLE)
 
 
 def _is_catkin(root: Element) -> bool:
@@ -112,6 +140,7 @@ def _manifest_edits(packages: MigratedPackages, root: Element) -> Iterator[Edit]
 def _additions(packages: MigratedPackages, root: Element, known: set[str]) -> Iterator[Edit]:
     own = content(child(root, "name") or root)
     needed = {*_needed(packages, os.path.dirname(root.source.path))} - known - {own}
+    needed -= {name for package, name in packages.found(_circles) if package == own}
     missing = sorted(needed, key=lambda name: _rank(packages, name))
     last = [element for element in root.elements() if element.tagName in (*_DEPENDS, "buildtool_depend")][-1:]
     if missing and last:
