@@ -349,3 +349,23 @@ def test_the_pose_of_a_link_that_moves_is_not_that_of_the_model(folder: Folder, 
     old = plugin("gazebo_ros_p3d", f"<bodyName>{body}</bodyName>\n<topicName>truth</topicName>")
     report = migrated(folder, {"urdf/base.xacro": base(old)}, *TO_GZ)["MIGRATION.md"]
     assert (f"not that of link '{body}': read that from /tf" in report) is is_told
+
+
+@pytest.mark.parametrize(
+    ("rate", "expected"), [("20.0", "20.0"), ("200", "100"), ("0", "100"), ("${rate}", "100"), ("", "100")]
+)
+def test_a_sensor_publishes_no_more_often_than_its_plugin_did(folder: Folder, rate: str, expected: str) -> None:
+    imu = f"""\
+  <xacro:property name="rate" value="20"/>
+  <gazebo reference="body">
+    <sensor name="imu" type="imu">
+      <update_rate>100</update_rate>
+      <plugin name="imu" filename="libgazebo_ros_imu_sensor.so">
+        <updateRateHZ>{rate}</updateRateHZ>
+      </plugin>
+    </sensor>
+  </gazebo>
+"""
+    after = migrated(folder, {"urdf/base.xacro": base(imu)})["urdf/base.xacro"]
+    assert f"<update_rate>{expected}</update_rate>" in after
+    assert after.count("update_rate>") == 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
@@ -124,7 +125,21 @@ def _settings(element: Element, plugin: Element, topic: str, kind: str) -> Itera
     rate = child(plugin, "updateRate") or child(plugin, "updateRateHZ")
     if rate is not None and child(element, "update_rate") is None:
         lines.append(f"<update_rate>{content(rate)}</update_rate>")
+    yield from _slower(element, plugin)
     yield appended(element, (f"{indent or step}{line}" for line in lines))
+
+
+def _slower(element: Element, plugin: Element) -> Iterator[Edit]:
+    """The edit that gives a sensor the rate of its plugin, which published less often (gazebo_ros_imu_sensor.cpp, ROS 1)."""
+    own, rate = child(element, "update_rate"), child(plugin, "updateRateHZ")
+    if own is not None and rate is not None and 0 < _number(content(rate)) < _number(content(own)):
+        span = span_of(own)
+        yield Edit(span, span.text.replace(content(own), content(rate)))
+
+
+def _number(text: str) -> float:
+    """A number; 0 for a text that is none, as an argument."""
+    return float(text) if re.fullmatch(r"\d+(\.\d*)?", text) else 0.0
 
 
 def _frames(plugin: Element, step: str) -> Iterator[str]:
