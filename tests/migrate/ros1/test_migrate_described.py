@@ -280,3 +280,24 @@ def test_one_of_two_publishers_is_enough_for_a_robot_that_is_spawned(folder: Fol
     files = {"launch/arm.launch": launch, "urdf/one.xacro": arm(transmission("EffortJointInterface"))}
     text = migrated(folder, files, "--simulator", "gz")["launch/arm.launch.py"]
     assert "it waits for its description then" not in text
+
+
+@pytest.mark.parametrize("form", ["-sdf", "-urdf"])
+@pytest.mark.parametrize(
+    ("set_by", "expected"),
+    [
+        ('textfile="$(find arm)/models/tag.sdf"', '"-file", [FindPackageShare("arm"), "/models/tag.sdf"]'),
+        (
+            'command="$(find xacro)/xacro $(find arm)/tag.xacro"',
+            '"-string", Command(["xacro ", FindPackageShare("arm")',
+        ),
+    ],
+)
+def test_a_model_in_a_parameter_that_nobody_publishes_is_spawned_without_a_topic(
+    folder: Folder, form: str, set_by: str, expected: str
+) -> None:
+    tag, put = f'<param name="tag" {set_by}/>', SPAWN.format("tag").replace("-urdf", form)
+    text = launched(folder, param("one"), PUBLISHER, SPAWN.format("robot_description"), tag, put)
+    assert text.count('"-topic"') == text.count('"-topic", "robot_description"') == 1
+    assert expected in text
+    assert "TODO" not in text

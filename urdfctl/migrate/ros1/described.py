@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.edits.markup import attribute, elements
-from urdfctl.migrate.launch.actions import Text, is_literal, parsed, plain, words_of
+from urdfctl.migrate.launch.actions import Text, is_literal, literal, parsed, plain, words_of
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.ros1.left_over import named_files
@@ -24,10 +24,11 @@ def is_description(element: Element, names: Collection[str]) -> bool:
 
     names: the names of the parameters that are descriptions.
     """
-    return _sets_text(element) and attribute(element, "name").rpartition("/")[2] in names
+    return sets_text(element) and attribute(element, "name").rpartition("/")[2] in names
 
 
-def _sets_text(element: Element) -> bool:
+def sets_text(element: Element) -> bool:
+    """Return whether an element of a launch file sets a parameter to the text of a file, or to what a command prints."""
     return element.tagName == "param" and ("command" in element.attrs or "textfile" in element.attrs)
 
 
@@ -38,7 +39,7 @@ def description_names(packages: MigratedPackages) -> frozenset[str]:
     nothing says which they read.
     """
     every = [one for root in packages.found(launch_roots).values() for one in elements(root)]
-    last = {attribute(one, "name").rpartition("/")[2] for one in every if _sets_text(one)}
+    last = {attribute(one, "name").rpartition("/")[2] for one in every if sets_text(one)}
     named = {name for name in last if name == _DESCRIPTION or name.endswith(f"_{_DESCRIPTION.partition('_')[2]}")}
     read = {_DESCRIPTION}
     for one in every:
@@ -46,7 +47,7 @@ def description_names(packages: MigratedPackages) -> frozenset[str]:
             read.add(attribute(one, "to").rpartition("/")[2])
         words = words_of(parsed(attribute(one, "args"))) if one.tagName == "node" else ()
         for option, value in pairwise(words):
-            if plain(option) == "-param" and is_literal(option):
+            if plain(option) == "-param" and literal("-sdf") not in words:
                 read |= {plain(value).rpartition("/")[2]} if is_literal(value) else named
     return frozenset(last & read if last & read - {_DESCRIPTION} or _DESCRIPTION in last else named)
 

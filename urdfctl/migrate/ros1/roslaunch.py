@@ -51,6 +51,7 @@ from urdfctl.migrate.ros1.set_descriptions import (
     said,
 )
 from urdfctl.migrate.ros1.simulated_time import time_first
+from urdfctl.migrate.ros1.spawned_models import is_spawned_as_sdf
 from urdfctl.names import shortened
 from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
@@ -302,6 +303,8 @@ class LaunchReading(Notes):
 
     def _param(self, element: Element) -> Iterator[Action]:
         name, names = element.attrs.get("name", ""), self.target.descriptions
+        if self.target.started == "gz" and is_spawned_as_sdf(element):
+            return  # the spawner reads the file
         if is_description(element, names):
             self.left += about_command(element.attrs.get("command", ""))
             is_published = said_by(element) in self.target.published or is_overridden(element, names)

@@ -9,7 +9,6 @@ from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
 from urdfctl.migrate.classic.starting import SPAWN, WITHOUT_SUCCESSOR
 from urdfctl.migrate.launch.actions import (
     Action,
-    PartOfText,
     Text,
     is_literal,
     joined,
@@ -21,7 +20,7 @@ from urdfctl.migrate.launch.actions import (
 )
 from urdfctl.migrate.ros1.classic_programs import CLIENT, given_to_simulator
 from urdfctl.migrate.ros1.command_nodes import COMMANDS, published, transform_words
-from urdfctl.migrate.ros1.described import described_for, names_description
+from urdfctl.migrate.ros1.described import names_description
 from urdfctl.migrate.ros1.description_commands import description_command
 from urdfctl.migrate.ros1.doubles import as_double
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
@@ -29,6 +28,7 @@ from urdfctl.migrate.ros1.launch_target import LaunchTarget
 from urdfctl.migrate.ros1.lost_to_simulator import remapped_in_simulator
 from urdfctl.migrate.ros1.node_attributes import flags_of, lost_attributes, lost_commands, renamed_parameters
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of, parameters_of, unread_parameters_of
+from urdfctl.migrate.ros1.spawned_models import file_text, words_for_file, words_for_parameter
 from urdfctl.migrate.ros1.spawned_names import full_name
 from urdfctl.migrate.ros1.word_remappings import without_remappings
 from urdfctl.source.xml.dom import Element
@@ -220,7 +220,7 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
             reading.left.append(f"'controller_manager {verb}' has no counterpart: use 'ros2 control'")
             return
         words = [*words[1:], *([literal("--inactive")] if verb == "load" else [])]
-    named = [(word, reading.target.controllers_in(_file_text(word))) for word in words]
+    named = [(word, reading.target.controllers_in(file_text(word))) for word in words]
     files = [*files, *(word for word, controllers in named if controllers)]
     names: list[Text] = []
     rest = iter(
@@ -246,16 +246,16 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
             if spawned is not None or (last and not is_literal(word) and "/" in word[-1].text):
                 name = spawned.name if spawned is not None else last
                 if spawned is None:
-                    reading.decided.append(f"'{_file_text(word)}' is spawned as '{name}': names have no slash in ROS 2")
+                    reading.decided.append(f"'{file_text(word)}' is spawned as '{name}': names have no slash in ROS 2")
                 word = literal(name)  # noqa: PLW2901 (the same name in ROS 2)
-            is_declared_elsewhere = option == OLD_NAME and DECLARED_IN in map(_file_text, files)
+            is_declared_elsewhere = option == OLD_NAME and DECLARED_IN in map(file_text, files)
             names.append(literal(NEW_NAME) if is_declared_elsewhere else word)
     manager = (
         [literal("-c"), joined(space, literal("/controller_manager"))]
         if plain(space).strip("/") or not is_literal(space)
         else []
     )
-    known = tuple(file for file in files if reading.names_controllers(_file_text(file)))
+    known = tuple(file for file in files if reading.names_controllers(file_text(file)))
     flags = (("shell", "True"),) if any(reading.words_of(name, unknown=0) != 1 for name in names) else ()
     yield Action("node", "spawner", package="controller_manager", words=(*names, *manager), files=known, flags=flags)
 
@@ -267,10 +267,6 @@ def _option(word: Text) -> tuple[str, Text | None]:
     return option, joined(literal(value), word[1:]) if mark else None
 
 
-def _file_text(file: Text) -> str:
-    return "".join(part.text if part.kind == "text" else f"$({part.kind} {part.text})" for part in file)
-
-
 def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> Action:
     target = reading.target
     shown: list[Text] = []
@@ -280,9 +276,9 @@ def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> A
         if option == "-model":
             shown += [literal("-entity"), next(rest, ())]
         elif option == "-param":
-            shown += [literal("-topic"), _topic_of(target, element, next(rest, ()))]
+            shown += words_for_parameter(target, element, next(rest, ()))
         elif option == "-file":
-            shown += _from_file(target, next(rest, ()))
+            shown += words_for_file(target, next(rest, ()))
         elif option in _POSES:
             shown += [literal(option), next(rest, ())]
         elif option in WITHOUT_SUCCESSOR:
@@ -294,9 +290,7 @@ def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> A
             reading.unpauses |= "-unpause" in lost
             told = [one for one in lost if one not in _OF_ROS1]
             if told:
-                text = (
-                    f"'{_file_text(word)}' gave the spawner {', '.join(dict.fromkeys(told))}, which 'create' does not"
-                )
+                text = f"'{file_text(word)}' gave the spawner {', '.join(dict.fromkeys(told))}, which 'create' does not"
                 reading.left.append(f"{text} have: set initial_value of the state interfaces instead of -J")
     space = element.attrs.get("ns")
     return Action(
@@ -307,27 +301,6 @@ def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> A
         words=tuple(shown),
         flags=(("output", "screen"),),
     )
-
-
-def _from_file(target: LaunchTarget, file: Text) -> list[Text]:
-    """The words with which a robot in a file is spawned: what xacro makes of it if the file alone is no robot any more."""
-    written = _file_text(file)
-    if target.started != "gz" or not target.is_expanded(written):
-        return [literal("-file"), file]
-    return [literal("-string"), (PartOfText("command", f"xacro {written}"),)]
-
-
-def _topic_of(target: LaunchTarget, node: Element, parameter: Text) -> Text:
-    """The topic on which robot_state_publisher publishes the description that was a parameter, whatever its name."""
-    if not is_literal(parameter):
-        return parameter
-    space, slash, last = plain(parameter).rpartition("/")
-    topic = last if last in target.apart else "robot_description"
-    own = "/".join(part for part in ("" if slash and not space else namespace_of(node), space.strip("/")) if part)
-    published = described_for(target.described_in, own)
-    if "$(" not in f"{published}{own}" and own != published:
-        return literal("/".join(("", *filter(None, [published]), topic)))
-    return literal(f"{space}{slash}{topic}")
 
 
 def _program_of_classic(reading: Notes, element: Element, words: Sequence[Text]) -> Iterator[Action]:

@@ -54,7 +54,7 @@ def descriptions_of(node: Element, names: Collection[str]) -> list[SetDescriptio
 def _in_scope(node: Element, names: Collection[str]) -> list[Element]:
     """The parameters that a node finds: those in its namespace, or in the nearest one above it."""
     every = [one for one in elements(root_around(node)) if is_description(one, names) and not _is_private(one)]
-    wanted = next((new for new in map(_new_name, node.elements()) if new), _DEFAULT)
+    wanted = read_by(node)
     every = [one for one in every if attribute(one, "name").rpartition("/")[2] == wanted] or every
     space = _parts(namespace_of(node))
     above = [(one, _parts(namespace_of(one))[:-1]) for one in every]
@@ -64,6 +64,11 @@ def _in_scope(node: Element, names: Collection[str]) -> list[Element]:
         return [one for one in every if id(one.parentNode) in chain]
     depth = max(len(parts) for _, parts in above)
     return [one for one, parts in above if len(parts) == depth]
+
+
+def read_by(node: Element) -> str:
+    """Return the name of the parameter that a robot_state_publisher reads, without its namespace."""
+    return next((new for new in map(_new_name, node.elements()) if new), _DEFAULT)
 
 
 def _new_name(child: Element) -> str:
