@@ -16,6 +16,7 @@ ONE_NODE = """\
   </node>
 </launch>
 """
+CONTROL = '<launch><node name="mover" pkg="arm" type="mover.py"/></launch>\n'
 NAMED = """\
 <launch>
   <param name="mux/rate" value="30.0"/>
@@ -346,6 +347,37 @@ def test_launch_files_that_are_started_with_a_simulator_have_its_time(folder: Fo
     files = {"launch/a.launch": launch, "launch/b.launch": ONE_NODE.format(more="")}
     text = migrated(folder, files, "--simulator", "gz")["launch/a.launch.py"]
     assert 'SetParameter(name="use_sim_time", value=True)' in text
+
+
+@pytest.mark.parametrize(
+    ("more", "expected"),
+    [
+        ({}, True),
+        ({"src/hardware.cpp": "controller_manager::ControllerManager manager(&robot);\n"}, False),
+        ({"launch/c.launch": '<launch><param name="use_sim_time" value="$(optenv SIM true)"/></launch>\n'}, False),
+        ({"launch/a.launch": CONTROL.replace('pkg="arm"', 'pkg="arm_driver"')}, False),
+        ({"launch/a.launch": CONTROL.replace("mover.py", "other.py")}, False),
+        ({"config/c.yaml": EFFORT.replace("ctl:", "left:")}, False),
+    ],
+)
+def test_a_launch_file_that_commands_a_simulated_robot_has_the_time_of_the_simulator(
+    folder: Folder, more: dict[str, str], expected: bool
+) -> None:
+    """It is started after that of the simulator, which set the time for all nodes of ROS 1."""
+    program = '#!/usr/bin/env python\nTOPIC = "/arm/ctl/command"\n'
+    files = {"arm.xacro": ROBOT, "config/c.yaml": EFFORT, "scripts/mover.py": program, "launch/a.launch": CONTROL}
+    after = migrated(folder, {**files, **more}, "--simulator", "gz")
+    assert ('SetParameter(name="use_sim_time", value=True)' in after["launch/a.launch.py"]) == expected
+
+
+def test_nodes_beside_the_spawner_of_a_simulated_robot_have_the_time_of_the_simulator(folder: Folder) -> None:
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="ctl"/>'
+    launch = f'<launch><rosparam file="$(find arm)/config/c.yaml"/>{spawner}{{}}</launch>\n'
+    files = {"arm.xacro": ROBOT, "config/c.yaml": EFFORT, "launch/a.launch": launch.format("")}
+    files["launch/b.launch"] = launch.format('<node name="t" pkg="arm" type="t.py"/>')
+    after = migrated(folder, files, "--simulator", "gz")
+    assert "use_sim_time" not in after["launch/a.launch.py"]
+    assert 'SetParameter(name="use_sim_time", value=True)' in after["launch/b.launch.py"]
 
 
 def test_a_program_that_an_argument_chooses_stays_one(folder: Folder) -> None:

@@ -21,6 +21,7 @@ from urdfctl.migrate.ros1.launches import doubled_names, launch_roots, new_name
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
+from urdfctl.migrate.ros1.simulated_time import commanding_programs, may_be_real
 from urdfctl.migrate.ros1.spawned_names import spawned_names
 from urdfctl.migrate.ros1.waiting_spawns import waits_for_publisher
 from urdfctl.migrate.shared.controller_files import installed_path, sections, type_names
@@ -164,6 +165,8 @@ def _target(packages: MigratedPackages) -> LaunchTarget:
         elsewhere=packages.found(described_elsewhere),
         doubled=packages.found(doubled_names),
         has_controllers=bool(controllers),
+        commands=lambda package, program: (package, program) in packages.found(commanding_programs),
+        may_be_real=packages.found(may_be_real),
     )
 
 

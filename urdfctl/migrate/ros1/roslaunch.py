@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE, is_spawner
 from urdfctl.migrate.launch.actions import (
     Action,
     ActionCondition,
@@ -50,14 +49,12 @@ from urdfctl.migrate.ros1.set_descriptions import (
     overriding,
     said,
 )
-from urdfctl.migrate.ros1.simulated_time import time_first
+from urdfctl.migrate.ros1.simulated_time import needs_time, time_first
 from urdfctl.migrate.ros1.spawned_models import is_spawned_as_sdf
 from urdfctl.names import shortened
 from urdfctl.source.xml.dom import COMMENT, Element, XmlText
 
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
-_TIMED = ("controller_manager", CLASSIC_PACKAGE)
-"""Packages whose nodes have the simulation's time, or need none."""
 _SURE_ENDINGS = (".launch.xml", ".launch")
 _MOST_CHOICES = 3
 """Conditions in one node or include; it is written once for each combination."""
@@ -84,21 +81,10 @@ class LaunchReading(Notes):
         if (self.unpauses or spawns) and (started := running(found)) != found:
             found = started
             self.decided.append(DECIDED)
-        if self.target.started != "none" and self._needs_simulated_time(found):
+        if self.target.started != "none" and needs_time(found, self._included, self.target):
             found = [Action("set_parameter", "use_sim_time", literal("true")), *found]
         has_description = any(action.description for action in all_actions(tuple(found)))
         return found if has_description or self.target.describes else [one for one in found if not _is_idle(one)]
-
-    def _needs_simulated_time(self, actions: Sequence[Action]) -> bool:
-        """Whether actions start a simulator or spawn into one, and start a node that needs its time or another launch file,
-        which may start one: empty_world.launch set that for all nodes."""
-        every = list(all_actions(tuple(actions)))
-        is_set = any(action.kind == "set_parameter" and action.name == "use_sim_time" for action in every)
-        worlds = [one for one in every if one.kind == "include" and one.value == parsed(CLASSIC_FILE)]
-        inner = [self._included.get(one.value or ()) for one in every if one.kind == "include"]
-        starts = bool(worlds) or any(map(is_spawner, every)) or any(one is not None and one.starts for one in inner)
-        nodes = any(action.kind == "node" and action.package not in _TIMED for action in every)
-        return starts and not is_set and (nodes or len(inner) > 1)
 
     def _children(self, parent: Element, root: Element) -> Iterator[Action]:
         files = loaded_files(parent)
