@@ -339,3 +339,20 @@ def test_files_that_are_not_directly_in_config_are_named(folder: Folder) -> None
         .trajectory_execution(file_path="config/left/moveit_controllers.yaml")
         .to_moveit_configs()
 """ in after["launch/move_group.launch.py"]
+
+
+@pytest.mark.parametrize("context", [True, False])
+def test_a_publisher_without_a_description_is_the_one_that_moveit_makes(folder: Folder, context: bool) -> None:
+    """In ROS 1 the planning context, which move_group.launch included, set its description."""
+    publisher = '<node name="p" pkg="robot_state_publisher" type="robot_state_publisher"/>'
+    include = '<include file="$(dirname)/move_group.launch"/>'
+    files = {
+        "launch/move_group.launch": '<launch><node name="m" pkg="moveit_ros_move_group" type="move_group"/></launch>\n',
+        "launch/demo.launch": f'<launch><group if="$(optenv FAKE true)">{publisher}</group>{include}</launch>\n',
+    }
+    files |= {"launch/planning_context.launch": "<launch/>\n"} if context else {}
+    demo = migrated(folder, files)["launch/demo.launch.py"]
+    assert ('ThisLaunchFileDir(), "/rsp.launch.py"' in demo) == context
+    assert 'executable="robot_state_publisher"' not in demo
+    assert demo.count("GroupAction(") == context
+    assert 'ThisLaunchFileDir(), "/move_group.launch.py"' in demo

@@ -19,7 +19,7 @@ from urdfctl.migrate.ros1.included import IncludedFile, descriptions_in, include
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
 from urdfctl.migrate.ros1.launches import doubled_names, launch_roots, new_name
 from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
-from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
+from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, PUBLISHER_FILE, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import LaunchReading
 from urdfctl.migrate.ros1.simulated_time import commanding_programs, may_be_real
 from urdfctl.migrate.ros1.spawned_names import spawned_names
@@ -67,6 +67,7 @@ def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:
             described_in=spaces,
             publisher=packages.found(idle_publishers).get(path),
             undeclared=_undeclared_by(packages, os.path.dirname(path)),
+            makes_publisher=exists(os.path.join(os.path.dirname(path), PUBLISHER_FILE)),
         )
         yield from _migrated(packages, path, root, target)
 

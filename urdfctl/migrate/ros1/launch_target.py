@@ -39,6 +39,7 @@ class LaunchTarget(NamedTuple):
     elsewhere: whether the description with the plugin of the simulator is in another package.
     has_controllers: whether the packages have files of controllers.
     is_expanded: returns whether a robot, by its written file name, gets `$(find)` in it, which only xacro expands.
+    makes_publisher: whether MoveIt makes the launch file of robot_state_publisher beside this one.
     commands: returns whether a program of a package commands controllers of the packages, by the names of both.
     may_be_real: whether launch files that control a robot may control a real one, too.
     undeclared: returns the controllers of a controller file whose types the simulator's manager does not get.
@@ -73,6 +74,7 @@ class LaunchTarget(NamedTuple):
     undeclared: Callable[[str], list[str]] = lambda _: []
     commands: Callable[[str, str], bool] = lambda *_: False
     may_be_real: bool = False
+    makes_publisher: bool = False
 
     @property
     def apart(self) -> frozenset[str]:

@@ -37,6 +37,8 @@ MADE_BY_MOVEIT: Mapping[str, str] = {
     "default_warehouse_db.launch": "warehouse_db",
 }
 """By launch file of ROS 1: the one of ROS 2 that other launch files include, without its ending."""
+PUBLISHER_FILE = "rsp.launch.py"
+"""The launch file that MoveIt makes for robot_state_publisher, with the description."""
 LOADED_BY_MOVEIT = (
     "planning_pipeline.launch.xml",
     "controller_manager.launch.xml",
@@ -57,7 +59,7 @@ def is_loaded_by_moveit(made: str, given: Mapping[str, Text], defaults: Mapping[
     """
     value = given.get("load_robot_description")
     loads = plain(value) if value is not None else defaults.get("load_robot_description")
-    return made.endswith(LOADED_BY_MOVEIT) or (made.endswith("/rsp.launch.py") and loads == "false")
+    return made.endswith(LOADED_BY_MOVEIT) or (made.endswith(f"/{PUBLISHER_FILE}") and loads == "false")
 
 
 def _launch_files(packages: MigratedPackages) -> Iterator[Proposal]:

@@ -17,6 +17,7 @@ from urdfctl.migrate.ros1.choices import LoadedFile, choices_in, chosen, loaded_
 from urdfctl.migrate.ros1.described import described_for, is_description, names_description
 from urdfctl.migrate.ros1.description_commands import about_command, command_in
 from urdfctl.migrate.ros1.doubles import as_double
+from urdfctl.migrate.ros1.idle_publishers import with_description
 from urdfctl.migrate.ros1.included import IncludedFile, kept_apart, passed_on, said_by
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.launch_target import LaunchTarget
@@ -84,7 +85,9 @@ class LaunchReading(Notes):
         if self.target.started != "none" and needs_time(found, self._included, self.target):
             found = [Action("set_parameter", "use_sim_time", literal("true")), *found]
         has_description = any(action.description for action in all_actions(tuple(found)))
-        return found if has_description or self.target.describes else [one for one in found if not _is_idle(one)]
+        if has_description or self.target.describes:
+            return found
+        return with_description(found, makes_publisher=self.target.makes_publisher)
 
     def _children(self, parent: Element, root: Element) -> Iterator[Action]:
         files = loaded_files(parent)
@@ -368,11 +371,6 @@ def _variable(element: Element) -> Action:
 
 def _name_of(element: Element) -> str:
     return element.attrs.get("name") or element.attrs.get("type") or element.attrs.get("file", "")
-
-
-def _is_idle(action: Action) -> bool:
-    """Whether an action is a robot_state_publisher without a description: the file that has it starts one."""
-    return action.kind == "node" and action.package == "robot_state_publisher" and not action.description
 
 
 def _has_publisher(root: Element) -> bool:

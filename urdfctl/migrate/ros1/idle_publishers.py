@@ -1,0 +1,27 @@
+"""Publishers of launch files that set no description: in ROS 2 robot_state_publisher ends without one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfctl.migrate.launch.actions import Action, parsed
+from urdfctl.migrate.ros1.moveit_launch import PUBLISHER_FILE
+
+
+def with_description(actions: Sequence[Action], *, makes_publisher: bool) -> list[Action]:
+    """Return actions without the publishers that have no description: the launch file with the description starts one.
+
+    makes_publisher: whether MoveIt makes that one beside the launch file, which includes it then.
+    """
+    found = []
+    for action in actions:
+        if not _is_idle(action):
+            inner = with_description(action.inner, makes_publisher=makes_publisher)
+            found += [action._replace(inner=tuple(inner))] if inner or not action.inner else []
+        elif makes_publisher:
+            found.append(Action("include", value=parsed(f"$(dirname)/{PUBLISHER_FILE}"), condition=action.condition))
+    return found
+
+
+def _is_idle(action: Action) -> bool:
+    return action.kind == "node" and action.package == "robot_state_publisher" and not action.description
