@@ -21,7 +21,7 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.options import MigrationOptions, Part
 from urdfctl.migrate.packages import Linted, MigratedPackages
-from urdfctl.migrate.report import ReportLine, as_markdown
+from urdfctl.migrate.report import ReportLine, as_json, as_markdown
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Step
 from urdfctl.migrate.trial.linting import Lint
 from urdfctl.migrate.trial.scratch import Scratch
@@ -105,6 +105,16 @@ def test_files_that_git_ignores_are_left_alone(folder: Folder) -> None:
     after = content(folder)
     assert after["made/urdf/arm.urdf"] == ROBOT.encode()
     assert after["urdf/arm.urdf.xacro"] == MIGRATED.encode()
+
+
+def test_the_report_names_files_in_messages_as_at_their_places() -> None:
+    lost = ReportLine(
+        EntryKind.FOR_YOU, "it would cause UC615 at /ws/arm/setup.py:3", file="/ws/arm/launch/a.launch.py"
+    )
+    for render in (as_markdown, as_json):
+        report = render([lost], None, "jazzy", "/ws")
+        assert "it would cause UC615 at arm/setup.py:3" in report
+        assert "/ws" not in report
 
 
 def test_a_package_of_the_same_name_elsewhere_in_the_workspace_is_not_taken_for_it(folder: Folder) -> None:

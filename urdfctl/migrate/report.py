@@ -57,7 +57,8 @@ def as_json(
         "to": target,
         **{
             kind.value.replace(" ", "_"): [
-                {**one._asdict(), "kind": kind.value, "file": _relative(one.file, base)} for one in _of(kind, lines)
+                {**one._asdict(), "kind": kind.value, "file": _relative(one.file, base)}
+                for one in _of(kind, _without_base(lines, base))
             ]
             for kind in EntryKind
         },
@@ -76,13 +77,18 @@ def as_markdown(
     parts = [f"# Migration {f'from {source} ' if source else ''}to {target}", ""]
     for kind, title in _TITLES.items():
         groups: dict[tuple[str, ...], list[ReportLine]] = {}
-        for line in _of(kind, lines):
+        for line in _of(kind, _without_base(lines, base)):
             groups.setdefault((line.message, line.option, line.authority), []).append(line)
         items = [text for message, group in _similar(list(groups.values())) for text in _item(message, group, base)]
         parts += [f"## {title}", "", *(items or ["Nothing."]), ""]
     if commands:
         parts += ["## Build and start", "", "```", *commands, "```", ""]
     return "\n".join(parts)
+
+
+def _without_base(lines: Sequence[ReportLine], base: str) -> list[ReportLine]:
+    """The lines with the paths in their messages relative to the folder `base`, as their own places are."""
+    return [line._replace(message=line.message.replace(f"{base}{os.sep}", "")) for line in lines]
 
 
 def _similar(groups: Sequence[Sequence[ReportLine]]) -> Iterator[tuple[str, Sequence[ReportLine]]]:
