@@ -107,6 +107,17 @@ def test_files_that_git_ignores_are_left_alone(folder: Folder) -> None:
     assert after["urdf/arm.urdf.xacro"] == MIGRATED.encode()
 
 
+@pytest.mark.parametrize("hidden", [".catkin_tools/profiles/default/packages", ".cache"])
+def test_packages_in_hidden_folders_are_left_alone(folder: Folder, hidden: str) -> None:
+    """Tools keep copies of packages there, which neither colcon nor catkin builds."""
+    copy = {f"arm/{hidden}/{name}": text for name, text in FILES.items()}
+    folder.write({**FILES, **copy})
+    folder.run("migrate", "arm", "--to", "jazzy", "--in-place")
+    after = content(folder)
+    assert after[f"{hidden}/arm/urdf/arm.urdf.xacro"] == ROBOT.encode()
+    assert after["urdf/arm.urdf.xacro"] == MIGRATED.encode()
+
+
 def test_the_report_names_files_in_messages_as_at_their_places() -> None:
     lost = ReportLine(
         EntryKind.FOR_YOU, "it would cause UC615 at /ws/arm/setup.py:3", file="/ws/arm/launch/a.launch.py"

@@ -101,8 +101,11 @@ class MigratedPackages:
         return "gz"
 
     def files(self, *endings: str) -> Iterator[str]:
-        """Return the files to migrate whose names end so, in order; without endings, all of them."""
-        self._files = self._files or list(self.scratch.files())
+        """Return the files to migrate whose names end so, in order; without endings, all of them.
+
+        Those in hidden folders are none: colcon and catkin look for no packages there.
+        """
+        self._files = self._files or [path for path in self.scratch.files() if not self.scratch.is_hidden(path)]
         return (path for path in self._files if not endings or path.endswith(endings))
 
     def read(self, path: str) -> SourceText:

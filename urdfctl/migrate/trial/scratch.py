@@ -98,6 +98,11 @@ class Scratch:
         """Return whether a migration may change, create or delete a file: it is in a folder to migrate."""
         return any(_is_below(os.path.realpath(path), folder) for folder in self.folders)
 
+    def is_hidden(self, path: str) -> bool:
+        """Return whether a file is in a hidden folder below a folder to migrate."""
+        around = (os.path.relpath(os.path.dirname(path), folder) for folder in self.folders if _is_below(path, folder))
+        return any(part.startswith(".") and part != os.curdir for one in around for part in one.split(os.sep))
+
     def original(self, path: str) -> bytes:
         """Return what a file was before it was written; empty if it did not exist, or is no file of the copy: a link
         may lead out of it, or to a folder."""
