@@ -43,6 +43,14 @@ def test_ament_is_looked_for_where_catkin_was_not_and_gazebo_classic_no_longer(f
     )
 
 
+def test_a_build_file_that_is_one_of_ament_already_ends_once(folder: Folder) -> None:
+    build = "project(arm)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+    after = migrated(folder, {"CMakeLists.txt": build, "launch/a.launch": "<launch/>\n"})["CMakeLists.txt"]
+    assert after.count("find_package(ament_cmake REQUIRED)") == 1
+    assert after.endswith("install(DIRECTORY launch\n  DESTINATION share/${PROJECT_NAME}\n)\n\nament_package()\n")
+    assert after.count("ament_package(") == 1
+
+
 def test_comments_stay(folder: Folder) -> None:
     after = migrated(folder, {"CMakeLists.txt": COMMENTED})
     assert after["CMakeLists.txt"] == (

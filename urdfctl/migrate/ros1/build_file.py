@@ -35,6 +35,7 @@ _REPLACED = (
 _REMOVED = (
     rf"catkin_package\s*{_ARGUMENTS}",
     rf"catkin_metapackage\s*{_ARGUMENTS}",
+    r"ament_package\s*\(\s*\)",
     rf"{_PYTHON}\s*{_ARGUMENTS}",
     rf"(?:roslaunch_add_file_check|roslint_(?:cpp|python|add_test|custom))\s*{_ARGUMENTS}",
     rf"{_TESTS}\s*{_ARGUMENTS}",
