@@ -35,9 +35,9 @@ def plan_of(
     unusable = any(trouble.code == inertia_unusable.code for trouble in static_check.troubles)
     if mechanism is None or robot is None or unusable:
         return None, []
-    if len(mechanism.bodies) > MOST_BODIES:
-        why = f"it has {len(mechanism.bodies)} links, and the limit is {MOST_BODIES}"
-        return None, [trouble_of(engine_refuses_robot, ROBOT, engine="the smoke test", why=why)]
+    refused = _refusal(mechanism)
+    if refused is not None:
+        return None, [refused]
     tasks = tuple(task for task in static_check.tasks if static_check.wants(task.controller))
     drives = [task.drive for task in tasks if task.drive]
     wheels = _wheels(mechanism, drives)
@@ -66,6 +66,18 @@ def plan_of(
         else (),
     )
     return plan, troubles_of_left_out(ready) if drives else troubles_of_left_out(ready._replace(left_out=ready.broken))
+
+
+def _refusal(mechanism: Mechanism) -> Trouble | None:
+    """That no engine can move a robot: MuJoCo rejects a joint without a direction, and pybullet's positions explode."""
+    if len(mechanism.bodies) > MOST_BODIES:
+        why = f"it has {len(mechanism.bodies)} links, and the limit is {MOST_BODIES}"
+        return trouble_of(engine_refuses_robot, ROBOT, engine="the smoke test", why=why)
+    for hinge in mechanism.hinges:
+        if hinge.moves and hinge.type != "prismatic" and not any(hinge.axis):
+            why = f"the axis of joint '{hinge.name}' is 0 0 0; give it a direction"
+            return trouble_of(engine_refuses_robot, f"joint:{hinge.name}", engine="the smoke test", why=why)
+    return None
 
 
 def _wheels(mechanism: Mechanism, drives: Iterable[Drive]) -> dict[str, float]:

@@ -18,6 +18,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT
 def engine_refuses_robot(engine: str, why: str) -> str:
     """Physics engine rejects the robot.
 
-    The message quotes the engine. Another engine may accept the robot.
+    The message quotes the engine. Another engine may accept the robot. The smoke test itself rejects a robot that all
+    engines would: one with a joint that turns about the axis 0 0 0.
     """
     return f"{engine} rejects the robot: {why}"
