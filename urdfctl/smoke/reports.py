@@ -26,6 +26,7 @@ _STYLES = {
 }
 
 
+_UNDECLARED = "no controllers are declared for this robot"
 _NOTHING = "nothing was tested: no controllers found; name their file with --controllers"
 _NO_ROBOT = "nothing was tested: there is no robot in URDF or xacro here; models in SDF are not read"
 _UNUSED = "nothing was tested: no robot uses {}: urdfctl smoke {} --controllers {}"
@@ -97,7 +98,9 @@ def _why_nothing(robot: RobotResult) -> str:
     """Why a robot, or a launch file, has no controllers."""
     if robot.part_of:
         return f"not a robot: it hangs on link '{robot.part_of}', which is in another file"
-    return robot.needs or "no controllers are declared for this robot"
+    if is_launch(robot.linted.path):
+        return robot.needs or _UNDECLARED
+    return f"{_UNDECLARED}; {robot.needs}" if robot.needs else _UNDECLARED
 
 
 def explanation(result: ControllerResult) -> str:

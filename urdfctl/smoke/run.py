@@ -300,11 +300,11 @@ def _reported(robots: Sequence[PlannedRobot], results: Sequence[RobotResult]) ->
             seen.add(outcome)
             yield index
     if not driven:
-        told: dict[str, int] = {}
+        told = {robot.needs for robot in among if robot}
         for index, robot in enumerate(results):
-            if robot.needs and among[index] is None:
-                told.setdefault(robot.needs, index)
-        yield from told.values()
+            if robot.needs and robot.needs not in told and among[index] is None and robot.linted.launch:
+                told.add(robot.needs)
+                yield index
 
 
 def _outcome(robot: RobotResult) -> tuple[object, ...]:

@@ -264,3 +264,28 @@ def test_a_launch_file_whose_robot_is_known_only_while_it_runs_is_named(
     )
     shown = command("smoke", "a", "--engine", "none", "--distro", "noetic").stdout
     assert f"a/launch/one.launch (noetic; not simulated)\n  {expected}" in shown
+
+
+@pytest.mark.parametrize(
+    ("include", "more"),
+    [
+        (DRIVER, "; it needs files of package 'lift_driver', not here: clone it beside it, or --package-path FOLDER"),
+        ("", ""),
+    ],
+)
+def test_a_robot_without_controllers_names_the_packages_of_its_unknown_parts_once(
+    include: str, more: str, folder: Folder
+) -> None:
+    view = """<launch><node pkg="robot_state_publisher" exec="robot_state_publisher">
+        <param name="robot_description" value="$(command 'xacro $(find-pkg-share lift)/urdf/lift.urdf.xacro')"/>
+        </node></launch>"""
+    folder.write(
+        {
+            "lift/package.xml": PACKAGE.format("lift"),
+            "lift/urdf/lift.urdf.xacro": XACRO.format(include),
+            "lift/launch/view.launch.xml": view,
+        }
+    )
+    shown = command("smoke", "lift", "--distro", "jazzy", "--engine", "none").stdout
+    assert shown.count(f"  no controllers are declared for this robot{more}\n") == 1
+    assert "nothing was tested: no controllers found" in shown

@@ -44,9 +44,8 @@ def why_unknown(seen: LintedTarget) -> str:
     """Return why no engine can move a robot: the package, argument or file that is missing, and what adds it."""
     project = seen.project
     incomplete = project.robot is None or not project.complete
-    problems = [problem for problem in project.problems if problem.kind not in HARMLESS] if incomplete else []
-    packages = {problem.subject for problem in problems if problem.kind in _PACKAGES and problem.subject}
-    packages |= set(seen.result.missing_packages) if incomplete else set()
+    problems = _problems(project) if incomplete else []
+    packages = _packages_of_robot(seen) if incomplete else set()
     if packages:
         return NO_PACKAGES.format(*_with_what_adds(packages, seen.result.path)) + (
             OR_MOCK if is_only_the_driver_missing(project) else ""
@@ -65,15 +64,28 @@ def why_unknown(seen: LintedTarget) -> str:
 
 
 def needs_of(seen: LintedTarget) -> str:
-    """Return what a launch file needs that is not here or not given, and what adds it; empty if nothing is known."""
+    """Return what a launch file, or the robot, needs that is not here or not given, and what adds it; empty if nothing
+    is known."""
     joining, launch = seen.result.joining, seen.project.launch
     packages = {*packages_lacking(seen.project), *joining.described_in}
+    if seen.project.robot is not None and not seen.project.complete:
+        packages |= _packages_of_robot(seen)
     if packages:
         return NEEDS_PACKAGES.format(*_with_what_adds(packages, seen.result.path))
     if launch is None or not joining.unread:
         return ""
     given = launch.variables
     return _asking(NEEDS_VARIABLE, in_command(launch.path), variables=given) if given else NEEDS_ROBOT
+
+
+def _problems(project: Project) -> list[Problem]:
+    return [problem for problem in project.problems if problem.kind not in HARMLESS]
+
+
+def _packages_of_robot(seen: LintedTarget) -> set[str]:
+    """The packages of which parts of an incomplete robot are, and that are not here."""
+    named = {each.subject for each in _problems(seen.project) if each.kind in _PACKAGES and each.subject}
+    return {*named, *seen.result.missing_packages}
 
 
 def _with_what_adds(packages: Collection[str], path: str) -> tuple[str, str]:
