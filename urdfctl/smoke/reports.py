@@ -30,6 +30,8 @@ _UNDECLARED = "no controllers are declared for this robot"
 _NOTHING = "nothing was tested: no controllers found; name their file with --controllers"
 _NO_ROBOT = "nothing was tested: there is no robot in URDF or xacro here; models in SDF are not read"
 _UNUSED = "nothing was tested: no robot uses {}: urdfctl smoke {} --controllers {}"
+_ONLY_READING = "; none of them moves a joint: name the files of others with --controllers"
+_READING = ("started", "read")
 _PROPOSED = ", or see what 'urdfctl gen-all {}' proposes"
 
 
@@ -158,8 +160,16 @@ def summary(report: SmokeReport) -> str:
     total = sum(len(robot.controllers) for robot in report.robots)
     if not counts:
         return _what_next(report)
-    interrupted = "; interrupted before all were tested" if report.is_interrupted else ""
-    return f"{total} controller{'s' if total != 1 else ''}: {', '.join(counts)}{interrupted}"
+    rest = "; interrupted before all were tested" if report.is_interrupted else _only_reading(report)
+    return f"{total} controller{'s' if total != 1 else ''}: {', '.join(counts)}{rest}"
+
+
+def _only_reading(report: SmokeReport) -> str:
+    """That nothing moved although all controllers passed, as they only read states, and what makes others."""
+    tested = [(robot.linted.path, result.tested) for robot in report.robots for result in robot.controllers]
+    if any(each != _READING for _, each in tested) or is_launch(tested[0][0]):
+        return ""
+    return _ONLY_READING + _PROPOSED.format(in_command(tested[0][0]))
 
 
 def _what_next(report: SmokeReport) -> str:

@@ -68,6 +68,14 @@ def test_each_controller_has_a_line_with_its_verdict_and_why() -> None:
     ]
 
 
+def test_controllers_that_only_read_are_not_all_that_a_robot_needs() -> None:
+    states = PASSED._replace(name="states", tested=("started", "read"))
+    more = "name the files of others with --controllers, or see what 'urdfctl gen-all robot.urdf' proposes"
+    assert text(robot(states))[-1] == f"1 controller: 1 passed; none of them moves a joint: {more}"
+    assert text(robot(states), robot(PASSED))[-1] == "2 controllers: 2 passed"
+    assert text(robot(states, SKIPPED))[-1] == "2 controllers: 1 passed, 1 skipped"
+
+
 def test_the_summary_counts_one_controller_as_one() -> None:
     assert text(robot(PASSED))[-1] == "1 controller: 1 passed"
     assert text(robot(PASSED), robot(PASSED))[-1] == "2 controllers: 2 passed"
