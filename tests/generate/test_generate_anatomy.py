@@ -70,6 +70,28 @@ def test_a_pair_of_endless_joints_that_carry_arms_is_no_pair_of_wheels() -> None
     assert anatomy(*shoulders, turning("l_elbow", "l"), turning("r_elbow", "r")).base is None
 
 
+@pytest.mark.parametrize(
+    ("caster", "chains"),
+    [
+        (turning("caster"), []),
+        (turning("pan")._replace(link="rear_castor"), []),
+        (turning("pan"), [["pan"]]),
+        (turning("caster", "lift"), [["lift", "caster"]]),
+    ],
+)
+def test_a_caster_that_only_swivels_on_a_driven_base_is_left_free(caster: JointFacts, chains: list[list[str]]) -> None:
+    wheels = [endless(name)._replace(at=(0.0, y, 0.1)) for name, y in (("left", 0.2), ("right", -0.2))]
+    lift = [turning("lift")] if caster.above else []
+    parts = anatomy(*wheels, *lift, caster)
+    assert names_of(parts) == ([], chains)
+    assert parts.base is not None
+    assert parts.base.others == (() if chains else (caster,))
+
+
+def test_a_caster_on_a_robot_without_a_drive_is_a_joint_as_others_are() -> None:
+    assert names_of(anatomy(turning("caster"))) == ([], [["caster"]])
+
+
 def test_the_springs_on_fingers_that_follow_a_motor_are_one_hand_with_it() -> None:
     fingers = [
         part

@@ -115,6 +115,7 @@ def _base(tree: _JointTree, joints: Sequence[JointFacts], name: str) -> Base | N
     named = {name for role in roles for name in role}
     mine = tuple(joint for joint in tree.joints.values() if joint.name in named)
     around = [upper for wheel in wheels for upper in (wheel, *tree.over(wheel), *tree.under(wheel.name))]
+    around += [joint for joint in joints if _is_swivel(tree, joint)]
     others = tuple(dict.fromkeys(joint for joint in around if joint.name not in named))
     return Base(kind, roles, mine, others)
 
@@ -157,13 +158,23 @@ def _is_upright(joint: JointFacts) -> bool:
 
 def _is_caster(tree: _JointTree, wheel: JointFacts) -> bool:
     swivel = next((upper for upper in tree.over(wheel) if _is_upright(upper)), None)
-    if _CASTER.search(wheel.name) or _CASTER.search(wheel.link or ""):
+    if _is_named_caster(wheel):
         return True
     if swivel is None or swivel.type != "continuous" or not swivel.at or not wheel.at or not wheel.axis:
         return False
     gap = wheel.at[0] - swivel.at[0], wheel.at[1] - swivel.at[1]
     trail = abs(gap[0] * wheel.axis[1] - gap[1] * wheel.axis[0])
     return bool(_CASTER.search(swivel.name)) or trail > _TRAIL * (wheel.radius or 0.1)
+
+
+def _is_swivel(tree: _JointTree, joint: JointFacts) -> bool:
+    """Whether a joint on the base itself is by its name a caster whose wheel does not turn by itself."""
+    alone = not tree.over(joint) and not tree.below.get(joint.name)
+    return alone and not joint.slides and _is_named_caster(joint)
+
+
+def _is_named_caster(joint: JointFacts) -> bool:
+    return bool(_CASTER.search(f"{joint.name} {joint.link or ''}"))
 
 
 def _kind_of_base(
