@@ -118,3 +118,42 @@ def test_a_joint_beside_a_gripper_does_not_lengthen_the_arm() -> None:
     arm = (turning("shoulder"), turning("elbow", "shoulder"), turning("wrist", "elbow"))
     parts = anatomy(*arm, turning("finger", "wrist"), turning("tilt", "wrist"))
     assert names_of(parts) == ([["finger"]], [["shoulder", "elbow", "wrist"], ["tilt"]])
+
+
+ARM = (turning("shoulder"), turning("elbow", "shoulder"), turning("wrist", "elbow"))
+
+
+def finger(name: str, joints: int, above: str = "wrist") -> list[JointFacts]:
+    """Return the joints of a finger, one on the other."""
+    names = [f"{name}_{number + 1}" for number in range(joints)]
+    return [turning(one, on) for one, on in zip(names, [above, *names], strict=False)]
+
+
+@pytest.mark.parametrize(("left", "right", "thumb"), [(2, 2, 0), (2, 1, 0), (3, 3, 3), (2, 1, 1)])
+def test_fingers_of_several_joints_on_one_link_are_one_hand(left: int, right: int, thumb: int) -> None:
+    fingers = [*finger("l_finger", left), *finger("r_finger", right), *finger("thumb_finger", thumb)]
+    parts = anatomy(*ARM, *fingers)
+    assert names_of(parts) == ([[joint.name for joint in fingers]], [["shoulder", "elbow", "wrist"]])
+    assert not parts.tools[0].single
+
+
+def test_a_wrist_that_is_named_after_the_gripper_on_it_remains_in_the_arm() -> None:
+    fingers = [*finger("l_finger", 2, "gripper_roll"), *finger("r_finger", 2, "gripper_roll")]
+    parts = anatomy(*ARM, turning("gripper_roll", "wrist"), *fingers)
+    assert names_of(parts) == (
+        [["l_finger_1", "l_finger_2", "r_finger_1", "r_finger_2"]],
+        [["shoulder", "elbow", "wrist", "gripper_roll"]],
+    )
+
+
+def test_two_arms_with_a_gripper_each_are_no_fingers() -> None:
+    sides = [[turning(f"{side}_arm", "torso"), turning(f"{side}_gripper", f"{side}_arm")] for side in "lr"]
+    parts = anatomy(turning("torso"), *sides[0], *sides[1])
+    assert names_of(parts) == ([["l_gripper"], ["r_gripper"]], [["torso"], ["l_arm"], ["r_arm"]])
+
+
+def test_a_word_in_the_names_of_all_joints_makes_no_hand_of_two_arms() -> None:
+    arms = [*finger("claw_l", 2, "claw_torso"), *finger("claw_r", 2, "claw_torso")]
+    tools, chains = names_of(anatomy(turning("claw_torso"), *arms))
+    assert tools == [["claw_l_2"], ["claw_r_2"]]
+    assert chains == [["claw_torso"], ["claw_l_1"], ["claw_r_1"]]

@@ -54,6 +54,20 @@ def test_gripper_controllers_of_single_joints_on_one_link_are_a_hand_together(fo
     assert [one.get("parent_link") for one in root.findall("end_effector")] == ["hand"]
 
 
+def test_a_hand_with_a_finger_of_two_joints_is_one_group_and_the_end_effector_of_the_arm(folder: Folder) -> None:
+    tip = f"""<link name="tip">{INERTIAL}</link><joint name="left_finger_bend" type="revolute">
+      <parent link="left_finger"/><child link="tip"/><axis xyz="1 0 0"/>
+      <limit lower="0" upper="1" effort="9" velocity="1"/></joint>"""
+    text = arm().replace('<mimic joint="left_finger_joint"/>', "").replace("</robot>", f"{tip}</robot>")
+    folder.write({"six.urdf": text})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    root = semantic(folder)
+    groups = {one.get("name"): {part.get("name") for part in one} for one in root.findall("group[joint]")}
+    assert groups == {"gripper": {"left_finger_joint", "left_finger_bend", "right_finger_joint"}}
+    assert [one.get("parent_link") for one in root.findall("end_effector")] == ["hand"]
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
+
+
 def test_a_trajectory_controller_of_a_joint_that_fingers_follow_moves_a_tool_whatever_its_name(folder: Folder) -> None:
     folder.write({"six.urdf": arm().replace("finger", "part")})
     words = ["--controller=end_controller=trajectory:left_part_joint", "--controller"]

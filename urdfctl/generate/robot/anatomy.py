@@ -235,16 +235,41 @@ def _tools(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[Tool]:
         if led:
             taken.update(member.name for member in led)
             yield Tool(led, single=len(led) == 1)
+    for whole in _with_long_fingers(tree, [joint for joint in joints if joint.name not in taken]):
+        taken.update(member.name for member in whole)
+        yield Tool(whole, single=False)
     ends = [joint for joint in joints if joint.name not in taken and not tree.under(joint.name)]
     by_place: dict[str | None, list[JointFacts]] = {}
     for joint in ends:
         by_place.setdefault(joint.above, []).append(joint)
     for above, fingers in by_place.items():
-        named = [joint for joint in fingers if _FINGER.search(f"{joint.name} {joint.link or ''}")]
+        named = [joint for joint in fingers if _is_named_finger(joint)]
         pair = len(fingers) == 2 and all(joint.slides for joint in fingers) and above in names  # noqa: PLR2004
         members = fingers if pair else named
         if members:
             yield Tool(tuple(members), single=len(members) == 1)
+
+
+def _with_long_fingers(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:
+    """Hands of several fingers on one link, of which one has several joints: all are named after it.
+
+    Where each joint of a robot is named so, that is its name, and says nothing of a part.
+    """
+    named = [joint for joint in joints if _is_named_finger(joint)]
+    places = dict.fromkeys(joint.above for joint in named if joint.above and len(named) < len(joints))
+    free, taken = {joint.name for joint in joints}, set[str]()
+    for place in sorted(places, key=lambda above: len(tree.under(above)), reverse=True):
+        roots = [joint for joint in named if joint.above == place and joint.name not in taken]
+        carried = [[joint, *(one for one in tree.under(joint.name) if one.name in free)] for joint in roots]
+        fingers = [each for each in carried if all(map(_is_named_finger, each))]
+        if len(fingers) > 1 and any(len(each) > 1 for each in fingers):
+            hand = tuple(joint for each in fingers for joint in each)
+            taken.update(joint.name for joint in hand)
+            yield hand
+
+
+def _is_named_finger(joint: JointFacts) -> bool:
+    return bool(_FINGER.search(f"{joint.name} {joint.link or ''}"))
 
 
 def _hand_of(tree: _JointTree, joint: JointFacts) -> list[JointFacts]:
