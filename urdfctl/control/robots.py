@@ -39,8 +39,8 @@ def is_fragment(robot: Robot) -> bool:
 
 
 def hangs_on_others(robot: Robot) -> bool:
-    """Return whether a description has no root link of its own, and joints that lead to links of others."""
-    return bool(robot.links) and _is_rootless(robot) and _leads_outward(robot)
+    """Return whether a plain URDF has no root link of its own, and joints that lead to links of others."""
+    return bool(robot.links) and not is_xacro(robot) and _is_rootless(robot) and _leads_outward(robot)
 
 
 def _leads_outward(robot: Robot) -> bool:

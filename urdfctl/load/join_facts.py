@@ -23,8 +23,8 @@ class JoinFacts(NamedTuple):
     """Facts of a target by which it is joined with what is started beside it.
 
     joints: the names of the robot's joints.
-    hangs: whether each link of the description is the child of a joint, and some hang on links that it does not have:
-        it is a part, to be joined with the rest of a robot by other means than xacro.
+    hangs: whether each link of a plain URDF is the child of a joint, and some hang on links that it does not have: it
+        is a part, to be joined with the rest of a robot by other means than xacro.
     claimed: without a robot: the joints that its controllers command, each with the namespace of its manager.
     declared: the controllers that its parameter files declare, with their namespaces if known.
     manages: whether it starts a simulator, or a controller manager.
