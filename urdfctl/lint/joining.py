@@ -111,9 +111,9 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     lonely += [start.robots[0] for start in starts if len(start.robots) == 1 and start.first.joining.waits]
     if not lonely:
         return Joined()
-    whole = {id(result): start for _, result in lonely for start in starts[::-1] if _spawns_all(start, result)}
-    parts = [(result.path, whole[id(result)].first.launch) for _, result in lonely if id(result) in whole]
-    covered = {*whole}
+    wholes = {id(one): start.first.launch for _, one in lonely for start in starts[::-1] if _spawns_all(start, one)}
+    parts = tuple((one.path, launch) for _, one in lonely if (launch := wholes.get(id(one))))
+    covered = {*wholes}
     lonely = [pair for pair in lonely if id(pair[1]) not in covered]
     loading = [pair for pair in lonely if pair[1].joining.claimed]
     first = _joined_once(_joins(loading, starts, wanted, alone=alone), lint)
@@ -126,8 +126,7 @@ def joined(every: Iterable[Pair], wanted: Collection[int], lint: LintPairs, *, a
     results = (*kept, *second.results)
     within = {path for _, result in results if result.bringup for path in result.bringup.includes}
     covered |= {id(result) for result in inner if result.path in within}
-    named = tuple((path, launch) for path, launch in parts if launch)
-    return Joined(results, first.replaced | second.replaced | covered, named)
+    return Joined(results, first.replaced | second.replaced | covered, parts)
 
 
 def starts_in(pairs: Iterable[Pair]) -> list[Start]:
@@ -235,10 +234,9 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
         whole = [start for start in near if fits(lonely, start)]
         if whole:
             return _best(whole)
-    there = (
-        own if not lonely.joining.unread else (start for start in starts if _package(start.first) == _package(lonely))
-    )
-    paths = {frozenset(result.path for _, result in start.robots) for start in there}
+    others = starts if lonely.joining.unread else own
+    there = (start.robots for start in others if _package(start.first) == _package(lonely))
+    paths = {frozenset(result.path for _, result in robots) for robots in there}
     return _best([start for start in own if _may_be_meant(lonely, start)]) if len(paths) == 1 else []
 
 
