@@ -9,7 +9,7 @@ from urdfctl.model.launch import Launch, Spawn
 from urdfctl.names import fuller, is_only_slip, nearest
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words, replaced
-from urdfctl.rules.launch.common import ROS_2, is_spawner, managers, simulators_managers
+from urdfctl.rules.launch.common import ROS_2, is_spawner, managers
 from urdfctl.rules.launch_samples import (
     ARM,
     BROADCASTER,
@@ -91,7 +91,7 @@ def _is_all_known(project: Project, launch: Launch) -> bool:
     """Return whether all parameters of the running managers are known. In ROS 2, every manager and all its files must be."""
     if launch.ros != ROS_2:
         return True
-    running = (*managers(project, launch), *simulators_managers(project))
+    running = managers(project, launch)
     return bool(running) and all(manager.node is None or manager.node.complete for manager in running)
 
 
