@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.python_paths import with_default, without_classic_paths
 from urdfctl.migrate.classic.sdf import MODELS, model_folders
-from urdfctl.migrate.edits.markup import attribute, child, content, end_of, root_of, step_of
+from urdfctl.migrate.edits.markup import appended, attribute, child, content, end_of, root_of, step_of
 from urdfctl.migrate.edits.python_edits import PythonFile
 from urdfctl.migrate.edits.tokens import HOOKS, tokens_in
 from urdfctl.migrate.options import Part
@@ -137,7 +137,7 @@ def _added(root: Element, export: Element | None, lines: list[str]) -> Edit | No
     start = source.data.rfind(b"\n", 0, around.close) + 1
     if source.data[start : around.close].strip() or end_of(around) < around.close:
         return None
-    return Edit(SourceSpan(source, start, start), "".join(f"{step}{line}\n" for line in inner))
+    return appended(around, (f"{step}{line}" for line in inner))
 
 
 ENVIRONMENT = Step(

@@ -34,7 +34,7 @@ def own_models(packages: MigratedPackages) -> set[str]:
         folder, name = os.path.split(path)
         if name.endswith(("model.config", ".sdf", ".urdf")):
             names.add(os.path.basename(folder))
-        elif os.path.basename(folder) == "models":
+        elif os.path.basename(folder) == MODELS:
             names.add(name)
     return names - {""}
 
