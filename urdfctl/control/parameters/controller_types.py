@@ -74,7 +74,7 @@ def meant_by(project: Project, unknown: TypedController) -> str | None:
 def types_beside(project: Project, unknown: TypedController) -> list[str]:
     """Return the types called after the package of an unknown type, if it comes with ros_control or ros2_control.
 
-    Then all are known. None if the workspace may be built with another version of the package.
+    Then all are known. Empty if the workspace may be built with another version of the package.
     """
     package, catalog = unknown.type.partition("/")[0], project.catalog
     known = [each for distro in unknown.distros for each in catalog.types_of_ros_control(distro)]
