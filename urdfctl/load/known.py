@@ -6,12 +6,13 @@ import os
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from urdfctl.load.expansion.description import MakeExpander
+from urdfctl.load.expansion.description import ExpandedDescription, MakeExpander
 from urdfctl.load.expansion.expanding import expanded
 from urdfctl.load.meshes import mesh_finder
 from urdfctl.model.robot import Robot
 from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.source.disk.files import Files
+from urdfctl.source.problem import ProblemKind
 from urdfctl.source.same import is_same
 from urdfctl.source.span import Place
 from urdfctl.source.workspaces.packages import Packages
@@ -33,6 +34,7 @@ class Described(NamedTuple):
     files: with the sources of the description alone; others copy them before they read more.
     root: the root element; None if there is none.
     robot: the model of it.
+    hosting: the model of it without the mistakes of files that are not well-formed: it tells which files belong to it.
     influence: returns the YAML files and the arguments that the values at a place depend on.
     origin: returns where a value is written that a place takes over from a property or the call of a macro.
     """
@@ -42,6 +44,7 @@ class Described(NamedTuple):
     packages: Packages
     root: Element | None
     robot: Robot | None
+    hosting: Robot | None
     influence: Callable[[Place], Influence]
     origin: Callable[[Place], Place]
 
@@ -88,17 +91,42 @@ class KnownRobots:
 def _described(
     make: MakeExpander, path: str, arguments: Mapping[str, str], *, fragment: bool, alone: bool
 ) -> Described:
-    expander, expansion = expanded(make, path, arguments, fragment=fragment, alone=alone)
-    root = expansion.document.documentElement if expansion.document else None
-    find_mesh = mesh_finder(expander.packages, path)
-    robot = robot_of(root, find_mesh, whole=expansion.complete) if root is not None else None
+    first = expanded(make, path, arguments, fragment=fragment, alone=alone)
+    expander, expansion = first
+    robot = _robot(first, path)
     definitions = expander.definitions()
-    return Described(
+    described = Described(
         expansion=expansion,
         files=expander.files,
         packages=expander.packages,
-        root=root,
+        root=expansion.document.documentElement if expansion.document else None,
         robot=robot,
+        hosting=robot,
         influence=definitions.influence_on,
         origin=definitions.origin,
     )
+    if any(problem.kind is ProblemKind.XML_SYNTAX for problem in expansion.problems):
+        return _with_salvage(described, make, path, arguments, alone=alone)
+    return described
+
+
+def _robot(read: ExpandedDescription, path: str) -> Robot | None:
+    root = read.expansion.document.documentElement if read.expansion.document else None
+    find_mesh = mesh_finder(read.expander.packages, path)
+    return robot_of(root, find_mesh, whole=read.expansion.complete) if root is not None else None
+
+
+def _with_salvage(
+    described: Described, make: MakeExpander, path: str, arguments: Mapping[str, str], *, alone: bool
+) -> Described:
+    """The description, with the files and the other mistakes that are found behind a mistake in XML."""
+    from urdfctl.load.expansion.incomplete import expanded_with_salvage
+
+    behind = expanded_with_salvage(make, path, arguments, alone=alone)
+    if behind.expansion.document is None:
+        return described
+    problems = described.expansion.problems
+    places = {problem.at for problem in problems}
+    found = [each for each in behind.expansion.problems if each.kind is ProblemKind.XML_SYNTAX]
+    expansion = described.expansion._replace(problems=problems + [each for each in found if each.at not in places])
+    return described._replace(expansion=expansion, files=behind.expander.files, hosting=_robot(behind, path))

@@ -289,9 +289,9 @@ class Loader:
     ) -> Project:
         expansion = described.expansion
         launch = launch_file.launch if launch_file else None
-        robot = with_spawned(described.robot, launch, files)
+        robot, hosting = with_spawned(described.robot, launch, files), with_spawned(described.hosting, launch, files)
         settings = self._settings_of_package(path)
-        hosting = robot if settings.simulator != "none" else None  # no simulator loads the plugins of the robot
+        hosting = hosting if settings.simulator != "none" else None  # no simulator loads the plugins of the robot
         controller_files = _controller_files(controllers, hosting, launch, files)
         sources = tuple(_sources(files, launch_file).values())
         moveit = self._moveit(path, launch, controller_files, files)

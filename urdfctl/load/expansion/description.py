@@ -53,7 +53,7 @@ def expansion_of(expander: Expander, path: str, arguments: Mapping[str, str]) ->
 def _read(source: SourceText, expander: Expander) -> tuple[Document | None, list[Problem]]:
     """Read a plain URDF, with the one XML error that its readers accept: a late declaration."""
     try:
-        return parse(source, expander.cloning, declarations=expander.trust), []
+        return expander.parsed(source), expander.found.all
     except ReadError as error:
         problem = error.problem
     from urdfctl.source.xml.mistakes import LATE_DECLARATION

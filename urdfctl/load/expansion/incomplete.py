@@ -56,6 +56,24 @@ def expanded_with_unknown(
     return read
 
 
+def expanded_with_salvage(
+    make: MakeExpander, path: str, arguments: Mapping[str, str], *, alone: bool
+) -> ExpandedDescription:
+    """Return the expansion in which files that are not well-formed are read without their mistakes.
+
+    It tells which files belong to the robot. What it says of the robot itself may be wrong.
+    """
+
+    def make_lenient(kind: type[Expander]) -> Expander:
+        expander = make(kind)
+        expander.salvages = True
+        return expander
+
+    kind = UnknownExpander if any(UNKNOWN in value for value in arguments.values()) else Expander
+    first = expanded_by(make_lenient(kind), path, arguments)
+    return completed(make_lenient, path, arguments, alone=alone, first=first)
+
+
 def expanded_with_distinct_names(
     make: MakeExpander, path: str, arguments: Mapping[str, str], *, first: ExpandedDescription
 ) -> ExpandedDescription:

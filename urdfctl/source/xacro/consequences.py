@@ -73,6 +73,12 @@ class Problems:
         if first and self.may_lack_names and len(self.all) > before:
             self._cause = before
 
+    def add_gap(self, problem: Problem) -> None:
+        """Add the problem because of which parts of a file are left out, which may define names."""
+        if not self.may_lack_names:
+            self.may_lack_names, self._cause = True, len(self.all)
+        self.add(problem)
+
     def _count(self, problem: Problem) -> None:
         if self._cause is not None and self._is_new(problem):
             cause = self.all[self._cause]

@@ -17,7 +17,7 @@ from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, OverB
 from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.disk.gate import is_folder
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Call, Place, SourceText
 from urdfctl.source.workspaces.packages import Packages
 from urdfctl.source.xacro.blame import Blame, blame_of, cut_out, node_being_evaluated
@@ -79,6 +79,8 @@ class Expander:
         """The arguments that are empty by default and not given, and because of which something failed."""
         self.unprefixed = False
         """Whether tags without the prefix are read as if they had it, as they were until melodic."""
+        self.salvages = False
+        """Whether a file that is not well-formed is read without its mistakes."""
         self.any_argument = False
         """Whether an argument that is neither given nor declared is unknown, and not a problem."""
         self._given: Mapping[str, str] = {}
@@ -112,10 +114,26 @@ class Expander:
         return Expansion(document, self.found.all)
 
     def _tree(self, path: str, include: Call | None = None) -> Document:
-        document = parse(self.files.read(path), self.cloning, include, declarations=self.trust)
+        document = self.parsed(self.files.read(path), include)
         if self.unprefixed and document.documentElement is not None:
             add_prefixes(document.documentElement)
         return document
+
+    def parsed(self, source: SourceText, include: Call | None = None) -> Document:
+        """Return the tree of a file. Raises ReadError."""
+        try:
+            return parse(source, self.cloning, include, declarations=self.trust)
+        except ReadError as error:
+            document = self._salvaged(source, include) if self.salvages else None
+            if document is None:
+                raise
+            self.found.add_gap(error.problem)
+            return document
+
+    def _salvaged(self, source: SourceText, include: Call | None) -> Document | None:
+        from urdfctl.source.xml.salvage import salvaged
+
+        return salvaged(source, self.cloning, include)
 
     def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
         return dict(given)

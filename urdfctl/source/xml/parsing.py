@@ -46,11 +46,11 @@ def parse(
     if source.data.startswith(_BOMS_OF_UTF_16):
         message, hint = "the file is UTF-16; xacro and urdfdom read UTF-8", "save it as UTF-8"
         raise ReadError(Problem(ProblemKind.XML_SYNTAX, Place(source, 0, end=0), message, hint=hint))
-    builder = _TreeBuilder(source, cloning or Cloning(), call, declarations=declarations)
+    builder = TreeBuilder(source, cloning or Cloning(), call, declarations=declarations)
     late = re.match(_BLANKS_AND_DECLARATION, source.data) if late_declaration else None
     data = b" " * late.end() + source.data[late.end() :] if late else source.data
     try:
-        builder.parser.Parse(data, True)  # noqa: FBT003 (expat's call)
+        builder.read(data)
     except ExpatError as error:
         from urdfctl.source.conflicts import merge_conflict
         from urdfctl.source.xml.mistakes import syntax_problem
@@ -66,8 +66,11 @@ def parse(
     return builder.document
 
 
-class _TreeBuilder:
-    """Builds the tree from expat's events."""
+class TreeBuilder:
+    """Builds the tree of one file from expat's events.
+
+    document: what was read. current: the element that is still open after an error.
+    """
 
     def __init__(self, source: SourceText, cloning: Cloning, call: Call | None, *, declarations: bool) -> None:
         self.document = Document()
@@ -81,6 +84,10 @@ class _TreeBuilder:
         self._depth = 0
         self._qualified: dict[str, str] = {}
         self.parser = self._connect()
+
+    def read(self, data: bytes) -> None:
+        """Read the bytes of the file. Raises ExpatError, and ReadError for what `parse` refuses."""
+        self.parser.Parse(data, True)  # noqa: FBT003 (expat's call)
 
     def _connect(self) -> XMLParserType:
         # like xacro and urdfdom's tinyxml2, read the file as UTF-8 whatever encoding it declares
