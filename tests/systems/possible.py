@@ -307,10 +307,14 @@ def condition(system: System, idioms: Idioms, position: str) -> bool:
 
 
 def reduced(system: System, idioms: Idioms, _position: str) -> bool:
-    """Another file around the only start of one robot gives another value to the argument of its condition."""
+    """Another file around the only start of one robot gives another value to the argument of its condition.
+
+    It does not start the hardware in the place of the simulator: no clock runs there for what the parameters want.
+    """
     one = around(system, idioms, "") and idioms["around"] == "nothing" and not system.is_fleet
     needs_nothing = idioms["told"] == "nowhere" and idioms["address"] == "none"
-    return one and needs_nothing and idioms["depth"] == "flat" and idioms["condition"] != "none"
+    needs_no_clock = idioms["hardware"] == "fixed"
+    return one and needs_nothing and needs_no_clock and idioms["depth"] == "flat" and idioms["condition"] != "none"
 
 
 def manager_description(system: System, idioms: Idioms, position: str) -> bool:
