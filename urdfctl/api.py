@@ -144,13 +144,20 @@ def explain(*what: str, **options: Any) -> str:
 
 @contextmanager
 def _options(command: str, options: Mapping[str, Any], **own: Any) -> Iterator[Any]:
-    """Give the options of a command, within what it may read. Lists may be given as any sequence."""
+    """Give the options of a command, within what it may read. Lists may be lists, and paths any paths."""
     kind: type[Options] = command_named(command).options
-    given = kind(**own, **{name: tuple(value) if isinstance(value, list) else value for name, value in options.items()})
+    given = kind(**own, **{name: _plain(value) for name, value in options.items()})
     with _ONE_AT_A_TIME:
         forget_files()
         with within_reach(given):
             yield given
+
+
+def _plain(value: object) -> object:
+    """The value of an option as the command line has it."""
+    if type(value) in (list, tuple):
+        return tuple(map(_plain, value))  # type: ignore[call-overload]
+    return os.fspath(value) if isinstance(value, os.PathLike) else value
 
 
 def _words(paths: tuple[Path, ...], args: Mapping[str, str] | None) -> tuple[str, ...]:

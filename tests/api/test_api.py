@@ -35,6 +35,12 @@ def test_the_findings_are_those_of_the_command_each_once(sample: str, folder: Fo
     assert len(set(found)) == len(found)
 
 
+def test_options_take_paths_as_arguments_do(folder: Folder) -> None:
+    folder.write({"arm.xacro": ARM})
+    by_text = api.lint("arm.xacro", workspace=".", package_path=["."]).findings
+    assert api.lint(Path("arm.xacro"), workspace=Path(), package_path=[Path()]).findings == by_text
+
+
 def test_nothing_is_printed_written_or_left_changed(folder: Folder, capfd: pytest.CaptureFixture[str]) -> None:
     folder.write({"arm.xacro": ARM})
     here, before = os.getcwd(), sorted(os.listdir())
