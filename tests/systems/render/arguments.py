@@ -47,6 +47,12 @@ class Values:
         return self.given("namespace", name, (self.robot.namespace,), ("",))
 
     @property
+    def model(self) -> Value:
+        """The name of the robot in the simulator, which refuses another one of that name."""
+        is_shared = self.idioms["fleet"] == "shared" and self.robot.namespace
+        return self.namespace if is_shared else (self.robot.name,)
+
+    @property
     def controller(self) -> Value:
         """The name of the main controller that is spawned."""
         name = pick(self.system, "controller", ("robot_controller", "controller", "initial_joint_controller"))

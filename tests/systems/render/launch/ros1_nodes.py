@@ -65,7 +65,7 @@ def _description(values: Values) -> list[Action]:
         where: tuple[Value, ...] = (("-param",), ("robot_description",))
         if values.idioms["model"] == "file":
             where = (("-file",), values.description.path)
-        arguments: tuple[Value, ...] = (("-urdf",), *where, ("-model",), (values.robot.name,))
+        arguments: tuple[Value, ...] = (("-urdf",), *where, ("-model",), values.model)
         found.append(Node("gazebo_ros", "spawn_model", _name(values, "spawn_model"), namespace, (), arguments))
     return found
 

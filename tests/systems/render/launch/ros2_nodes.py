@@ -103,8 +103,8 @@ def _spawned_model(values: Values, namespace: Value) -> Node:
     """What puts the robot into the simulator."""
     system = values.system
     classic = system.simulator == CLASSIC
-    words = ("-topic", "robot_description", "-entity" if classic else "-name", values.robot.name)
-    arguments: tuple[Value, ...] = tuple((word,) for word in words)
+    words = ("-topic", "robot_description", "-entity" if classic else "-name")
+    arguments: tuple[Value, ...] = (*((word,) for word in words), values.model)
     if values.idioms["model"] == "text":
         arguments = (("-string",), (values.description,), *arguments[2:])
     package, program = ("gazebo_ros", "spawn_entity.py") if classic else ("ros_gz_sim", "create")
