@@ -8,6 +8,7 @@ from urdfctl.migrate.ros1.classic_plugins import PLUGINS
 from urdfctl.migrate.ros1.controller_names import CONTROLLER_NAMES
 from urdfctl.migrate.ros1.controllers_yaml import CONTROLLERS
 from urdfctl.migrate.ros1.file_arguments import FILE_ARGUMENTS
+from urdfctl.migrate.ros1.inline_controllers import INLINE_CONTROLLERS
 from urdfctl.migrate.ros1.joint_gains import JOINT_GAINS
 from urdfctl.migrate.ros1.launch_files import LAUNCH_FILES
 from urdfctl.migrate.ros1.manifest import MANIFEST
@@ -28,6 +29,7 @@ ROBOT_STEPS: tuple[Step, ...] = (
     MIMIC_PLUGINS,
     TRANSMISSIONS,
     NESTED,
+    INLINE_CONTROLLERS,
     SIMULATOR_PLUGIN,
     SPAWNED_NAMESPACE,
     PLUGINS,
