@@ -21,6 +21,7 @@ from urdfctl.migrate.shared.manager import BROADCASTER, RATE, manager_text
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.source.span import Place, SourceSpan, SourceText
+from urdfctl.source.xml.dom import Element
 from urdfctl.source.yaml.tree import Mapping, Node
 
 _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
@@ -194,10 +195,11 @@ def _end_of_lines(data: bytes, item: MapItem) -> int:
 def _namespace_of(packages: MigratedPackages, path: str) -> str:
     """The namespace that launch files load a file into; empty if none does.
 
-    It is any namespace if an argument names it, or if there are several.
+    It is any namespace if there are several, or if an argument names it: unless one chooses the file, too, so that each
+    namespace has its own.
     """
     loads = list(loads_of(packages, path))
-    if any(_is_argument(load.at) for load in loads):
+    if any(_is_argument(load.at) and not _is_file_of_argument(load.at) for load in loads):
         return _ANY
     spaces = {load.namespace or "" for load in loads}
     return _ANY if len(spaces) > 1 else next(iter(spaces), "")
@@ -205,9 +207,18 @@ def _namespace_of(packages: MigratedPackages, path: str) -> str:
 
 def _is_argument(at: Place) -> bool:
     """Whether the namespace of a <rosparam> is an argument, by its attribute or by those of groups around it."""
+    return any("$(" in attribute(element, "ns") for element in _around(at))
+
+
+def _is_file_of_argument(at: Place) -> bool:
+    """Whether an argument chooses the file of a <rosparam>."""
+    return any("$(arg" in attribute(element, "file") for element in _around(at) if element.tagName == "rosparam")
+
+
+def _around(at: Place) -> list[Element]:
+    """The elements around a place, with the one that it is in."""
     root = root_of(at.source)
-    around = [one for one in elements(root) if one.start <= at.start < end_of(one)] if root is not None else []
-    return any("$(" in attribute(element, "ns") for element in around)
+    return [one for one in elements(root) if one.start <= at.start < end_of(one)] if root is not None else []
 
 
 CONTROLLERS = Step(
