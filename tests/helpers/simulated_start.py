@@ -36,6 +36,16 @@ def faults(started: Started) -> list[str]:
     return [*_of_gz(started), *_of_files(started), *_of_controllers(started), *_of_nodes(started)]
 
 
+def spawned(started: Started) -> set[str]:
+    """Return the full names of the controllers that are spawned."""
+    found: set[str] = set()
+    for one in _nodes(started, "spawner"):
+        names, options = _spawned(one["words"])
+        manager = resolved(options.get("-c", ["controller_manager"])[-1], one["namespace"])
+        found |= {resolved(name, manager.rpartition("/")[0]) for name in names}
+    return found
+
+
 def _nodes(started: Started, program: str) -> list[Mapping[str, Any]]:
     return [one for one in started if one["kind"] == "node" and one["executable"] == program]
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import pathlib
 import sys
 import types
 
@@ -19,12 +20,20 @@ def share_of(name):
     return PACKAGES.get(name, f"/stand_in/{name}")
 
 
+def path_of(name):
+    """The same as a path."""
+    return pathlib.Path(share_of(name))
+
+
 class FindPackageShare(core.Substitution):
     def __init__(self, package):
         self.package = core.parts(package)
 
     def perform(self, context):
         return share_of(core.text_of(context, self.package))
+
+    def find(self, name):
+        return share_of(name)
 
 
 class FindPackagePrefix(FindPackageShare):
@@ -51,7 +60,7 @@ def install():
     for name in ("actions", "descriptions", "parameter_descriptions", "substitutions"):
         module(f"launch_ros.{name}", acting, **ros, PushROSNamespace=acting.PushRosNamespace)
     for name in ("ament_index_python", "ament_index_python.packages"):
-        module(name, get_package_share_directory=share_of, get_package_prefix=share_of)
+        module(name, get_package_share_directory=share_of, get_package_prefix=share_of, get_package_share_path=path_of)
 
 
 def main(packages, path, *given):
