@@ -88,6 +88,26 @@ def test_the_driver_expands_a_description_with_the_arguments_of_its_parameter(fo
     assert [code for code, _ in findings(folder) if code != "UC614"] == []
 
 
+SUPERVISED = """from launch import LaunchDescription
+from launch_ros.actions import Node
+from webots_ros2_driver.webots_launcher import WebotsLauncher
+
+def generate_launch_description():
+    webots = WebotsLauncher(world="pond.wbt", ros2_supervisor=True)
+    publisher = Node(package="robot_state_publisher", executable="robot_state_publisher",
+                     parameters=[{"robot_description": "<robot/>", "use_sim_time": True}])
+    manager = Node(package="controller_manager", executable="ros2_control_node")
+    return LaunchDescription([webots, webots._supervisor, publisher, manager])
+"""
+
+
+def test_the_supervisor_of_webots_publishes_the_time(folder: Folder) -> None:
+    folder.write({"package.xml": MANIFEST, "launch/pond.launch.py": SUPERVISED})
+    assert "UC641" not in [code for code, _ in findings(folder)]
+    folder.write({"launch/pond.launch.py": SUPERVISED.replace("webots, webots._supervisor, ", "")})
+    assert "UC641" in [code for code, _ in findings(folder)]
+
+
 def test_a_description_of_devices_alone_is_sound(folder: Folder) -> None:
     package(folder)
     assert [code for code, _ in findings(folder) if code != "UC614"] == []  # of the packages that are used

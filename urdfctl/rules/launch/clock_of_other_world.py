@@ -6,9 +6,11 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.launch.common import ROS_2, launch_of, state_publishers
+from urdfctl.rules.launch.common import ROS_2, launch_of, may_publish_time, state_publishers
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
 
+_RVIZ = '<node pkg="rviz2" exec="rviz2" args="-d display.rviz"/>'
+_WEBOTS = '<node pkg="webots_ros2_driver" exec="ros2_supervisor.py"/>'
 _WITH_CLOCK = PUBLISHER.replace("</node>", '  <param name="%s" value="true"/>\n      </node>')
 
 
@@ -19,8 +21,8 @@ _WITH_CLOCK = PUBLISHER.replace("</node>", '  <param name="%s" value="true"/>\n 
     distros=ROS2,
     authority="rclcpp time_source.cpp: with use_sim_time a node takes its time from /clock, and stays at 0 without it; "
     "robot_state_publisher.cpp callbackJointState(): 'Moved backwards in time, re-publishing joint transforms!'",
-    bad=[launched(_WITH_CLOCK % "«use_sim_time»", MANAGER, BROADCASTER, ARM)],
-    good=[SOUND],
+    bad=[launched(_WITH_CLOCK % "«use_sim_time»", MANAGER, BROADCASTER, ARM, _RVIZ)],
+    good=[SOUND, launched(_WITH_CLOCK % "use_sim_time", MANAGER, BROADCASTER, ARM, _WEBOTS)],
 )
 def clock_of_other_world(project: Project) -> Iterator[Finding]:
     """use_sim_time of robot_state_publisher does not fit the simulator.
@@ -32,6 +34,7 @@ def clock_of_other_world(project: Project) -> Iterator[Finding]:
     launch = launch_of(project, ROS_2)
     if launch is None:
         return
+    has_no_clock = launch.runs_without_simulator and not any(map(may_publish_time, launch.nodes))
     simulation = next((simulation for simulation in launch.simulations if simulation.sure), None)
     for node in state_publishers(launch):
         value = dict(node.values).get("use_sim_time", "").lower()
@@ -39,7 +42,7 @@ def clock_of_other_world(project: Project) -> Iterator[Finding]:
         if simulation and value == "false" and node.sure:
             message = f"'{node.executable.text}' has use_sim_time false, but a simulator runs; set it to true"
             yield Finding(at, message, (Note("the simulator is started here", simulation.at),))
-        elif value == "true" and node.sure and launch.runs_without_simulator:
+        elif value == "true" and node.sure and has_no_clock:
             message = (
                 f"'{node.executable.text}' has use_sim_time true, but no simulator publishes the time; set it to false"
             )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.control.hardware.simulator_plugins import control_plugins, namespace_of
@@ -14,6 +15,8 @@ from urdfctl.startup.records import NamedTuple
 
 ROS_2 = 2
 _OF_WEBOTS = "webots_ros2_control::Ros2Control"
+_CLOCKS = re.compile(r"clock|sim|gazebo|gz|mujoco|webots|isaac|unity|bag|(?<!dis)play")
+"""In the name of a program that may publish the time."""
 
 
 class Running(NamedTuple):
@@ -107,6 +110,12 @@ def full_name(name: str, spawn: Spawn) -> str:
 def state_publishers(launch: Launch) -> list[Node]:
     """Return the nodes that publish the robot's transforms and description."""
     return [node for node in launch.nodes if state_publisher(node)]
+
+
+def may_publish_time(node: Node) -> bool:
+    """Return whether the names of a node, or a file that it gets, are like those of a program that publishes /clock."""
+    words = (node.package, node.executable, *node.words)
+    return any(_CLOCKS.search(word.text.rpartition("/")[2]) for word in words)
 
 
 def publishers_of_states(launch: Launch) -> list[Node]:

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.hardware.simulator_plugins import components, simulator_of
-from urdfctl.model.launch import Launch, Node
+from urdfctl.model.launch import Launch
 from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
-from urdfctl.rules.launch.common import ROS_2, launch_of, manager_nodes
+from urdfctl.rules.launch.common import ROS_2, launch_of, manager_nodes, may_publish_time
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
 from urdfctl.source.span import Place
 
-_CLOCKS = re.compile(r"clock|sim|gazebo|gz|mujoco|webots|isaac|unity|bag|play")
-"""In the name of a program that may publish the time."""
 _TIMED = CONTROLLERS.replace("update_rate: 100", "update_rate: 100\n        use_sim_time: %s")
+_RVIZ = '<node pkg="rviz2" exec="rviz2" args="-d display.rviz"/>'
 _GIVEN = MANAGER.replace("</node>", '  <param name="use_sim_time" value="«true»"/>\n      </node>')
 
 
@@ -31,7 +29,7 @@ _GIVEN = MANAGER.replace("</node>", '  <param name="use_sim_time" value="«true�
     options=["--distro=jazzy"],
     bad=[
         launched(PUBLISHER, MANAGER, BROADCASTER, ARM, controllers=_TIMED % "«true»"),
-        launched(PUBLISHER, _GIVEN, BROADCASTER, ARM),
+        launched(PUBLISHER, _GIVEN, BROADCASTER, ARM, _RVIZ),
     ],
     good=[SOUND],
 )
@@ -43,7 +41,7 @@ def manager_without_clock(project: Project) -> Iterator[Finding]:
     of the launch file may drive this is only a warning.
     """
     launch = launch_of(project, ROS_2)
-    if launch is None or not launch.runs_without_simulator or any(map(_may_publish, launch.nodes)):
+    if launch is None or not launch.runs_without_simulator or any(map(may_publish_time, launch.nodes)):
         return
     kinds = {simulator_of(project, control) for control in components(project)}
     if not kinds or kinds - {None, "mock"}:
@@ -51,12 +49,6 @@ def manager_without_clock(project: Project) -> Iterator[Finding]:
     for at in _places(project, launch):
         message = "the controller manager has use_sim_time true, but nothing publishes /clock; set it to false"
         yield Finding(at, message, severity=None if kinds == {"mock"} else Severity.WARNING)
-
-
-def _may_publish(node: Node) -> bool:
-    """Whether its names, or a file that it gets, are like those of a program that publishes the time."""
-    words = (node.package, node.executable, *node.words)
-    return any(_CLOCKS.search(word.text.rpartition("/")[2]) for word in words)
 
 
 def _places(project: Project, launch: Launch) -> Iterator[Place]:

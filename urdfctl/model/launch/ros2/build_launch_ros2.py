@@ -27,11 +27,11 @@ from urdfctl.model.launch.ros2.simulators import (
     commanded_simulation,
     included_nodes,
     included_simulation,
-    is_supervisor,
     node_of_component,
     node_simulation,
     package_outside,
     simulator_of,
+    supervisor_of,
 )
 from urdfctl.model.launch.ros2.sources import Ros2Sources
 from urdfctl.model.launch.ros2.texts import ActionScope, Texts, table_of
@@ -136,7 +136,9 @@ class _Walk:
             self._apart(term.options, scope, state)
         elif isinstance(term, Called):
             self._called(term, scope, state)
-        elif not (term is None or isinstance(term, Constant) or is_supervisor(term)):
+        elif supervisor := supervisor_of(term):
+            self._called(supervisor, scope, state)
+        elif not (term is None or isinstance(term, Constant)):
             self.complete = False
 
     def _apart(self, terms: Sequence[Term], scope: ActionScope, state: State) -> None:

@@ -18,6 +18,7 @@ COMPONENTS = {
     "GzServer": ("ros_gz_sim", "gzserver"),
     "RosGzBridge": ("ros_gz_bridge", "bridge_node"),
     "WebotsController": (WEBOTS_DRIVER, "driver"),
+    "Ros2SupervisorLauncher": (WEBOTS_DRIVER, "ros2_supervisor.py"),
 }
 """Actions of ros_gz and Webots that start a node, with its package and program."""
 _AS_A_NODE = ("namespace", "parameters", "remappings")
@@ -118,9 +119,14 @@ def _gz(arguments: str, at: Place, *, sure: bool, is_open: bool = False) -> Simu
     return Simulation("gz", at, paused, sure)
 
 
-def is_supervisor(term: Term) -> bool:
-    """Return whether a term is what a WebotsLauncher starts beside Webots to spawn models (webots_launcher.py)."""
-    return isinstance(term, Member) and isinstance(term.of, Called) and term.of.short == "WebotsLauncher"
+def supervisor_of(term: Term | None) -> Called | None:
+    """Return the action with which a WebotsLauncher starts what spawns models and publishes /clock; None for others.
+
+    webots_launcher.py WebotsLauncher: `_supervisor` is a Ros2SupervisorLauncher; ros2_supervisor.py publishes Clock.
+    """
+    if isinstance(term, Member) and isinstance(term.of, Called) and term.of.short == "WebotsLauncher":
+        return Called("Ros2SupervisorLauncher", term.at, (), {})
+    return None
 
 
 def node_of_component(term: Called) -> Called:
