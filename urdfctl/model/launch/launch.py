@@ -65,7 +65,8 @@ class Launch(NamedTuple):
     misnamed: ROS 1: the names of parameters that have a robot description, and are robot_description with a slip.
     skipped: the texts of the parts that run only with other launch arguments.
     waiting: ROS 2: what waits for an event that never comes.
-    slips: ROS 2: arguments for included files that these do not declare, each with the one that was probably meant.
+    slips: arguments for included files that these need not declare, each with the one that was probably meant. In ROS 1
+      only with `pass_all_args`.
     variables: the environment variables that it requires, and that are not given.
     """
 

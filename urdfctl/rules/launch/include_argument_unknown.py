@@ -27,6 +27,12 @@ def _files(name: str) -> dict[str, str]:
     }
 
 
+def _passing_all(name: str) -> dict[str, str]:
+    files = _files(name)
+    passing = files["arm.launch"].replace("<include", '<include pass_all_args="true"')
+    return {**files, "arm.launch": passing, "inner.xml": _INNER.replace("gui", "height")}
+
+
 _MANIFEST = "<package><name>arm</name><run_depend>gazebo_ros</run_depend></package>"
 _WORLD = """
     <launch><include file="$(find gazebo_ros)/launch/empty_world.launch"><arg name="{}" value="false"/></include></launch>
@@ -46,10 +52,12 @@ def _included(name: str) -> dict[str, str]:
     "UC618",
     severity=Severity.ERROR,
     runtime="refuses",
-    authority="roslaunch loader.py post_process_include_args(): 'unused args [gui] for include of [/arm/inner.launch]'; launch "
+    authority="roslaunch loader.py post_process_include_args(): 'unused args [gui] for include of [/arm/inner.launch]', not "
+    "with pass_all_args (ros_comm #1520, melodic); launch "
     "include_launch_description.py sets every argument, also one that nothing declares; ros_gz_sim gz_sim.launch.py",
     bad=[
         _files("«gvi»"),
+        _passing_all("«heigth»"),
         _included("«heigth»"),
         launched(PUBLISHER, _GZ.format("«gz_arg»")),
         launched(PUBLISHER, _GZ.format("«ign_arg»")),
@@ -57,6 +65,7 @@ def _included(name: str) -> dict[str, str]:
     good=[
         _files("gui"),
         {**_files("gui"), "arm.launch": _WORLD.format("gui"), "package.xml": _MANIFEST},
+        _passing_all("color"),
         _included("height"),
         _included("color"),
     ],
@@ -64,9 +73,9 @@ def _included(name: str) -> dict[str, str]:
 def include_argument_unknown(project: Project) -> Iterator[Finding]:
     """Unknown argument for an included launch file.
 
-    roslaunch in ROS 1 then rejects the whole launch file. ROS 2 accepts such arguments without a word: only one with nearly
-    the name of an argument that the file declares, and that is not given, is told. What was meant keeps its default. A
-    simulator without its arguments has no world, or stands still.
+    roslaunch in ROS 1 then rejects the whole launch file. With `pass_all_args="true"`, and in ROS 2, such arguments are
+    accepted without a word: only one with nearly the name of an argument that the file declares, and that is not given,
+    is told. What was meant keeps its default. A simulator without its arguments has no world, or stands still.
     """
     launch = project.launch
     for word in launch.strays if launch else ():

@@ -27,6 +27,7 @@ from urdfctl.model.launch.ros1.elements import (
     held_of,
     is_of_ros2,
     makes_urdf,
+    not_declared,
     strays_of_world,
     undeclared_in,
     world_of,
@@ -79,6 +80,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         references=tuple(builder.references),
         packages=tuple(builder.packages),
         strays=tuple(builder.strays),
+        slips=tuple(dict.fromkeys(builder.slips)),
         undeclared=tuple(dict.fromkeys(builder.undeclared)),
         arguments=tuple(builder.arguments.items()),
         inline=tuple(builder.inline),
@@ -116,6 +118,7 @@ class _LaunchBuilder:
         self.references: list[LaunchedFile] = []
         self.packages: list[Word] = []
         self.strays: list[Word] = []
+        self.slips: list[tuple[Word, str]] = []
         self.undeclared: list[Word] = []
         self.moveit: list[MoveItFiles] = []
         self.arguments: dict[str, str | None] = {}
@@ -216,7 +219,8 @@ class _LaunchBuilder:
             self.strays += strays_of_world(element) if scope.sure else ()
             return
         self._includes += 1
-        arguments = dict(scope.arguments) if element.attrs.get("pass_all_args", "").lower() in ("true", "1") else {}
+        passes_all = element.attrs.get("pass_all_args", "").lower() in ("true", "1")
+        arguments = dict(scope.arguments) if passes_all else {}
         for child in element.elements():
             if child.tagName == "arg" and held_of(child, texts) is not False:
                 text = child.attrs.get("value", child.attrs.get("default"))
@@ -232,9 +236,10 @@ class _LaunchBuilder:
                 self.unread.append(Word(written, element.at["file"]))
             return
         declared = declared_in(document.documentElement)
-        for child in element.elements():
-            if child.tagName == "arg" and child.attrs.get("name") not in declared and scope.held:
-                self.strays.append(Word(child.attrs.get("name", ""), child.at["name"]))
+        if scope.held:
+            strays, slips = not_declared(element, declared, passes_all=passes_all)
+            self.strays += strays
+            self.slips += slips
         inner = Scope(
             path,
             scope.namespace,

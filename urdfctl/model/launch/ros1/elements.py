@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 
 from urdfctl.model.launch.parts import Simulation, Word
 from urdfctl.model.launch.scope import Substitutions
+from urdfctl.names import nearest
 from urdfctl.source.xml.dom import Element
 
 _ONLY_IN_ROS_2 = frozenset("let executable timer node_container load_composable_node push_ros_namespace".split())
@@ -67,6 +68,22 @@ def makes_urdf(element: Element) -> bool:
     """Return whether the value of a parameter comes from xacro or a URDF file."""
     command = element.attrs.get("command", "")
     return "xacro" in command or element.attrs.get("textfile", "").endswith(".urdf")
+
+
+def not_declared(
+    element: Element, declared: Collection[str], *, passes_all: bool
+) -> tuple[list[Word], list[tuple[Word, str]]]:
+    """Return the arguments for an included file that it does not declare, and those with the one that is meant.
+
+    passes_all: whether the including file passes all that it has: then roslaunch accepts what is not declared.
+    """
+    arguments = (child for child in element.elements() if child.tagName == "arg" and "name" in child.attrs)
+    given = {child.attrs["name"]: Word(child.attrs["name"], child.at["name"]) for child in arguments}
+    strays = [word for name, word in given.items() if name not in declared]
+    if not passes_all:
+        return strays, []
+    left = set(declared).difference(given)
+    return [], [(word, meant) for word in strays if (meant := nearest(word.text, left)) is not None]
 
 
 def strays_of_world(element: Element) -> list[Word]:
