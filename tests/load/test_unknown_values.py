@@ -228,6 +228,23 @@ def test_a_missing_file_that_the_build_creates_is_no_error(folder: Folder, cmake
         assert ("CMakeLists.txt names it" in finding) == (expected == "info")
 
 
+@pytest.mark.parametrize(("package", "expected"), [("arm", "info"), ("hand", "error")])
+def test_a_file_in_the_space_of_the_build_is_one_that_its_package_creates(
+    folder: Folder, package: str, expected: str
+) -> None:
+    included = f"../../devel/share/{package}/arm.urdf"
+    folder.write(
+        {
+            "package.xml": "<package><name>arm</name></package>",
+            "CMakeLists.txt": "project(arm)\nadd_custom_target(arm COMMAND make_it ${CATKIN_DEVEL_PREFIX}/arm.urdf)\n",
+            "urdf/whole.xacro": XACRO.format(f'<xacro:include filename="{included}"/>'),
+        }
+    )
+    [finding] = told(folder, "urdf/whole.xacro", select="UC016")
+    assert finding.split()[1] == expected
+    assert ("CMakeLists.txt names it" in finding) == (expected == "info")
+
+
 # -- consequences ----------------------------------------------------------------------------------------------------
 
 

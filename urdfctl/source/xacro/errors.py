@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 
@@ -16,6 +17,8 @@ from urdfctl.source.xacro.expressions.guards import ForbiddenExpression, Missing
 
 _EVALUATING = r"(?s)\s*when evaluating expression '(.*)'"
 _QUOTED = r"'([^']*)'"
+_SPACE = re.compile(r"(?:^|/)(?:devel|install)/(?:[^/]+/)?share/([^/]+)/")
+"""The path of a file that the build of a package puts there."""
 _BUILT = "CMakeLists.txt names it, so the build may create it"
 
 
@@ -51,6 +54,8 @@ def judged(problem: Problem, packages: Packages) -> Problem:
     A package that package.xml declares is just not in the workspace. A file in a folder that was only taken for a
     package may well exist in the real one. A file that git ignores, or that the build makes, is made later.
     """
+    if problem.kind is ProblemKind.OUTSIDE_WORKSPACE and _is_made_by_build(problem.subject, packages):
+        return problem._replace(message=f"{problem.message}; {_BUILT}", built=True)
     if problem.kind is ProblemKind.FILE_NOT_FOUND:
         made = _made_by(problem.subject, packages)
         problem = problem._replace(message=f"{problem.message}; {made}", built=made == _BUILT) if made else problem
@@ -70,7 +75,24 @@ def _made_by(path: str, packages: Packages) -> str:
     """What says that a missing file is made later; empty if nothing does."""
     if packages.is_ignored_by_git(path):
         return ".gitignore lists it: create it before the robot starts"
-    return _BUILT if packages.is_made_by_build(path) else ""
+    return _BUILT if _is_made_by_build(path, packages) else ""
+
+
+def _is_made_by_build(path: str, packages: Packages) -> bool:
+    """Whether a missing file is one that CMakeLists.txt makes: beside it, or in the space that the build fills.
+
+    There a file is in the folder `share` of its package: `devel/share/arm` with catkin, `install/arm/share/arm` too
+    with colcon.
+    """
+    path = os.path.normpath(path)
+    if packages.is_made_by_build(path):
+        return True
+    shared = _SPACE.search(path)
+    try:
+        folder = packages.find(shared[1]) if shared else ""
+    except PackageNotFound:
+        return False
+    return bool(shared and packages.install_map(folder, shared[1]).makes_named(os.path.basename(path)))
 
 
 def failed_expression(error: BaseException) -> str:
