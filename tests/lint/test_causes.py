@@ -36,6 +36,9 @@ def control(joint: str, kind: str = "system", hardware: str = "gz_ros2_control/G
     return f'<ros2_control name="arm" type="{kind}">{given}<joint name="elbow">{joint}</joint></ros2_control>'
 
 
+STATE = '<state_interface name="position"/>'
+
+
 CASES: dict[tuple[str, str], dict[str, str]] = {
     ("UC003", "UC150"): {
         "r.xacro": f'<robot name="r" {XACRO}><xacro:include filename="$(find gone)/m.xacro"/><link name="a"><visual>'
@@ -64,6 +67,7 @@ CASES: dict[tuple[str, str], dict[str, str]] = {
         "</visual></link></robot>"
     },
     ("UC303", "UC305"): {"r.urdf": arm(control('<state_interface name="position"/>', "System", ""))},
+    ("UC310", "UC337"): {"r.urdf": arm(2 * control(STATE, hardware="mock_components/GenericSystem"))},
     ("UC345", "UC355"): {
         "r.urdf": arm(control('<command_interface name="positon"/><state_interface name="position"/>'))
     },
@@ -119,6 +123,9 @@ def test_a_finding_that_has_another_cause_stays() -> None:
     assert without_consequences(both) == both
     unrelated = [found("UC028", "argument 'tool' is empty", 1), found("UC007", "no 'side'", 2, excerpt="$(arg side)")]
     assert without_consequences(unrelated) == unrelated
+    owners = "joint 'j' in component 'b' declares 'j/position', as component 'a' already does; it is dropped here"
+    components = [found("UC310", "component name 'a' is already used", 1), found("UC337", owners, 2)]
+    assert without_consequences(components) == components
     packages = [found("UC003", "package 'a' was not found", 1), found("UC150", "mesh package 'b' was not found", 2)]
     assert without_consequences(packages) == packages
 

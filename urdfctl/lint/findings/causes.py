@@ -50,6 +50,11 @@ def in_its_line(cause: Diagnostic, finding: Diagnostic) -> bool:
     return name != "" and re.search(rf"(?<!\w){re.escape(name)}(?!\w)", finding.excerpt) is not None
 
 
+def between_its_parts(cause: Diagnostic, finding: Diagnostic) -> bool:
+    """Return whether the finding is about two components that both have the first name of the cause."""
+    return finding.message.count(f"component '{_first_name(cause.message)}'") > 1
+
+
 def below_its_path(cause: Diagnostic, finding: Diagnostic) -> bool:
     """Return whether the first name of the finding is a path below one that the cause mentions."""
     path = _first_name(finding.message)
@@ -76,6 +81,7 @@ LINKS = (
     CausalLink("UC151", ("UC149",), at_its_place),
     CausalLink("UC206", ("UC462",), by_the_name_meant),
     CausalLink("UC303", ("UC305",), at_its_place),
+    CausalLink("UC310", ("UC337",), between_its_parts),
     CausalLink("UC312", ("UC450", "UC451"), by_the_name_meant),
     CausalLink("UC324", ("UC450", "UC451"), of_its_name),
     CausalLink("UC324", ("UC472",), of_its_robot),
