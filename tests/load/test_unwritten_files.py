@@ -40,13 +40,14 @@ def test_a_path_that_ends_where_an_argument_is_to_be_given_names_no_folder(folde
     assert codes(folder, LOADING.format("")) == []
 
 
-@pytest.mark.parametrize("rest", ["[URDF_ATTRIBUTE]", "{{ description }}", "@ROBOT_FILE@"])
+@pytest.mark.parametrize("rest", ["[URDF_ATTRIBUTE]", "{{ description }}", "@ROBOT_FILE@", 'value="$(find <your-package>)"'])
 def test_a_launch_file_with_placeholders_is_not_read_as_xml(folder: Folder, rest: str) -> None:
     assert codes(folder, BROKEN.format(rest)) == []
 
 
 def test_a_launch_file_that_is_no_xml_is_an_error(folder: Folder) -> None:
     assert codes(folder, BROKEN.format('value="robot" [urdf]')) == ["UC001"]
+    assert codes(folder, BROKEN.format('value="$(find <robot>)"')) == ["UC001"]
 
 
 ENTRY = """

@@ -41,8 +41,8 @@ _OFTEN_USED = frozenset(
 """Packages that launch files use, and that are seldom in the workspace."""
 _OF_PYTHON = b"python/"
 _TEMPLATE = rb"\{\{|\{%|<%"
-_PLACEHOLDER = rb"\{\{|\{%|<%|\[[A-Z]+(?:_[A-Z]+)+\]|@[A-Z]+(?:_[A-Z]+)*@"
-"""What a generator replaces in a launch file in XML, e.g. MoveIt's setup assistant."""
+_PLACEHOLDER = rb"\{\{|\{%|<%|\[[A-Z]+(?:_[A-Z]+)+\]|@[A-Z]+(?:_[A-Z]+)*@|<(?i:your)[\w -]*>"
+"""What a generator, e.g. MoveIt's setup assistant, or the reader of a template replaces in a launch file in XML."""
 _parsed = once_per_object(parse)
 """Several launch files include the same ones."""
 
