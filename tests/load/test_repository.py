@@ -121,3 +121,12 @@ def test_launch_files_beside_a_robot_tell_the_generation_where_nothing_else_does
     folder.write({"worlds/launch/table.launch": launch})
     [target] = report(folder, "worlds/objects/table.urdf")["targets"]
     assert target["ros"] == ros
+
+
+@pytest.mark.parametrize(("other", "ros"), [("ament_cmake", 2), ("catkin", 1)])
+def test_a_robot_outside_of_packages_is_for_the_generation_of_all_of_them(other: str, ros: int, folder: Folder) -> None:
+    manifest = MANIFEST.replace("<name>p", "<name>q").replace("ament_cmake", other)
+    folder.write({**PACKAGE, "src/q/package.xml": manifest, "Dockerfile": "FROM ros:noetic\n"})
+    folder.write({"urdf/table.urdf": '<robot name="r"><link name="a"/></robot>'})
+    [target] = report(folder, "urdf/table.urdf")["targets"]
+    assert target["ros"] == ros

@@ -40,7 +40,9 @@ def test_a_path_that_ends_where_an_argument_is_to_be_given_names_no_folder(folde
     assert codes(folder, LOADING.format("")) == []
 
 
-@pytest.mark.parametrize("rest", ["[URDF_ATTRIBUTE]", "{{ description }}", "@ROBOT_FILE@", 'value="$(find <your-package>)"'])
+@pytest.mark.parametrize(
+    "rest", ["[URDF_ATTRIBUTE]", "{{ description }}", "@ROBOT_FILE@", 'value="$(find <your-package>)"']
+)
 def test_a_launch_file_with_placeholders_is_not_read_as_xml(folder: Folder, rest: str) -> None:
     assert codes(folder, BROKEN.format(rest)) == []
 

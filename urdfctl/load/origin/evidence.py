@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from urdfctl.load.controller_files import ControllerFiles
     from urdfctl.model.launch import Launch
     from urdfctl.model.moveit import MoveIt, Pipeline
+    from urdfctl.source.workspaces.packages import Packages
 
 ROS1 = since("indigo")
 """What a robot of ROS 1 may be for when nothing says more: hydro read transmissions in another form, ten years ago."""
@@ -155,8 +156,21 @@ def _text(path: str) -> str:
         return ""
 
 
-def ament_package(packages: Iterable[str]) -> str | None:
-    """Return one of several packages, two at least, if the manifests of all say that they are for ROS 2."""
+def package_for(packages: Packages) -> str | None:
+    """Return the package whose manifest says what a file is for: its own one.
+
+    Outside of packages it is one of those beside the file, or of the whole workspace, if all are for ROS 2.
+    """
+    return packages.own() or _ament_package(packages.beside()) or _package_of_workspace(packages)
+
+
+def _package_of_workspace(packages: Packages) -> str | None:
+    known = packages.known()
+    return packages.once(("ament", *known), lambda: _ament_package(map(packages.find, known)))
+
+
+def _ament_package(packages: Iterable[str]) -> str | None:
+    """One of several packages, two at least, if the manifests of all say that they are for ROS 2."""
     folders = list(packages)
     said = {next((i.ros for i in items_of_package(folder) if i.kind == "manifest"), None) for folder in folders}
     return folders[0] if len(folders) > 1 and said == {_ROS2_NUMBER} else None
