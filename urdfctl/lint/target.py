@@ -103,13 +103,13 @@ def lint_target(
 
 
 def _outcome(project: Project, run: Run) -> Outcome:
-    """The outcome of a project; what holds only in the distro that a README's prose names, or in a launch file that is
-    left over from ROS 1, is a warning at most."""
+    """The outcome of a project; what holds only in the distro that a README's prose names is a warning at most, and so
+    is all about a launch file that is left over from ROS 1."""
     outcome = run(project)
-    if project.launch is not None and project.launch.is_leftover and outcome.has_errors:
-        from urdfctl.lint.findings.weakening import LEFTOVER, weakened
+    if project.launch is not None and project.launch.is_leftover and outcome.diagnostics:
+        from urdfctl.lint.findings.weakening import of_leftover
 
-        outcome = weakened(outcome, [], LEFTOVER)
+        outcome = of_leftover(outcome, run(project._replace(controllers=None, started=None, launch=None)))
     evidence = project.evidence and without_prose(project.evidence)
     if not evidence or evidence.distros == project.distros or evidence.ros != project.ros or not outcome.has_errors:
         return outcome

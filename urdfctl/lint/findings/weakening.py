@@ -17,6 +17,8 @@ ASIDE = "the folder '{}' is not what the repository starts"
 UNUSED = "no robot uses this file"
 OTHER_ROBOT = "only for a robot that no launch file starts; the file also serves one that is started"
 LEFTOVER = "only where it is started with a launch file for ROS 1; its package is built for ROS 2"
+_SAYS_SO = "UC639"
+"""The code of the finding on a launch file that is left over."""
 OF_PROSE = "only in the distro that the prose of a README names; set `distro` in urdfctl.toml if it is right"
 
 
@@ -32,6 +34,24 @@ def weakened(together: Outcome, apart: Iterable[Outcome], why: str, *, aside: bo
             for diagnostic in together.diagnostics
         ]
     )
+
+
+def of_leftover(together: Outcome, alone: Outcome) -> Outcome:
+    """Return the outcome of a launch file for ROS 1 that its package for ROS 2 has left: warnings at most.
+
+    `ros2 launch` refuses the file, which one finding says. What only such a start shows is just worth knowing.
+
+    alone: the outcome of the robot without its launch file.
+    """
+    known = {_key(diagnostic) for diagnostic in alone.diagnostics}
+    return together._replace(diagnostics=[_of_leftover(each, known) for each in together.diagnostics])
+
+
+def _of_leftover(diagnostic: Diagnostic, known: Collection[tuple[str, str, int, int]]) -> Diagnostic:
+    if diagnostic.code == _SAYS_SO:
+        return diagnostic
+    weaker = _weakened(diagnostic, LEFTOVER, aside=False)
+    return weaker if _key(diagnostic) in known else weaker._replace(severity=weaker.severity.milder)
 
 
 def is_weakened(diagnostic: Diagnostic) -> bool:

@@ -44,8 +44,8 @@ def launch_file_of_ros1(project: Project) -> Iterator[Finding]:
     """Launch file for ROS 1 in a package for ROS 2.
 
     `ros2 launch` refuses the file: in ROS 2, a `<node>` has `exec` and no `type`, and there is no `<rosparam>` and no
-    `$(find ...)`. What exporters and older versions of the package leave behind is best removed. Everything else that
-    is found in such a file is a warning at most.
+    `$(find ...)`. What exporters and older versions of the package leave behind is best removed. What else such a
+    start shows is only worth knowing.
     """
     launch = project.launch
     if launch is None or not launch.is_leftover:
