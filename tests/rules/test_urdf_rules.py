@@ -551,6 +551,15 @@ def test_colours_in_bytes_have_a_fix(tmp_path: Path) -> None:
     text = shown('<material name="red"><color rgba="255 0 51 255"/></material>')
     assert codes(tmp_path, text) == ["UC147 warning"]
     assert fixed(tmp_path, text) == shown('<material name="red"><color rgba="1 0 0.2 1"/></material>')
+    opaque = shown('<material name="white"><color rgba="1 1 1 2"/></material>')
+    assert codes(tmp_path, opaque) == ["UC147 warning"]
+    assert fixed(tmp_path, opaque) == opaque
+
+
+def test_a_soft_limit_without_its_ending_that_is_zero_anyway_loses_nothing(tmp_path: Path) -> None:
+    safety = '<safety_controller k_velocity="1" soft_lower_limit="-1" soft_upper="{}"/>'
+    assert codes(tmp_path, joint(LIMIT + safety.format("0"))) == ["UC163 info"]
+    assert codes(tmp_path, joint(LIMIT + safety.format("0.9"))) == ["UC163 warning"]
 
 
 def test_an_empty_material_name_is_accepted_and_a_missing_one_is_not(tmp_path: Path) -> None:

@@ -55,9 +55,13 @@ def colour_malformed(project: Project) -> Iterator[Finding]:
 
 
 def _fix(at: Place, text: str, values: list[float]) -> Fix | None:
-    """Scale a colour from bytes (0 to 255) to 0 to 1; its opacity may already be from 0 to 1."""
+    """Scale a colour from bytes (0 to 255) to 0 to 1; its opacity may already be from 0 to 1.
+
+    With no number above 2, as in `1 1 1 2`, it is no colour of bytes.
+    """
     *colour, opacity = values
-    if not all(value in range(BYTE + 1) for value in colour) or not 0 <= opacity <= BYTE:
+    are_bytes = all(value in range(BYTE + 1) for value in colour) and 0 <= opacity <= BYTE
+    if not are_bytes or max(values) <= 2:  # noqa: PLR2004
         return None
     right = [value / BYTE for value in colour] + [opacity / BYTE if opacity > 1 else opacity]
     return replaced(at, text, " ".join(f"{value:.3g}" for value in right))

@@ -21,6 +21,9 @@ _OF_OTHERS = {
 """Attributes that other or newer readers take, or that many robots have without harm: Bullet, urdfdom 5."""
 _NAMING = ("parent", "child", "mimic")
 """Elements whose first attribute names another part; a rule tells if that is missing."""
+_ZERO = (*ATTRIBUTES["origin"], "soft_upper", "soft_lower")
+"""Attributes that change nothing if all numbers are 0. An exporter of SolidWorks writes soft_upper_limit and
+soft_lower_limit, which are 0 by default, without `_limit`."""
 _WRIST = """
     <link name="tool">
       <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
@@ -71,7 +74,7 @@ def urdf_attribute_not_read(project: Project) -> Iterator[Finding]:
 
     urdfdom reads the attributes of each element by their names, and silently ignores all others: the value has no
     effect. Often it belongs to another element, as damping into <dynamics>. If the attribute moves nothing, as
-    `rpy="0 0 0"` in an <axis>, it is only worth knowing.
+    `rpy="0 0 0"` in an <axis>, or is a limit that is 0 anyway, it is only worth knowing.
     """
     robot = robot_in(project)
     for tag, _, owner in read_tags(robot) if robot else ():
@@ -89,8 +92,8 @@ def urdf_attribute_not_read(project: Project) -> Iterator[Finding]:
 
 
 def _is_neutral(name: str, text: str) -> bool:
-    """Whether the attribute is a pose that changes nothing: all of its numbers are 0."""
-    return name in ATTRIBUTES["origin"] and not any(word.strip("+-.0") for word in text.split())
+    """Whether nothing is lost: a pose that changes nothing, or a limit that is 0 by itself; all of its numbers are 0."""
+    return name in _ZERO and not any(word.strip("+-.0") for word in text.split())
 
 
 def _is_slip(name: str, known: tuple[str, ...], given: object) -> bool:
