@@ -1,4 +1,4 @@
-"""Names of Gazebo's plugins in ROS 1 and ROS 2, and of renamed settings."""
+"""Names of Gazebo's plugins in ROS 1, in ROS 2 and in gz, and of renamed settings."""
 
 from __future__ import annotations
 
@@ -86,3 +86,32 @@ BECAME = {
 
 A name with a space is not a setting: it describes where the value belongs outside of the plugin.
 """
+
+_CONTROL = 'filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin"'
+_SENSORS = "gz-sim-sensors-system, which belongs in the world file"
+
+IN_GZ = {
+    "gazebo_ros2_control": _CONTROL,
+    "gazebo_ros_control": _CONTROL,
+    "gazebo_ros_ackermann_drive": "gz-sim-ackermann-steering-system",
+    "gazebo_ros_bumper": "gz-sim-contact-system, which belongs in the world file",
+    "gazebo_ros_camera": _SENSORS,
+    "gazebo_ros_depth_camera": _SENSORS,
+    "gazebo_ros_diff_drive": "gz-sim-diff-drive-system",
+    "gazebo_ros_ft_sensor": "gz-sim-forcetorque-system, which belongs in the world file",
+    "gazebo_ros_gps_sensor": "gz-sim-navsat-system, which belongs in the world file",
+    "gazebo_ros_gpu_laser": _SENSORS,
+    "gazebo_ros_imu": "gz-sim-imu-system, which belongs in the world file",
+    "gazebo_ros_imu_sensor": "gz-sim-imu-system, which belongs in the world file",
+    "gazebo_ros_joint_pose_trajectory": "gz-sim-joint-trajectory-controller-system",
+    "gazebo_ros_joint_state_publisher": "gz-sim-joint-state-publisher-system",
+    "gazebo_ros_laser": _SENSORS,
+    "gazebo_ros_openni_kinect": _SENSORS,
+    "gazebo_ros_p3d": "gz-sim-odometry-publisher-system",
+    "gazebo_ros_planar_move": "gz-sim-velocity-control-system",
+    "gazebo_ros_range": _SENSORS,
+    "gazebo_ros_ray_sensor": _SENSORS,
+    "gazebo_ros_skid_steer_drive": "gz-sim-diff-drive-system",
+    "gazebo_ros_wheel_slip": "gz-sim-wheel-slip-system",
+}
+"""The names in gz of the plugins of Gazebo Classic, by the library without `lib` and `.so`."""

@@ -97,8 +97,12 @@ def written_plugins(project: Project) -> tuple[LoadedPlugin, ...]:
 
 @once_for_the_last
 def loaded_plugins(project: Project) -> tuple[LoadedPlugin, ...]:
-    """Return the plugins of the whole robot, without those of another simulator than the one the user names."""
+    """Return the plugins of the whole robot, without those of another simulator than the one the user names.
+
+    Those of Gazebo Classic are left out of a robot for gz, too, whatever says that it is for gz.
+    """
     plugins, wanted = written_plugins(project), project.named_simulator
+    wanted = "gz" if project.simulator == "gz" else wanted
     return tuple(sim_plugin for sim_plugin in plugins if wanted is None or sim_plugin.simulator in (None, wanted))
 
 

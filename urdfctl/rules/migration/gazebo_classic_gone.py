@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.control.hardware.gazebo_plugins import IN_GZ
 from urdfctl.control.hardware.simulator_plugins import (
     LoadedPlugin,
     has_other_hardware,
@@ -13,7 +14,6 @@ from urdfctl.control.hardware.simulator_plugins import (
     written_plugins,
 )
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.migration.facts import IN_GZ
 
 _WITHOUT = since("jazzy")
 
@@ -89,7 +89,8 @@ def gazebo_classic_gone(project: Project) -> Iterator[Finding]:
     """
     if not set(project.distros) <= set(_WITHOUT):
         return
-    everywhere = (*loaded_plugins(project), *of_sensors(project))
+    in_gz = project.simulator == "gz"
+    everywhere = (*(written_plugins(project) if in_gz else loaded_plugins(project)), *of_sensors(project))
     if not any(plugin.hosts_control for plugin in everywhere):
         everywhere += tuple(plugin for plugin in written_plugins(project) if plugin.hosts_control)
     classic = [plugin for plugin in everywhere if plugin.simulator == "gazebo-classic" and not plugin.known]

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.hardware.gazebo_plugins import IN_GZ
 from urdfctl.control.hardware.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.migration.common import lacking
-from urdfctl.rules.migration.facts import IN_GZ
 
 
 @rule(

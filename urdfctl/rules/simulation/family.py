@@ -25,6 +25,7 @@ from urdfctl.rules.simulation.plugin_filename_misspelt import plugin_filename_mi
 from urdfctl.rules.simulation.plugin_joint_unknown import plugin_joint_unknown
 from urdfctl.rules.simulation.plugin_link_unknown import plugin_link_unknown
 from urdfctl.rules.simulation.plugin_of_other_ros import plugin_of_other_ros
+from urdfctl.rules.simulation.plugin_of_other_simulator import plugin_of_other_simulator
 from urdfctl.rules.simulation.plugin_setting_malformed import plugin_setting_malformed
 from urdfctl.rules.simulation.plugin_setting_missing import plugin_setting_missing
 from urdfctl.rules.simulation.plugin_setting_misspelt import plugin_setting_misspelt
@@ -71,4 +72,5 @@ FAULTS: tuple[Fault, ...] = (
     controllers_path_of_one_machine,
     sensor_type_not_simulated,
     bridge_types_unknown,
+    plugin_of_other_simulator,
 )
