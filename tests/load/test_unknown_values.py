@@ -388,3 +388,10 @@ def test_a_file_beside_a_xacro_file_that_expands_to_it_has_no_findings_of_its_ow
     assert [line.split(":")[0] for line in told(folder, ".") if "UC121" in line] == ["arm.xacro"]
     folder.write({"arm.urdf": PLAIN.replace('"j"', '"k"')})
     assert [line.split(":")[0] for line in told(folder, ".") if "UC121" in line] == ["arm.urdf", "arm.xacro"]
+
+
+@pytest.mark.parametrize("file", ["wheel.xacro", "urdf/$(arg kind).xacro"])
+def test_a_package_without_the_file_is_not_the_one_that_is_meant(folder: Folder, file: str) -> None:
+    include = f'<xacro:arg name="kind" default="a"/><xacro:include filename="$(find arm_descripton)/{file}"/>'
+    folder.write({"package.xml": MANIFEST.format(""), "r.xacro": XACRO.format(include)})
+    assert "did you mean" not in told(folder, "r.xacro", select="UC003")[0]

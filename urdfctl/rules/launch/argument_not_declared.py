@@ -73,6 +73,7 @@ def _python(namespace: str, before: str = "") -> dict[str, str]:
         _files(_GUI, _INCLUDED.format("$(arg gui)")),
         _files(_GUI, _group("$(arg gui)")),
         _files('<arg name="gui" default="false"/>', _group("$(arg gui)").replace('"1"', '"$(arg rate)"')),
+        _files(_INCLUDED.format("$(arg gui)")) | {"README.md": "roslaunch arm arm.launch gui:=true"},
         _xml("$(var gui)", before=_GUI),
         _xml("$(var gui)") | {"README.md": "ros2 launch arm arm.launch.xml gui:=left"},
         _python('LaunchConfiguration("ns")', 'DeclareLaunchArgument("ns"), '),
@@ -84,8 +85,8 @@ def _python(namespace: str, before: str = "") -> dict[str, str]:
 def argument_not_declared(project: Project) -> Iterator[Finding]:
     """Argument of a launch file is used, but not declared.
 
-    roslaunch in ROS 1 then rejects the whole launch file. An argument is known only in the file with its `<arg>`: an
-    included file declares it again. launch in ROS 2 ends at the use, unless the command line or an including file gives
+    roslaunch in ROS 1 then rejects the whole launch file, unless the command line gives the argument. It is known only in
+    the file with its `<arg>`: an included file declares it again. launch in ROS 2 ends at the use, unless the command line or an including file gives
     the argument. Its actions run in their order: what is declared further down does not exist yet. What only runs with
     other arguments is not told.
     """
@@ -95,6 +96,8 @@ def argument_not_declared(project: Project) -> Iterator[Finding]:
     file = re.escape(file_name(launch.path))
     for word in launch.undeclared:
         if launch.ros != ROS_2:
+            if word.at.source.path == launch.path and project.may_mention(rf"\b{re.escape(word.text)}:="):
+                continue
             names = [name for name, _ in launch.arguments] if word.at.source.path == launch.path else []
             hint = did_you_mean(word.text, names) or f'; add <arg name="{word.text}"/>'
             yield Finding(word.at, f"argument '{word.text}' is not declared in this launch file{hint}")

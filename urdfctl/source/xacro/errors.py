@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from urdfctl.names import is_slip, nearest
 from urdfctl.source.budget import OUT_OF_MEMORY, OverBudget
 from urdfctl.source.disk.files import FileProblem
+from urdfctl.source.disk.gate import exists
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place
 from urdfctl.source.workspaces.packages import PackageNotFound, Packages
@@ -19,6 +20,8 @@ _EVALUATING = r"(?s)\s*when evaluating expression '(.*)'"
 _QUOTED = r"'([^']*)'"
 _SPACE = re.compile(r"(?:^|/)(?:devel|install)/(?:[^/]+/)?share/([^/]+)/")
 """The path of a file that the build of a package puts there."""
+_MEANT = re.compile(r"; did you mean '([^']+)'\?\Z")
+_ELSEWHERE = "give its folder with --package-path, or use a wider --workspace"
 _BUILT = "CMakeLists.txt names it, so the build may create it"
 
 
@@ -62,6 +65,7 @@ def judged(problem: Problem, packages: Packages) -> Problem:
         return problem._replace(guessed=bool(made) or packages.is_guessed(problem.subject))
     if problem.kind is not ProblemKind.PACKAGE_NOT_FOUND:
         return problem
+    problem = _without_misfit(problem, packages)
     declared = packages.declares(problem.subject, problem.at.source.path)
     if declared is None:
         return problem
@@ -69,6 +73,20 @@ def judged(problem: Problem, packages: Packages) -> Problem:
         return problem._replace(kind=ProblemKind.PACKAGE_ABSENT)
     here = "in this workspace"
     return problem._replace(message=problem.message.replace(here, f"{here}, and package.xml does not declare it", 1))
+
+
+def _without_misfit(problem: Problem, packages: Packages) -> Problem:
+    """A problem with a package without the one that is like it, if that has none of the files that are looked for."""
+    meant = _MEANT.search(problem.message)
+    data, start = problem.at.source.data, problem.at.start
+    text = data[start : data.find(b">", start)].decode("utf-8", "replace")
+    files = re.findall(rf"\$\(find\s+{re.escape(problem.subject)}\s*\)/([^\s\"'<>$]+)", text)
+    if meant is None or not files:
+        return problem
+    folder = packages.find(meant[1])
+    if any(exists(os.path.join(folder, file)) for file in files):
+        return problem
+    return problem._replace(message=problem.message[: meant.start()], hint=_ELSEWHERE, correct="")
 
 
 def _made_by(path: str, packages: Packages) -> str:
@@ -125,7 +143,7 @@ def _known(cause: BaseException, at: Place) -> Problem | None:
     if isinstance(cause, PackageNotFound):
         is_own = is_slip(cause.name, cause.own)
         meant = cause.own if is_own else nearest(cause.name, cause.known)
-        hint = f"write '{meant}'" if meant else "give its folder with --package-path, or use a wider --workspace"
+        hint = f"write '{meant}'" if meant else _ELSEWHERE
         message = f"package '{cause.name}' was not found in this workspace"
         message += f"; did you mean '{meant}'?" if meant else ""
         found = Problem(ProblemKind.PACKAGE_NOT_FOUND, at, message, cause.name, hint)
