@@ -146,3 +146,15 @@ def declared(robot: Robot, kind: str, distro: str) -> list[str]:
 )
 def test_controllers_are_deprecated_or_end_by_distro(robot: Robot, kind: str, distro: str, told: list[str]) -> None:
     assert declared(robot, kind, distro) == told
+
+
+def test_an_old_name_of_ignition_is_right_where_a_condition_chooses_between_both(robot: Robot) -> None:
+    new = component("gz_ros2_control/GazeboSimSystem") + plugin(
+        "gz_ros2_control-system", "gz_ros2_control::GazeboSimROS2ControlPlugin"
+    )
+    old = f'<xacro:if value="true">{IGNITION}</xacro:if>'
+    chosen = f'{old}<xacro:unless value="true">{new}</xacro:unless>'
+    both = ["warning UC702", "warning UC703"]
+    for part, told in ((chosen, []), (old, both), (f"{old}<!--{new}-->", both)):
+        found = [code for code in of_family(robot, part, name="robot.xacro", distro="humble") if "warning" in code]
+        assert sorted(found) == told

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 
 from urdfctl.catalog.distros import MAINTAINED, ROS2, coming
 from urdfctl.rule import Project, Severity
+from urdfctl.source.span import Place
+
+_COMMENT = rb"(?s)<!--.*?-->"
+_CONDITION = rb"<xacro:(?:if|unless)\b"
 
 
 def severity_of_old(project: Project, old_in: Collection[str]) -> Severity | None:
@@ -25,3 +30,10 @@ def lacking(project: Project, there: tuple[str, ...]) -> str | None:
     if project.distro not in ROS2 or project.distro not in there:
         return None
     return next((distro for distro in coming(project.distro) if distro not in there), None)
+
+
+def is_chosen(at: Place, right: str) -> bool:
+    """Return whether conditions choose between an old name and the right one: its file has both."""
+    data = re.sub(_COMMENT, b"", at.source.data)
+    there = re.search(rb"[>\"']\s*%b\s*[<\"']" % re.escape(right.encode()), data)
+    return at.source.is_xacro and there is not None and re.search(_CONDITION, data) is not None

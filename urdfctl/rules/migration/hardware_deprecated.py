@@ -9,7 +9,7 @@ from urdfctl.control.hardware.simulator_plugins import components
 from urdfctl.model.robot import Ros2Control
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.migration.common import severity_of_old
+from urdfctl.rules.migration.common import is_chosen, severity_of_old
 
 
 @rule(
@@ -46,7 +46,8 @@ def hardware_deprecated(project: Project) -> Iterator[Finding]:
     """Old name of a hardware plugin.
 
     This distro still loads the hardware under its old name, but later distros do not. If the distro is unknown, the
-    rule reports a name only if all maintained distros have the new one.
+    rule reports a name only if all maintained distros have the new one. A file in which conditions choose between both
+    names is right.
     """
     for control in components(project):
         name = control.plugin or ""
@@ -60,6 +61,8 @@ def hardware_deprecated(project: Project) -> Iterator[Finding]:
         if severity is None or right is None or not any(hardware.deprecated for hardware in there.values()):
             continue
         text = control.hardware[-1].plugins[0]
+        if is_chosen(text.at, right.type):
+            continue
         content = text.at.content.span
         edits = (
             (Edit(content, right.type), *_of_parameters(project, control, right.type)) if content.text == name else ()

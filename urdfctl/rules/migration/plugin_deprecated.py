@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2, since
 from urdfctl.control.hardware.simulator_plugins import LoadedPlugin, loaded_plugins
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
-from urdfctl.rules.migration.common import severity_of_old
+from urdfctl.rules.migration.common import is_chosen, severity_of_old
 
 _OF_IGNITION = "ignition-gazebo"
 _OF_GZ = since("jazzy")
@@ -58,13 +58,16 @@ def plugin_deprecated(project: Project) -> Iterator[Finding]:
     """Simulator plugin has an old name from Ignition.
 
     gz was called Ignition before. The simulator still loads the plugin, with a warning, but later distros do not have
-    it. If the distro is unknown, the rule reports a name only if all maintained distros have the new one.
+    it. If the distro is unknown, the rule reports a name only if all maintained distros have the new one. A file in
+    which conditions choose between both names is right.
     """
     for loaded_plugin in loaded_plugins(project):
         fixes = [fix for fix in (_file(project, loaded_plugin), _class(project, loaded_plugin)) if fix]
         if not fixes:
             continue
         plugin = loaded_plugin.plugin
+        if all(is_chosen(plugin.at[attribute], right) for attribute, _, right, _ in fixes):
+            continue
         title = " and ".join(f'{attribute}="{right}"' for attribute, _, right, _ in fixes)
         edits = tuple(
             Edit(plugin.at[attribute].span, right)
