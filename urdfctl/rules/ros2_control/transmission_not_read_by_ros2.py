@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.hardware.simulator_plugins import loaded_plugins, named_joints
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import label, robot_in, whole_robot_in
+from urdfctl.rules.common import is_known, label, robot_in, whole_robot_in
 from urdfctl.rules.ros2_control.common import replacement
 
 
@@ -65,7 +65,8 @@ def transmission_not_read_by_ros2(project: Project) -> Iterator[Finding]:
     for transmission in of_ros1[:1]:
         more = f" and {len(of_ros1) - 1} more are" if len(of_ros1) > 1 else " is"
         joints = [joint for other in of_ros1 for joint in other.joints]
-        missing = [joint for joint in joints if joint.name and joint.name not in controlled | moved]
+        named = [joint for joint in joints if joint.name and is_known(joint.name)]
+        missing = [joint for joint in named if joint.name not in controlled | moved]
         if whole_robot_in(project) is not None and project.complete and moving <= controlled | moved:
             missing = []
         message = f"{transmission.label}{more} ignored by ROS 2, which reads <ros2_control> instead"
