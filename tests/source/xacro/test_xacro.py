@@ -182,6 +182,8 @@ def test_a_macro_of_a_name_that_another_file_has_taken_is_told(tmp_path: Path) -
     ]
     twice = '<xacro:include filename="i.xacro"/>' * 2 + "<xacro:m/>"
     assert problems(tmp_path, twice, other) == []
+    copied = '<xacro:include filename="i.xacro"/>\n<xacro:macro  name="m"><a/></xacro:macro>\n<xacro:m/>'
+    assert problems(tmp_path, copied, other) == []
 
 
 MED = f'<robot {NAMESPACE}><xacro:macro name="iiwa_gazebo"><a/></xacro:macro></robot>'

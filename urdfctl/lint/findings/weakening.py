@@ -96,8 +96,8 @@ def is_with_defaults(entry: PlannedTarget) -> bool:
 
 
 _ASIDE = frozenset(
-    "test tests testing third_party thirdparty 3rdparty external extern vendor vendored deprecated archive backup "
-    "backups attic".split()
+    "test tests testing third_party thirdparty 3rdparty external extern vendor vendored deprecated obsolete archive "
+    "backup backups attic to-be-deleted to_be_deleted".split()
 )
 
 

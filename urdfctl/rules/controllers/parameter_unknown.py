@@ -20,6 +20,16 @@ from urdfctl.rules.controllers.parameters import (
     unread,
 )
 
+_GROUP = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        arm: {type: position_controllers/JointGroupPositionController}
+    arm:
+      ros__parameters: {joints: [elbow], %s}
+"""
+
 
 @rule(
     "UC430",
@@ -112,6 +122,7 @@ from urdfctl.rules.controllers.parameters import (
                     «interface_nam»: position
             """,
         },
+        {"options": "--distro=humble", "controllers.yaml": _GROUP % "«interface_name»: velocity"},
     ],
     good=[
         {
@@ -172,6 +183,7 @@ from urdfctl.rules.controllers.parameters import (
                     interface_name: position
             """,
         },
+        {"options": "--distro=humble", "controllers.yaml": _GROUP % "interface_name: position"},
     ],
 )
 def parameter_unknown(project: Project) -> Iterator[Finding]:
@@ -202,6 +214,9 @@ def _why(project: Project, reader: Reader, parameter: Parameter, right: str | No
     """The end of the message on a parameter that is not read; None if it may be for another node."""
     if right:
         return f"; did you mean '{right}'?"
+    instead = reader.type.replacement if reader.type else None
+    if instead is not None and instead.parameters.get(parameter.name) == parameter.value.value:
+        return None  # the type says so by itself, as velocity_controllers/... does interface_name
     other = of_other_ros(project, reader, parameter.name)
     if other:
         return f", which exists only in ROS {other}; it is ignored"

@@ -12,13 +12,14 @@ from urdfctl.rules.urdf.grammar import ATTRIBUTES, read_tags
 _OF_OTHERS = {
     "link": ("type", "concave"),
     "joint": ("dont_collapse",),
+    "dynamics": ("D", "K", "mu_coulomb", "mu_viscous"),
     "limit": ("acceleration", "deceleration", "jerk"),
     "origin": ("quat_xyzw",),
     "mesh": ("name",),
     "material": ("type",),
     "inertia": ("iyx", "izx", "izy"),
 }
-"""Attributes that other or newer readers take, or that many robots have without harm: Bullet, urdfdom 5."""
+"""Attributes that other or newer readers take, or that many robots have without harm: Bullet, urdfdom 5, Franka."""
 _NAMING = ("parent", "child", "mimic")
 """Elements whose first attribute names another part; a rule tells if that is missing."""
 _ZERO = (*ATTRIBUTES["origin"], "soft_upper", "soft_lower")
@@ -62,7 +63,8 @@ _VISUAL = "<visual>%s<geometry>%s</geometry></visual>"
                 _VISUAL % ('<origin xyz="0 0 0" quat_xyzw="0 0 0 1"/>', '<sphere radius="1"/>')
                 + _VISUAL % ("", '<mesh filename="package://arm/tool.stl" name="tool"/>')
                 + '<visual><geometry><box size="1 1 1"/></geometry><material name="g" type="x"><color rgba="1 1 1 1"/></material></visual>',
-                _LIMIT % ' acceleration="1" deceleration="1" jerk="1"',
+                _LIMIT % ' acceleration="1" deceleration="1" jerk="1"'
+                + '<dynamics damping="1" D="1" K="7000" mu_coulomb="0"/>',
             ),
             "package.xml": "<package><name>arm</name></package>",
             "tool.stl": "solid tool\nendsolid tool\n",

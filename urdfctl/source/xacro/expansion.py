@@ -34,7 +34,7 @@ from urdfctl.source.xacro.leftovers import (
     repeated_condition,
     unused_arguments,
 )
-from urdfctl.source.xacro.macro_names import macro_of_other_file
+from urdfctl.source.xacro.macro_names import macro_defined_again, macro_of_other_file
 from urdfctl.source.xacro.origin import parameters_around, parameters_of, suggested, traced
 from urdfctl.source.xacro.prefixes import add_prefixes, is_call, missing_prefixes
 from urdfctl.source.xacro.private import private_module
@@ -308,10 +308,8 @@ class Expander:
         before = macros[name].body if name and dict.__contains__(macros, name) else None
         self._originals["grab_macro"](node, macros)
         self.macros[name] = node
-        if before is not None and (before.source.path, before.start) != (node.source.path, node.start):
-            position = before.source.position(before.start)
-            message = f"macro '{name}' is defined again; it replaces the one at {before.source.path}:{position.line}"
-            self._add(Problem(ProblemKind.DUPLICATE_MACRO, node.at["name"], message, name))
+        for problem in macro_defined_again(name, node, before):
+            self._add(problem)
         for problem in macro_of_other_file(name, node, self.files):
             self._add(problem)
 

@@ -1,4 +1,4 @@
-"""Find macros that are named after another file: the file was copied, and its macro kept the name."""
+"""Find macros that take the name of another one, as in a file that was copied with its macro."""
 
 from __future__ import annotations
 
@@ -24,6 +24,19 @@ def macro_of_other_file(name: str, node: Element, files: Files) -> Iterator[Prob
             message = f"macro '{name}' has the same name as a macro in '{other}'; the later definition is called"
             hint = "rename the macro to match its own file"
             yield Problem(ProblemKind.MACRO_OF_OTHER_FILE, node.at["name"], message, name, hint)
+
+
+def macro_defined_again(name: str, node: Element, before: Element | None) -> Iterator[Problem]:
+    """Yield the problem of a macro that replaces another one of its name, if that has another text."""
+    if before is not None and _text(before) != _text(node):
+        position = before.source.position(before.start)
+        message = f"macro '{name}' is defined again; it replaces the one at {before.source.path}:{position.line}"
+        yield Problem(ProblemKind.DUPLICATE_MACRO, node.at["name"], message, name)
+
+
+def _text(node: Element) -> list[bytes]:
+    """The words of an element's source, without its end tag."""
+    return node.source.data[node.start : node.at.closing].split()
 
 
 def _named_after(name: str, file: str) -> Iterator[str]:
