@@ -16,7 +16,7 @@ from urdfctl.load.known import Described, KnownRobots
 from urdfctl.load.mentions import Mentions
 from urdfctl.load.open_decisions import decisions_in, unread
 from urdfctl.load.origin.distro import Beside, detect_distro
-from urdfctl.load.origin.evidence import package_for
+from urdfctl.load.origin.evidence import package_of_file, package_of_robot
 from urdfctl.load.spawned_models import with_spawned
 from urdfctl.load.target import Target
 from urdfctl.load.workspace_types import WorkspaceTypes
@@ -250,7 +250,7 @@ class Loader:
         named = [path] if is_yaml(path) else []
         launch = launch_file.launch if launch_file else None
         controller_files = read_controllers([*named, *target.controllers], None, launch, files)
-        package = package_for(packages)
+        package = package_of_file(packages)
         sources = tuple(_sources(files, launch_file).values())
         moveit = self._moveit(path, launch, controller_files, files)
         beside = Beside(
@@ -296,7 +296,7 @@ class Loader:
         sources = tuple(_sources(files, launch_file).values())
         moveit = self._moveit(path, launch, controller_files, files)
         beside = Beside(
-            package=package_for(described.packages),
+            package=package_of_robot(described.packages),
             controllers=controller_files,
             launch=launch,
             sources=sources,

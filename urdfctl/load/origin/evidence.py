@@ -156,12 +156,20 @@ def _text(path: str) -> str:
         return ""
 
 
-def package_for(packages: Packages) -> str | None:
-    """Return the package whose manifest says what a file is for: its own one.
+def package_of_file(packages: Packages) -> str | None:
+    """Return the package whose manifest says what a controller file or a launch file is for.
 
-    Outside of packages it is one of those beside the file, or of the whole workspace, if all are for ROS 2.
+    Without one of its own, it is one of those beside the file if all are for ROS 2.
     """
-    return packages.own() or _ament_package(packages.beside()) or _package_of_workspace(packages)
+    return packages.own() or _ament_package(packages.beside())
+
+
+def package_of_robot(packages: Packages) -> str | None:
+    """Return the package whose manifest says what a robot is for.
+
+    Without one of its own, it is one of the workspace if all are for ROS 2.
+    """
+    return packages.own() or _package_of_workspace(packages)
 
 
 def _package_of_workspace(packages: Packages) -> str | None:
