@@ -22,9 +22,6 @@ _OF_OTHERS = {
 """Attributes that other or newer readers take, or that many robots have without harm: Bullet, urdfdom 5, Franka."""
 _NAMING = ("parent", "child", "mimic")
 """Elements whose first attribute names another part; a rule tells if that is missing."""
-_ZERO = (*ATTRIBUTES["origin"], "soft_upper", "soft_lower")
-"""Attributes that change nothing if all numbers are 0. An exporter of SolidWorks writes soft_upper_limit and
-soft_lower_limit, which are 0 by default, without `_limit`."""
 _WRIST = """
     <link name="tool">
       <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
@@ -64,7 +61,7 @@ _VISUAL = "<visual>%s<geometry>%s</geometry></visual>"
                 + _VISUAL % ("", '<mesh filename="package://arm/tool.stl" name="tool"/>')
                 + '<visual><geometry><box size="1 1 1"/></geometry><material name="g" type="x"><color rgba="1 1 1 1"/></material></visual>',
                 _LIMIT % ' acceleration="1" deceleration="1" jerk="1"'
-                + '<dynamics damping="1" D="1" K="7000" mu_coulomb="0"/>',
+                + '<dynamics damping="1" D="1" K="7000" mu_coulomb="0" mu_viscous="16"/>',
             ),
             "package.xml": "<package><name>arm</name></package>",
             "tool.stl": "solid tool\nendsolid tool\n",
@@ -94,8 +91,13 @@ def urdf_attribute_not_read(project: Project) -> Iterator[Finding]:
 
 
 def _is_neutral(name: str, text: str) -> bool:
-    """Whether nothing is lost: a pose that changes nothing, or a limit that is 0 by itself; all of its numbers are 0."""
-    return name in _ZERO and not any(word.strip("+-.0") for word in text.split())
+    """Whether nothing is lost: all numbers are 0 of a pose, or of a limit that is 0 by itself.
+
+    An exporter of SolidWorks writes soft_upper_limit and soft_lower_limit, which are 0 by default, without `_limit`.
+    """
+    is_soft_limit = name.startswith("soft_") and f"{name}_limit" in ATTRIBUTES["safety_controller"]
+    is_neutral = is_soft_limit or name in ATTRIBUTES["origin"]
+    return is_neutral and not any(word.strip("+-.0") for word in text.split())
 
 
 def _is_slip(name: str, known: tuple[str, ...], given: object) -> bool:
