@@ -57,6 +57,25 @@ def test_what_is_missing_is_named_with_what_adds_it(include: str, expected: str,
     assert expected in command(*SMOKE).stdout
 
 
+PARTS = LIFT.replace('<robot name="lift">', '<robot name="lift" xmlns:xacro="http://www.ros.org/wiki/xacro">{}')
+ARM = """
+    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+arm:
+  ros__parameters: {joints: [shoulder], command_interfaces: [position], state_interfaces: [position]}
+"""
+
+
+@pytest.mark.parametrize(("include", "verdict"), [(DRIVER, "arm    skipped"), ("", "arm    failed")])
+def test_what_the_hardware_of_an_absent_package_may_offer_stops_no_controller(
+    include: str, verdict: str, folder: Folder
+) -> None:
+    declared, rest = (CONTROLLERS % "lift").split("\nmover:", 1)
+    folder.write({"robot.urdf.xacro": PARTS.format(include), "controllers.yaml": f"{declared}{ARM}mover:{rest}"})
+    shown = command(*SMOKE).stdout
+    assert verdict in shown
+    assert ("needs package 'lift_driver', not here" in shown) is bool(include)
+
+
 def test_mock_hardware_takes_the_place_of_a_driver_that_is_not_in_the_files(folder: Folder) -> None:
     robot(folder)
     plain, mocked = command(*SMOKE).stdout, command(*SMOKE, "--hardware", "mock", "--format", "json").stdout
@@ -91,7 +110,7 @@ LAUNCH = """<launch>
   <rosparam command="load" file="$(find a)/config/planner.yaml"/>
 </launch>
 """
-ARM = '<robot name="arm"><link name="base"/><link name="tip"/>{}</robot>'
+WELDED = '<robot name="arm"><link name="base"/><link name="tip"/>{}</robot>'
 FIXED = '<joint name="weld" type="fixed"><parent link="base"/><child link="tip"/></joint>'
 PACKAGE = """<package format="2"><name>{}</name><version>0.0.1</version><description>d</description>
 <maintainer email="a@b.c">a</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend></package>
@@ -102,7 +121,7 @@ def test_where_nothing_has_controllers_the_packages_of_included_launch_files_are
     folder.write(
         {
             "a/package.xml": PACKAGE.format("a"),
-            "a/urdf/arm.urdf": ARM.format(FIXED),
+            "a/urdf/arm.urdf": WELDED.format(FIXED),
             "a/config/planner.yaml": "rate: 10\n",
             "a/launch/one.launch": LAUNCH.format(other="arm_control"),
             "a/launch/two.launch": LAUNCH.format(other="arm_control"),
@@ -133,7 +152,7 @@ def test_the_package_of_a_description_that_is_not_here_is_named(package: str, na
     folder.write(
         {
             "a/package.xml": PACKAGE.format("a"),
-            "a/urdf/arm.urdf": ARM.format(FIXED),
+            "a/urdf/arm.urdf": WELDED.format(FIXED),
             "a/launch/one.launch": DESCRIBED.format(package),
         }
     )
@@ -213,7 +232,7 @@ def test_the_variable_that_chooses_the_robot_of_a_launch_file_is_named_with_how_
         {
             "a/package.xml": PACKAGE.format("a"),
             "a/config/arm.yaml": "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n",
-            "a/urdf/arm.urdf": ARM.format(FIXED),
+            "a/urdf/arm.urdf": WELDED.format(FIXED),
             "a/launch/one.launch": VARIANT.format(variable),
         }
     )

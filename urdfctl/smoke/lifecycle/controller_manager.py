@@ -72,6 +72,8 @@ _FILE_IS_NOT_FOUND = frozenset(
     rule.code for rule in (controllers_file_missing, controllers_path_not_expanded, controllers_path_relative)
 )
 """Lint's rules on files that a simulator's plugin does not find."""
+_OF_HARDWARE = frozenset({Reason.NOT_OFFERED, Reason.NOTHING_TO_CLAIM})
+"""What stops a controller because of hardware, of which more may be in a driver or in a part that is not here."""
 
 NOT_MOVED = "not simulated: no physics engine was used"
 """Why a controller that becomes active is not tested further."""
@@ -213,6 +215,7 @@ class _ControllerManager:
         self._ros, self._everyone = generation(session.distro), session.controllers
         self._labels = _labels_of(session)
         self._has_driver = generation(session.distro) == 1 and in_gazebo(project) is not Severity.ERROR
+        self._is_whole = project.complete and not project.library
         self._unread = next((error for error in errors if error.code in _FILE_IS_NOT_FOUND), None)
         self._about = [(finding, concerned_controllers(finding, project, self._everyone)) for finding in findings]
         self._of_files = [
@@ -250,8 +253,8 @@ class _ControllerManager:
         errors = {finding.code for finding in about if finding.severity is Severity.ERROR}
         type_is_wrong = not errors.isdisjoint(_TYPE_DOES_NOT_EXIST)
         stops = [stop for stop in life.stops if _is_certain(stop, type_is_wrong=type_is_wrong)]
-        if self._has_driver and not errors:
-            stops = [stop for stop in stops if stop.reason is not Reason.NOT_OFFERED]
+        if not errors and (self._has_driver or not self._is_whole):
+            stops = [stop for stop in stops if stop.reason not in _OF_HARDWARE]
         if not errors and self._may_be_declared(life.controller):
             unread = self._unread
             return [Refusal(Stage.LOAD, unread.message, "", unread)] if unread else []
