@@ -170,6 +170,30 @@ def test_a_package_that_package_xml_does_not_declare_is_a_warning_that_says_so(f
     assert codes(folder, "r.xacro") == ["warning UC003", "warning UC003"]
 
 
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        ("urdf/wheel.xacro", "error"),
+        ("${folder}/wheel.xacro", "error"),
+        ("urdf/inc/wheel.xacro", "warning"),
+        ("inc/${wheel}.xacro", "warning"),
+    ],
+)
+def test_a_package_is_the_own_one_with_a_wrong_letter_only_where_that_has_the_file(
+    path: str, expected: str, folder: Folder
+) -> None:
+    include = f'<xacro:include filename="$(find arm_description)/{path}"/>'
+    folder.write(
+        {
+            "package.xml": MANIFEST.format("").replace("arm_d", "farm_d"),
+            "urdf/wheel.xacro": XACRO.format(""),
+            "r.xacro": XACRO.format(f'<xacro:property name="folder" value="urdf"/>{include}'),
+        }
+    )
+    [found] = [each for each in told(folder, "r.xacro") if "UC003" in each]
+    assert (expected in found, "did you mean 'farm_description'" in found) == (True, expected == "error")
+
+
 def test_a_file_that_is_missing_in_a_package_without_package_xml_is_a_warning(folder: Folder) -> None:
     included = '<xacro:include filename="$(find arm)/tool.xacro"/>'
     folder.write({"arm/urdf/r.xacro": XACRO.format(included + '<link name="base"/>'), "top/package.xml": MANIFEST})

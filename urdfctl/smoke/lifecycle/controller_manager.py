@@ -253,7 +253,8 @@ class _ControllerManager:
         errors = {finding.code for finding in about if finding.severity is Severity.ERROR}
         type_is_wrong = not errors.isdisjoint(_TYPE_DOES_NOT_EXIST)
         stops = [stop for stop in life.stops if _is_certain(stop, type_is_wrong=type_is_wrong)]
-        if not errors and (self._has_driver or not self._is_whole):
+        is_certain = any(found_by_manager(finding) for finding in about if finding.severity is Severity.ERROR)
+        if not is_certain and (self._has_driver or not self._is_whole):
             stops = [stop for stop in stops if stop.reason not in _OF_HARDWARE]
         if not errors and self._may_be_declared(life.controller):
             unread = self._unread

@@ -76,15 +76,17 @@ def judged(problem: Problem, packages: Packages) -> Problem:
 
 
 def _without_misfit(problem: Problem, packages: Packages) -> Problem:
-    """A problem with a package without the one that is like it, if that has none of the files that are looked for."""
+    """A problem with a package without the one that is like it, if that has none of the files that are looked for,
+    or of their folders where only these are known."""
     meant = _MEANT.search(problem.message)
     data, start = problem.at.source.data, problem.at.start
     text = data[start : data.find(b">", start)].decode("utf-8", "replace")
-    files = re.findall(rf"\$\(find\s+{re.escape(problem.subject)}\s*\)/([^\s\"'<>$]+)", text)
-    if meant is None or not files:
+    named = re.findall(rf"\$\(find\s+{re.escape(problem.subject)}\s*\)/([^\"'<>]+)", text)
+    files = [path if "$" not in path else path[: path.index("$")].rpartition("/")[0] for path in named]
+    if meant is None or not any(files):
         return problem
     folder = packages.find(meant[1])
-    if any(exists(os.path.join(folder, file)) for file in files):
+    if any(exists(os.path.join(folder, file.strip())) for file in files if file):
         return problem
     return problem._replace(message=problem.message[: meant.start()], hint=_ELSEWHERE, correct="")
 
