@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from urdfctl.load.expansion.description import ExpandedDescription, MakeExpander
@@ -17,6 +18,7 @@ from urdfctl.source.same import is_same
 from urdfctl.source.span import Place
 from urdfctl.source.workspaces.packages import Packages
 from urdfctl.source.xacro.expanded import Expansion
+from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.xacro.influence import Influence
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
@@ -65,12 +67,23 @@ class KnownRobots:
         return other
 
     def described(
-        self, make: MakeExpander, path: str, arguments: Mapping[str, str], *, fragment: bool, alone: bool
+        self,
+        make: MakeExpander,
+        path: str,
+        arguments: Mapping[str, str],
+        *,
+        fragment: bool,
+        alone: bool,
+        by_xacro: bool = False,
     ) -> Described:
-        """Return a description expanded with some arguments. For `fragment` and `alone`, see `expanded`."""
-        key = path, tuple(arguments.items()), fragment, alone
+        """Return a description expanded with some arguments. For `fragment` and `alone`, see `expanded`.
+
+        by_xacro: whether xacro is run on the file, whatever its name is.
+        """
+        key = path, tuple(arguments.items()), fragment, alone, by_xacro
         if key not in self._described:
-            found = _described(make, path, arguments, fragment=fragment, alone=alone)
+            run = partial(_expanding_all, make) if by_xacro else make
+            found = _described(run, path, arguments, fragment=fragment, alone=alone)
             while len(self._described) >= _MOST_DESCRIPTIONS:
                 del self._described[next(iter(self._described))]
             self._described[key] = found
@@ -86,6 +99,12 @@ class KnownRobots:
         if self._controllers is None or not is_same(self._controllers[0], key):
             self._controllers = key, files.model(ros, started, nodes)
         return self._controllers[1]
+
+
+def _expanding_all(make: MakeExpander, kind: type[Expander]) -> Expander:
+    expander = make(kind)
+    expander.expands_all = True
+    return expander
 
 
 def _described(

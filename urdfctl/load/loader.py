@@ -169,8 +169,10 @@ class Loader:
             launch_file = launch_file._replace(launch=launch_file.launch.among(description))
         if is_yaml(path) or is_launch(path):
             return self._without_robot(path, target, launch_file)
-        make = partial(self.expander, path)
-        described = self._known.described(make, path, arguments, fragment=target.fragment, alone=alone)
+        by_xacro = bool(description and description.by_xacro)
+        described = self._known.described(
+            partial(self.expander, path), path, arguments, fragment=target.fragment, alone=alone, by_xacro=by_xacro
+        )
         if target.guessed and launch_file and described.expansion.document:
             launch_file = self._fitting(target, launch_file, described.expansion.document)
         files = described.files.copy()

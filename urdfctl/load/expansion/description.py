@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 
 from urdfctl.model.robot.build_robot import TOP_LEVEL
@@ -15,6 +16,7 @@ from urdfctl.source.xml.dom import Document
 from urdfctl.source.xml.parsing import parse
 from urdfctl.startup.records import NamedTuple
 
+_EXPRESSION = rb"\$[({]"
 MakeExpander = Callable[[type[Expander]], Expander]
 """Returns a new expander of a kind."""
 
@@ -39,12 +41,12 @@ def expanded_by(expander: Expander, path: str, arguments: Mapping[str, str]) -> 
 
 
 def expansion_of(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expansion:
-    """Return the expanded xacro file, or the tree of a plain URDF, which robots load as it is."""
+    """Return the expanded xacro file, or the tree of a plain URDF, which robots load as it is unless xacro is run."""
     try:
         source = expander.files.read(path)
     except FileProblem as error:
         return Expansion(None, [error.at(Place(SourceText(path, b""), 0, end=0))])
-    if source.is_xacro:
+    if source.is_xacro or (expander.expands_all and re.search(_EXPRESSION, source.data)):
         return expander.expand(path, arguments)
     document, problems = _read(source, expander)
     return Expansion(document, problems, library=expander.is_library)

@@ -44,6 +44,7 @@ class Description(NamedTuple):
     more: whether other arguments may be given too, which are not known.
     as_yaml: ROS 2: whether launch parses the text as YAML, because nothing says that it is a string.
     edited: ROS 2: whether the launch file replaces parts of the text, such as comments.
+    by_xacro: whether xacro expands the file, whatever its name is.
     """
 
     file: FileReference
@@ -59,6 +60,7 @@ class Description(NamedTuple):
     as_yaml: bool = False
     more: bool = False
     edited: bool = False
+    by_xacro: bool = False
 
     @property
     def usable(self) -> bool:

@@ -29,6 +29,12 @@ def of_command(command: str) -> tuple[str | None, tuple[tuple[str, str], ...] | 
     return path, None if unknown else arguments
 
 
+def runs_xacro(command: str) -> bool:
+    """Return whether a command runs xacro, which expands any file."""
+    words = _words(command)
+    return bool(words) and words[0] != "cat"
+
+
 def is_of_parameter(command: str) -> bool:
     """Return whether a command prints the robot description that another node has."""
     return bool(re.match(r"\s*(?:ros2\s+param|rosparam)\s+get\s.*\brobot_description\b", command))

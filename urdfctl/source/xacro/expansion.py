@@ -83,6 +83,8 @@ class Expander:
         """Whether a file that is not well-formed is read without its mistakes."""
         self.any_argument = False
         """Whether an argument that is neither given nor declared is unknown, and not a problem."""
+        self.expands_all = False
+        """Whether xacro is run on the file, whatever its name is."""
         self._given: Mapping[str, str] = {}
         self._properties: dict[str, set[str]] = {}
         self._written: dict[str, list[Element]] = {}

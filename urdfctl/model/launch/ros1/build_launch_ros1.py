@@ -35,7 +35,7 @@ from urdfctl.model.launch.ros1.elements import (
 from urdfctl.model.launch.ros1.forms import declared_twice, malformed
 from urdfctl.model.launch.ros1.nodes import model_in, node_of, spawn_of
 from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_environment
-from urdfctl.model.launch.xacro_command import of_command
+from urdfctl.model.launch.xacro_command import of_command, runs_xacro
 from urdfctl.model.moveit import MoveItFiles
 from urdfctl.names import is_slip
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -290,6 +290,7 @@ class _LaunchBuilder:
             names=names,
             command=written,
             in_node=scope.in_node,
+            by_xacro=source == "command" and runs_xacro(resolved),
         )
         (self.descriptions if last == _DESCRIPTION else self.others).append(description)
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.model.launch.ros2.moveit import builder_of
 from urdfctl.model.launch.ros2.texts import Content, Texts, table_of
-from urdfctl.model.launch.xacro_command import is_of_parameter, known_path, of_command
+from urdfctl.model.launch.xacro_command import is_of_parameter, known_path, of_command, runs_xacro
 from urdfctl.source.launch.terms import Called, Items, Member, OneOf, Term
 from urdfctl.source.span import Place
 
@@ -126,6 +126,7 @@ def _of_substitution(term: Called, texts: Texts) -> Content:
         alternatives=alternatives,
         as_yaml=True,
         more=more,
+        by_xacro=runs_xacro(command),
     )
 
 
@@ -136,7 +137,7 @@ def _of_program(term: Term | None, texts: Texts) -> Content | None:
     given = term.given("args", 0) or term.given("cmd")
     command = " ".join(map(texts.of, given.values)) if isinstance(given, Items) else texts.of(given)
     path, arguments = of_command(command)
-    return Content(path, arguments, term.at, command=command)
+    return Content(path, arguments, term.at, command=command, by_xacro=runs_xacro(command))
 
 
 def _is_open(term: Term | None) -> bool:
@@ -176,7 +177,7 @@ def _of_process(term: Term | None, texts: Texts, at: Place) -> Content | None:
     if term.given("mappings") is not None and mappings is None:
         whole = False
     names = tuple(mappings.keys.items()) if mappings else ()
-    return _of_file(texts.of(file), tuple(values.items()) if whole else None, at)._replace(names=names)
+    return _of_file(texts.of(file), tuple(values.items()) if whole else None, at)._replace(names=names, by_xacro=True)
 
 
 def _of_file(text: str, arguments: tuple[tuple[str, str], ...] | None, at: Place) -> Content:

@@ -109,6 +109,7 @@ class LaunchFacts:
                 as_yaml=content.as_yaml,
                 more=content.more,
                 edited=content.edited,
+                by_xacro=content.by_xacro,
             )
         )
 

@@ -32,6 +32,7 @@ class Content(NamedTuple):
     as_yaml: whether launch parses the text as YAML: the output of a substitution without a type.
     more: whether other arguments may be given too, which are not known.
     edited: whether the launch file replaces parts of the text, such as comments.
+    by_xacro: whether xacro expands the file, whatever its name is.
     """
 
     path: str | None
@@ -43,6 +44,7 @@ class Content(NamedTuple):
     as_yaml: bool = False
     more: bool = False
     edited: bool = False
+    by_xacro: bool = False
 
 
 class ActionScope:
