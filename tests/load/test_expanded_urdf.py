@@ -70,7 +70,7 @@ def test_what_xacro_expands_names_the_controllers(text: str, loaded: bool, folde
     [("command=\"xacro '$(find arm)/urdf/arm.urdf'\"", True), ('textfile="$(find arm)/urdf/arm.urdf"', False)],
 )
 def test_a_launch_file_of_ros_1_expands_what_it_runs_xacro_on(given: str, loaded: bool, folder: Folder) -> None:
-    named = URDF.replace('name="elbow" type', 'name="${\'el\' + \'bow\'}" type')
+    named = URDF.replace('name="elbow" type', "name=\"${'el' + 'bow'}\" type")
     folder.write({"package.xml": "<package><name>arm</name></package>", "urdf/arm.urdf": named})
     folder.write({"launch/arm.launch": f'<launch><param name="robot_description" {given}/></launch>'})
     shown = folder.run("lint", "launch/arm.launch", "--select", "UC33,UC31", "--distro", "humble").stdout

@@ -171,3 +171,15 @@ def test_a_link_that_would_be_denser_than_any_metal_is_larger_than_its_shapes(tm
 
     assert "UC992" in codes(run(tmp_path, arm(0.3), FORWARD))
     assert "UC992" not in codes(run(tmp_path, arm(0.01), FORWARD))
+
+
+@pytest.mark.parametrize(
+    ("effort", "interface", "named"), [(200.0, "position", True), (1e6, "position", False), (1e6, "effort", True)]
+)
+def test_a_motor_that_accelerates_it_easily_moves_whatever_inertia_no_gains_move(
+    tmp_path: Path, effort: float, interface: str, named: bool
+) -> None:
+    shape = '<link name="fore"><collision><geometry><box size="0.3 0.3 0.3"/></geometry></collision>'
+    arm = WEAK.urdf(effort=effort, interface=interface).replace('<link name="fore">', shape).replace('"0.02"', '"500"')
+    yaml = FORWARD if interface == "position" else WEAK.yaml()
+    assert ("UC992" in codes(run(tmp_path, arm, yaml))) is named

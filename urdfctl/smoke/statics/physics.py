@@ -17,7 +17,7 @@ from urdfctl.rules.smoke.joint_without_range import joint_without_range
 from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
 from urdfctl.rules.urdf.inertia_out_of_proportion import size_of
 from urdfctl.smoke.results import Trouble, trouble_of
-from urdfctl.smoke.robot import Hinge, Mechanism, Shapes
+from urdfctl.smoke.robot import Hinge, Mechanism, Shapes, moved_inertias
 from urdfctl.smoke.statics.drives import drive_troubles
 from urdfctl.smoke.statics.efforts import effort_troubles
 from urdfctl.smoke.statics.fingers import finger_troubles
@@ -28,6 +28,8 @@ LEAST_REACH = 1 / 30
 """The radius of gyration of a link should be at least this fraction of its largest dimension."""
 MOST_REACH = 5.0
 """The radius of gyration of a link is at most this multiple of its largest dimension."""
+EASY = 10.0
+"""A motor that accelerates its joint by more is strong enough, whatever the inertia is, in rad/s² or m/s²."""
 LEAST_MASS = 0.01
 """Lighter links are not judged by their inertia, in kg."""
 DENSEST = 22_600.0
@@ -73,7 +75,8 @@ def _masses(mechanism: Mechanism) -> Iterator[Trouble]:
 
 
 def _inertias(mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robot) -> Iterator[Trouble]:
-    """The links whose inertia decides how they move: too little matters to efforts, far too much to every motor."""
+    """The links whose inertia decides how they move: too little matters to efforts, far too much to weak motors and to
+    gains."""
     moved = _moved(mechanism, {joint: task.controller for task in tasks for joint in task.joints})
     pushed = _moved(mechanism, {joint: "" for task in tasks if task.interface == "effort" for joint in task.joints})
     for link in robot.links:
@@ -89,9 +92,19 @@ def _inertias(mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robo
         fields = {"link": body.name, "mass": f"{body.mass:g}", "size": f"{size:g}"}
         if times > 1 and body.name in pushed:
             yield trouble_of(inertia_too_small, f"link:{body.name}", None, (), **fields, times=f"{times:.1g}")
-        elif times < 1 and body.mass < DENSEST * size**3:
+        elif times < 1 and body.mass < DENSEST * size**3 and not _is_strong(mechanism, tasks, body.name):
             owner = moved[body.name]
             yield trouble_of(inertia_too_large, f"link:{body.name}", owner, (), **fields, times=f"{1 / times:.1g}")
+
+
+def _is_strong(mechanism: Mechanism, tasks: Sequence[ControllerTask], link: str) -> bool:
+    """Whether no gains move a link, and the motors of all joints before it accelerate what they move easily."""
+    inertias = moved_inertias(mechanism)
+    owners = {joint: task for task in tasks for joint in task.joints}
+    hinges = [hinge for hinge in mechanism.above(link) if hinge.name in owners]
+    if any(gains.p or gains.d for hinge in hinges for gains in owners[hinge.name].gains):
+        return False
+    return all((hinge.effort or 0.0) > EASY * inertias.get(hinge.name, math.inf) for hinge in hinges)
 
 
 def _moved(mechanism: Mechanism, owners: Mapping[str, str]) -> dict[str, str]:
