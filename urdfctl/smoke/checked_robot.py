@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from urdfctl.smoke.motion import MotionPlan
 
 
+_TEXTS = ("part_of", "needs", "robotless")
+"""The texts of a result before anything moves."""
+
+
 class CheckedRobot(NamedTuple):
     """A robot as its first worker returns it.
 
@@ -47,8 +51,9 @@ class CheckedRobot(NamedTuple):
             plan = MotionPlan.from_json(data["plan"])
         results = tuple(ControllerResult.from_json(each) for each in data["controllers"])
         linted = result_from_json(data["linted"])
+        told = {name: data[name] for name in _TEXTS}
         return cls(
-            result=RobotResult(linted, results, data["distro"], part_of=data["part_of"], needs=data["needs"]),
+            result=RobotResult(linted, results, data["distro"], **told),
             plan=plan,
             placed={subject: diagnostic_from_json(item) for subject, item in data["placed"].items()},
             troubles=tuple(Trouble.from_json(fields) for fields in data["troubles"]),
@@ -64,8 +69,7 @@ class CheckedRobot(NamedTuple):
             "linted": result_to_json(self.result.linted),
             "controllers": [each.to_json() for each in self.result.controllers],
             "distro": self.result.distro,
-            "part_of": self.result.part_of,
-            "needs": self.result.needs,
+            **{name: getattr(self.result, name) for name in _TEXTS},
             "plan": self.plan.to_json() if self.plan else None,
             "placed": {subject: diagnostic_to_json(item) for subject, item in self.placed.items()},
             "troubles": self.troubles,

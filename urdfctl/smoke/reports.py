@@ -9,6 +9,7 @@ from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.results import Report
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage
+from urdfctl.names import shortened
 from urdfctl.output.printing import visible
 from urdfctl.report import render
 from urdfctl.report.common import as_json, in_command, shown
@@ -29,6 +30,10 @@ _STYLES = {
 _UNDECLARED = "no controllers are declared for this robot"
 _NOTHING = "nothing was tested: no controllers found; name their file with --controllers"
 _NO_ROBOT = "nothing was tested: there is no robot in URDF or xacro here; models in SDF are not read"
+_LAUNCHES = "nothing was tested: name a launch file that starts a robot, such as {}"
+_DESCRIPTIONS = "nothing was tested: the launch file starts no robot: name one, such as {}"
+_NONE_STARTED = "nothing was tested: no known robot is started"
+_LACKING = "nothing was tested: add what is missing"
 _UNUSED = "nothing was tested: no robot uses {}: urdfctl smoke {} --controllers {}"
 _ONLY_READING = "; none of them moves a joint: name the files of others with --controllers"
 _READING = ("started", "read")
@@ -39,12 +44,14 @@ class SmokeReport(NamedTuple):
     """The results of a run: the smoke test of each robot, and the findings of all as a report of lint.
 
     unused: the controller files that no robot uses, if nothing was tested.
+    instead: the launch files, or else the descriptions, beside launch files that start no robot.
     """
 
     robots: tuple[RobotResult, ...]
     found: Report
     allow_empty: bool = False
     unused: tuple[str, ...] = ()
+    instead: tuple[str, ...] = ()
 
     @property
     def is_empty(self) -> bool:
@@ -101,7 +108,7 @@ def _why_nothing(robot: RobotResult) -> str:
     if robot.part_of:
         return f"not a robot: it hangs on link '{robot.part_of}', which is in another file"
     if is_launch(robot.linted.path):
-        return robot.needs or _UNDECLARED
+        return robot.needs or robot.robotless or _UNDECLARED
     return f"{_UNDECLARED}; {robot.needs}" if robot.needs else _UNDECLARED
 
 
@@ -182,6 +189,14 @@ def _what_next(report: SmokeReport) -> str:
         return _UNUSED.format(which, in_command(*whole) if len(whole) == 1 else "ROBOT", in_command(report.unused[0]))
     if not report.robots and not report.unused:
         return _NO_ROBOT
+    if report.robots and not whole:
+        if any(robot.needs for robot in report.robots):
+            return _LACKING
+        if report.instead:
+            kind = _LAUNCHES if is_launch(report.instead[0]) else _DESCRIPTIONS
+            return kind.format(shortened([shown(path) for path in report.instead], 2))
+        if any(robot.robotless for robot in report.robots):
+            return _NONE_STARTED
     most = max(whole.values(), key=lambda linted: linted.idle, default=None)
     return _NOTHING + (_PROPOSED.format(in_command(most.path)) if most else "")
 

@@ -132,6 +132,7 @@ class RobotResult(NamedTuple):
     interrupted: whether Ctrl-C ended the run before all was tested.
     paired: whether the launch file loads no robot, and this is the only one with the joints of its controllers.
     needs: what is not here or not given of what the launch file includes, or of its robot, and what adds it.
+    robotless: why a launch file starts no robot; empty if it starts one.
     """
 
     linted: TargetResult
@@ -144,6 +145,7 @@ class RobotResult(NamedTuple):
     interrupted: bool = False
     paired: bool = False
     needs: str = ""
+    robotless: str = ""
 
     def without(self, hidden: Sequence[str]) -> RobotResult:
         """Return the result in which no controller fails for a finding that is hidden: it is warned instead."""

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.discover.beside import starts_beside
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.errors import UserError
 from urdfctl.lint.findings.merging import merge
@@ -381,7 +382,10 @@ def report(
     reported = {finding.message for finding in findings}
     hidden = [finding.message for finding in everything if finding.message not in reported]
     made = report_of([robot.without(hidden) for robot in results], causes_first(findings), fail_on)
-    return made._replace(unused=tuple(_unused_of(groups))) if made.is_empty else made
+    if not made.is_empty:
+        return made
+    robotless = [robot.linted.path for robot in results if robot.robotless and not robot.needs]
+    return made._replace(unused=tuple(_unused_of(groups)), instead=tuple(starts_beside(robotless)))
 
 
 def _unused_of(groups: Sequence[ConfiguredPaths]) -> Iterator[str]:

@@ -308,3 +308,29 @@ def test_a_robot_without_controllers_names_the_packages_of_its_unknown_parts_onc
     shown = command("smoke", "lift", "--distro", "jazzy", "--engine", "none").stdout
     assert shown.count(f"  no controllers are declared for this robot{more}\n") == 1
     assert "nothing was tested: no controllers found" in shown
+
+
+REPOS = """repositories:
+  {}:
+    type: git
+    url: https://example.com/{}.git
+    version: main
+"""
+ROSINSTALL = "- git: {{local-name: {}, uri: 'https://example.com/{}.git', version: main}}\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({"all.repos": REPOS.format("lift_driver", "lift")}, "vcs import .. < all.repos"),
+        ({"all.repos": REPOS.format("drivers/lift", "lift-driver")}, "vcs import .. < all.repos"),
+        ({"all.repos": REPOS.format("src/lift_driver", "lift"), "src/README": ""}, "vcs import src < all.repos"),
+        ({".rosinstall": ROSINSTALL.format("lift_driver", "lift")}, "vcs import .. < .rosinstall"),
+        ({"all.repos": REPOS.format("lift_gripper", "lift")}, "clone it beside it"),
+        ({"sub/all.repos": REPOS.format("lift_driver", "lift")}, "clone it beside it"),
+    ],
+)
+def test_a_package_in_a_list_of_repositories_is_imported(files: dict[str, str], expected: str, folder: Folder) -> None:
+    robot(folder)
+    folder.write(files)
+    assert f"needs package 'lift_driver', not here: {expected}, or --package-path FOLDER" in command(*SMOKE).stdout

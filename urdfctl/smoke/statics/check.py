@@ -47,7 +47,7 @@ from urdfctl.smoke.statics.simulators import in_simulation
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
 from urdfctl.smoke.statics.undriven import tied_by, undriven, with_own_wheels, with_virtual_wheels
-from urdfctl.smoke.statics.unknown_parts import MOCKED, needs_of, why_unknown
+from urdfctl.smoke.statics.unknown_parts import MOCKED, needs_of, why_robotless, why_unknown
 from urdfctl.smoke.statics.written_limits import written_limit_troubles
 from urdfctl.smoke.tasks import ControllerTask, MotionFamily, TaskFile, tasks_of, with_inferred_drives
 from urdfctl.source.span import Place
@@ -152,6 +152,7 @@ class StaticCheck(NamedTuple):
             self.lifecycle.distro,
             part_of=self.part_of,
             needs=needs_of(self.seen),
+            robotless=why_robotless(self.seen),
         )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from urdfctl.catalog.values import is_known
 from urdfctl.lint.target import LintedTarget
@@ -13,7 +13,10 @@ from urdfctl.names import enumerated
 from urdfctl.report.common import in_command, shown
 from urdfctl.smoke.lifecycle import stops_hardware
 from urdfctl.smoke.robot import mechanism_of
+from urdfctl.source.disk.gate import is_file
+from urdfctl.source.opaque import OUTSIDE
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.workspaces.repository_lists import list_with
 from urdfctl.source.workspaces.submodules import empty_submodule
 from urdfctl.source.xacro.expanded import HARMLESS
 
@@ -24,10 +27,18 @@ NO_INCLUDED = (
     "not simulated: the launch file starts no known robot, but files of {}, not here: {}, "
     "or urdfctl smoke ROBOT --controllers {}"
 )
+NO_FILE = (
+    "not simulated: the launch file reads the robot from '{}', which does not exist{}: "
+    "urdfctl smoke ROBOT --controllers {}"
+)
 NO_PACKAGES = "not simulated: the robot needs {}, not here: {}, or --package-path FOLDER"
 NEEDS_PACKAGES = "it needs files of {}, not here: {}, or --package-path FOLDER"
 NEEDS_VARIABLE = "it needs {}: {}urdfctl smoke {} {}"
+NEEDS_FILE = "it reads the robot from '{}', which does not exist{}: urdfctl smoke ROBOT"
 NEEDS_ROBOT = "it starts a robot whose description is known only while it runs: urdfctl smoke ROBOT"
+STARTS_NONE = "it starts no robot"
+STARTS_UNKNOWN = "it starts no robot that is known before it runs: urdfctl smoke ROBOT"
+STARTS_WITH = "it starts no robot that is known without {}: {}urdfctl smoke {} {}"
 NO_ARGUMENT = "not simulated: the robot needs {}: {}urdfctl smoke {} {}"
 NO_VARIABLE = "not simulated: the launch file needs {}: {}urdfctl smoke {} {}"
 COMPUTED = "not simulated: the launch file computes {} of the robot: urdfctl smoke {}"
@@ -35,7 +46,9 @@ NO_PART = "not simulated: some parts of the robot are not known: {}:{}: {}"
 OR_MOCK = "; or --hardware mock, if only the driver is in there"
 MOCKED = {"driver (mock hardware)": "mock hardware was taken in its place"}
 """What is not tested of controllers whose driver is not in the files."""
-_IN_PACKAGE = r"\$\(find(?:-pkg-share)? ([\w-]+)\)|([A-Za-z][\w-]+)/"
+_IN_PACKAGE = rf"\$\(find(?:-pkg-share)? ([\w-]+)\)|([A-Za-z][\w-]+)/|{OUTSIDE}"
+_ANY_NAME = r"(?:^|_)(?:name|namespace|ns|prefix|suffix)$"
+"""How the names of arguments end that are empty by default, and choose no robot."""
 _PACKAGES = (ProblemKind.PACKAGE_ABSENT, ProblemKind.PACKAGE_NOT_FOUND)
 _ARGUMENTS = (ProblemKind.ARGUMENTS_NEEDED, ProblemKind.UNDEFINED_ARGUMENT)
 
@@ -55,11 +68,10 @@ def why_unknown(seen: LintedTarget) -> str:
         if seen.result.joining.unread and project.launch.variables:
             return _asking(NO_VARIABLE, in_command(project.launch.path), variables=project.launch.variables)
         included = {*packages_lacking(project), *seen.result.joining.described_in}
-        return (
-            NO_INCLUDED.format(*_with_what_adds(included, seen.result.path), files)
-            if included
-            else NO_ROBOT.format(files)
-        )
+        if included:
+            return NO_INCLUDED.format(*_with_what_adds(included, seen.result.path), files)
+        lost = lost_description(project)
+        return NO_FILE.format(*lost, files) if lost else NO_ROBOT.format(files)
     return _computed(seen) if incomplete and not problems else _why_of(problems, seen.result.path)
 
 
@@ -72,10 +84,26 @@ def needs_of(seen: LintedTarget) -> str:
         packages |= _packages_of_robot(seen)
     if packages:
         return NEEDS_PACKAGES.format(*_with_what_adds(packages, seen.result.path))
+    lost = lost_description(seen.project)
+    if lost and seen.project.robot is None:
+        return NEEDS_FILE.format(*lost)
     if launch is None or not joining.unread:
         return ""
     given = launch.variables
     return _asking(NEEDS_VARIABLE, in_command(launch.path), variables=given) if given else NEEDS_ROBOT
+
+
+def why_robotless(seen: LintedTarget) -> str:
+    """Return why a launch file starts no robot, and the argument without which it does not; empty if it starts one."""
+    launch = seen.project.launch
+    if launch is None or seen.project.robot is not None:
+        return ""
+    given = dict(seen.result.bringup.arguments) if seen.result.bringup else {}
+    unset = (name for name, value in launch.arguments if not value and name not in given)
+    empty = [name for name in unset if not re.search(_ANY_NAME, name)]
+    if not launch.complete and len(empty) == 1:
+        return _asking(STARTS_WITH, in_command(launch.path), empty)
+    return STARTS_NONE if launch.complete else STARTS_UNKNOWN
 
 
 def _problems(project: Project) -> list[Problem]:
@@ -89,16 +117,27 @@ def _packages_of_robot(seen: LintedTarget) -> set[str]:
 
 
 def _with_what_adds(packages: Collection[str], path: str) -> tuple[str, str]:
-    """Packages that a file needs, by name, and what adds them: the command for those that are submodules."""
-    names = f"package{'s' * (len(packages) > 1)} {_quoted(sorted(packages))}"
-    submodules = list(filter(None, (empty_submodule(name, path) for name in sorted(packages))))
-    left = len(packages) - len(submodules)
-    clone = f"clone {'it' if left == 1 else 'them'} beside it" if not submodules else "clone the others beside it"
-    if not submodules:
-        return names, clone
-    root, paths = shown(submodules[0][0] + os.sep).rstrip("/"), " ".join(path for _, path in submodules)
-    fetch = f"git {f'-C {root} ' if root else ''}submodule update --init {paths}"
-    return names, f"{fetch}, and {clone}" if left else fetch
+    """Packages that a file needs, by name, and what adds them: the commands for submodules and listed repositories."""
+    names = sorted(packages)
+    fetched = {name: at for name in names if (at := empty_submodule(name, path))}
+    listed = {name: at for name in names if name not in fetched and (at := list_with(name, path))}
+    commands = [*_fetching(fetched.values()), *map(_importing, dict.fromkeys(listed.values()))]
+    left = len(names) - len(fetched) - len(listed)
+    clone = "clone the others beside it" if commands else f"clone {'it' if left == 1 else 'them'} beside it"
+    return f"package{'s' * (len(names) > 1)} {_quoted(names)}", ", and ".join([*commands, *([clone] if left else [])])
+
+
+def _fetching(submodules: Collection[tuple[str, str]]) -> Iterator[str]:
+    """The command that fetches submodules of one repository, each with its path there."""
+    if submodules:
+        root, paths = shown(next(iter(submodules))[0] + os.sep).rstrip("/"), " ".join(path for _, path in submodules)
+        yield f"git {f'-C {root} ' if root else ''}submodule update --init {paths}"
+
+
+def _importing(listed: tuple[str, str]) -> str:
+    """The command that imports the repositories of a list to a folder."""
+    path, folder = (in_command(os.path.relpath(each)) for each in listed)
+    return f"vcs import {folder} < {path}"
 
 
 def _computed(seen: LintedTarget) -> str:
@@ -148,7 +187,16 @@ def packages_lacking(project: Project) -> tuple[str, ...]:
     absent = project.launch.absent if project.launch else ()
     own = project.launch.package.name if project.launch and project.launch.package else None
     found = (re.match(_IN_PACKAGE, word.text) for word in absent)
-    return tuple(sorted({match[1] or match[2] for match in found if match} - {own}))
+    return tuple(sorted({next(filter(None, match.groups())) for match in found if match} - {own}))
+
+
+def lost_description(project: Project) -> tuple[str, str] | None:
+    """Return the only description of a launch file if it is not there, and when it is made if the build may do that."""
+    files = {each.file.path: each.file for each in project.launch.descriptions} if project.launch else {}
+    [path, file], *others = files.items() or [(None, None)]
+    if others or path is None or file is None or is_file(path):
+        return None
+    return shown(path), " before the build" if file.exists is None else ""
 
 
 def is_only_the_driver_missing(project: Project) -> bool:
