@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from urdfctl.smoke.motion import MotionPlan
 
 
-_TEXTS = ("part_of", "needs", "robotless")
+_TEXTS = ("part_of", "needs", "robotless", "movers")
 """The texts of a result before anything moves."""
 
 

@@ -28,6 +28,7 @@ _STYLES = {
 
 
 _UNDECLARED = "no controllers are declared for this robot"
+_MOVED = ": {} may move it, which is not tested"
 _NOTHING = "nothing was tested: no controllers found; name their file with --controllers"
 _NO_ROBOT = "nothing was tested: there is no robot in URDF or xacro here; models in SDF are not read"
 _LAUNCHES = "nothing was tested: name a launch file that starts a robot, such as {}"
@@ -109,7 +110,8 @@ def _why_nothing(robot: RobotResult) -> str:
         return f"not a robot: it hangs on link '{robot.part_of}', which is in another file"
     if is_launch(robot.linted.path):
         return robot.needs or robot.robotless or _UNDECLARED
-    return f"{_UNDECLARED}; {robot.needs}" if robot.needs else _UNDECLARED
+    moved = _MOVED.format(robot.movers) if robot.movers else ""
+    return "; ".join(part for part in (f"{_UNDECLARED}{moved}", robot.needs) if part)
 
 
 def explanation(result: ControllerResult) -> str:

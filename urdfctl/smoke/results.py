@@ -133,6 +133,7 @@ class RobotResult(NamedTuple):
     paired: whether the launch file loads no robot, and this is the only one with the joints of its controllers.
     needs: what is not here or not given of what the launch file includes, or of its robot, and what adds it.
     robotless: why a launch file starts no robot; empty if it starts one.
+    movers: the plugins of a simulator that move a robot without controllers, in words; empty if there are none.
     """
 
     linted: TargetResult
@@ -146,6 +147,7 @@ class RobotResult(NamedTuple):
     paired: bool = False
     needs: str = ""
     robotless: str = ""
+    movers: str = ""
 
     def without(self, hidden: Sequence[str]) -> RobotResult:
         """Return the result in which no controller fails for a finding that is hidden: it is warned instead."""

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.discover.beside import starts_beside
+from urdfctl.discover.beside import controllers_beside, starts_beside
 from urdfctl.discover.robots import DiscoveredFiles
 from urdfctl.errors import UserError
 from urdfctl.lint.findings.merging import merge
@@ -385,10 +385,16 @@ def report(
     if not made.is_empty:
         return made
     robotless = [robot.linted.path for robot in results if robot.robotless and not robot.needs]
-    return made._replace(unused=tuple(_unused_of(groups)), instead=tuple(starts_beside(robotless)))
+    return made._replace(unused=tuple(_unused_of(groups, results)), instead=tuple(starts_beside(robotless)))
 
 
-def _unused_of(groups: Sequence[ConfiguredPaths]) -> Iterator[str]:
-    """The files in folders that look like controller files; of a run in which no robot has controllers."""
-    for group in groups:
-        yield from map(os.path.normpath, find(group).controllers_candidates)
+def _unused_of(groups: Sequence[ConfiguredPaths], results: Sequence[RobotResult]) -> Iterable[str]:
+    """The files in folders that look like controller files; of a run in which no robot has controllers.
+
+    If there are none, those in the workspace that name joints of the only robot.
+    """
+    found = [path for group in groups for path in find(group).controllers_candidates]
+    if not found and len(results) == 1:
+        linted = results[0].linted
+        found = controllers_beside(linted.launch or linted.path, linted.joining.joints)
+    return map(os.path.normpath, found)

@@ -96,3 +96,37 @@ def test_an_empty_argument_that_may_choose_the_robot_is_named(
     folder.write({"one.launch.py": CHOSEN.format(default)})
     shown = command("smoke", "one.launch.py", *given, "--engine", "none", "--distro", "jazzy").stdout
     assert f"  it starts no robot that is {expected}\n" in shown
+
+
+DRIVEN = """<robot name="cart"><link name="base"/>
+<link name="left"/><joint name="left_wheel" type="continuous"><parent link="base"/><child link="left"/></joint>
+<link name="right"/><joint name="right_wheel" type="continuous"><parent link="base"/><child link="right"/></joint>
+{}</robot>"""
+PLUGIN = """<gazebo><plugin filename="gz-sim-{}-system" name="gz::sim::systems::DiffDrive">
+<left_joint>left_wheel</left_joint><right_joint>right_wheel</right_joint></plugin></gazebo>"""
+
+
+@pytest.mark.parametrize(("plugin", "named"), [("diff-drive", True), ("pose-publisher", False)])
+def test_the_plugin_that_moves_a_robot_without_controllers_is_named(plugin: str, named: bool, folder: Folder) -> None:
+    folder.write({"cart.urdf": DRIVEN.format(PLUGIN.format(plugin))})
+    shown = command("smoke", "cart.urdf", "--engine", "none", "--distro", "jazzy").stdout
+    expected = "for this robot: plugin 'gz-sim-diff-drive-system' of the simulator may move it, which is not tested\n"
+    assert (expected in shown) is named
+
+
+WHEELS = "wheels: {type: velocity_controllers/JointGroupVelocityController, joints: [%s]}\n"
+
+
+@pytest.mark.parametrize(
+    ("joint", "expected"),
+    [
+        ("left_wheel", "no robot uses 'b/wheels.yaml': urdfctl smoke a/cart.urdf --controllers b/wheels.yaml"),
+        ("left_wheel_1", "no controllers found; name their file with --controllers, or see what 'urdfctl gen-all"),
+    ],
+)
+def test_a_controller_file_of_another_package_is_named_if_it_names_joints_of_the_robot(
+    joint: str, expected: str, folder: Folder
+) -> None:
+    folder.write({"a/package.xml": PACKAGE, "a/cart.urdf": DRIVEN.format(""), "b/wheels.yaml": WHEELS % joint})
+    shown = command("smoke", "a/cart.urdf", "--engine", "none", "--distro", "noetic").stdout
+    assert f"nothing was tested: {expected}" in shown

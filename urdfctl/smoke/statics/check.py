@@ -43,7 +43,7 @@ from urdfctl.smoke.statics.overlaps import overlap_troubles
 from urdfctl.smoke.statics.physics import static_troubles
 from urdfctl.smoke.statics.plausibility import plausibility_troubles
 from urdfctl.smoke.statics.shared_joints import shared_joint_troubles
-from urdfctl.smoke.statics.simulators import in_simulation
+from urdfctl.smoke.statics.simulators import in_simulation, movers_of
 from urdfctl.smoke.statics.support import Support, support_of
 from urdfctl.smoke.statics.transmissions import transmission_troubles, transmissions_of, with_transmissions
 from urdfctl.smoke.statics.undriven import tied_by, undriven, with_own_wheels, with_virtual_wheels
@@ -153,6 +153,7 @@ class StaticCheck(NamedTuple):
             part_of=self.part_of,
             needs=needs_of(self.seen),
             robotless=why_robotless(self.seen),
+            movers=movers_of(self.seen.project),
         )
 
 

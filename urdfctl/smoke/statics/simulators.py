@@ -5,9 +5,11 @@ from __future__ import annotations
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import generation
 from urdfctl.control.hardware.gazebo_ros1 import in_gazebo
+from urdfctl.control.hardware.simulator_plugins import loaded_plugins
 from urdfctl.diagnostic import Severity
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Ros2Control
+from urdfctl.names import enumerated
 
 GAZEBO_ROS1 = "gazebo_ros_control"
 _WORLDS = ("gz", "gazebo-classic")
@@ -19,6 +21,15 @@ def simulator_of(control: Ros2Control, catalog: Catalog, distro: str) -> str:
     plugin = (control.plugin or "").strip()
     known = catalog.hardware(plugin, distro) if plugin else None
     return (known.simulator if known else None) or ""
+
+
+def movers_of(project: Project) -> str:
+    """Return which plugins of a simulator move joints of a robot without controllers, in words; empty if none do."""
+    if project.controllers is not None and project.controllers.controllers:
+        return ""
+    moving = (each for each in loaded_plugins(project) if each.drives or each.moves_joints)
+    names = list(dict.fromkeys(f"'{each.filename}'" for each in moving))
+    return f"plugin{'s' * (len(names) > 1)} {enumerated(names, 'and')} of the simulator" if names else ""
 
 
 def in_gazebo_of_ros1(project: Project) -> bool:

@@ -81,7 +81,10 @@ def _task_of(configured: Configured, below: Mapping[str, tuple[ControllerTask, C
     name, kind = configured.name, configured.type
     if kind is None or kind.claims is None:
         is_declared = configured.controller.declared_at is not None
-        return _not_simulated(name, _why_unknown(configured) if is_declared else "no known file declares it")
+        return _not_simulated(
+            name,
+            _why_unknown(configured) if is_declared else "no known file declares it; name the file with --controllers",
+        )
     claims = configured.claims.command
     if not claims:
         broadcasts = kind.broadcaster or not kind.claims.command
