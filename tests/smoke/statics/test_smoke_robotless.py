@@ -34,7 +34,10 @@ def test_the_package_of_an_included_launch_file_is_named_however_its_path_is_mad
     assert "nothing was tested: add what is missing" in shown
 
 
-@pytest.mark.parametrize(("cmake", "when"), [("", ""), ("configure_file(arm.urdf.in arm.urdf)\n", " before the build")])
+@pytest.mark.parametrize(
+    ("cmake", "when"),
+    [("", ":"), ("configure_file(arm.urdf.in arm.urdf)\n", " before the build: build the workspace, or")],
+)
 @pytest.mark.parametrize("loads", [True, False])
 def test_a_description_that_does_not_exist_is_named(cmake: str, when: str, loads: bool, folder: Folder) -> None:
     load = '<rosparam command="load" file="$(find a)/config/arm.yaml"/>' if loads else ""
@@ -47,7 +50,7 @@ def test_a_description_that_does_not_exist_is_named(cmake: str, when: str, loads
         }
     )
     shown = command("smoke", "a/launch/one.launch", "--engine", "none", "--distro", "noetic").stdout
-    assert f"reads the robot from 'a/urdf/arm.urdf', which does not exist{when}: urdfctl smoke ROBOT" in shown
+    assert f"reads the robot from 'a/urdf/arm.urdf', which does not exist{when} urdfctl smoke ROBOT" in shown
 
 
 def test_a_launch_file_that_starts_no_robot_names_those_that_do(folder: Folder) -> None:

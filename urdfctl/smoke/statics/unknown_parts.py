@@ -28,13 +28,13 @@ NO_INCLUDED = (
     "or urdfctl smoke ROBOT --controllers {}"
 )
 NO_FILE = (
-    "not simulated: the launch file reads the robot from '{}', which does not exist{}: "
+    "not simulated: the launch file reads the robot from '{}', which does not exist{} "
     "urdfctl smoke ROBOT --controllers {}"
 )
 NO_PACKAGES = "not simulated: the robot needs {}, not here: {}, or --package-path FOLDER"
 NEEDS_PACKAGES = "it needs files of {}, not here: {}, or --package-path FOLDER"
 NEEDS_VARIABLE = "it needs {}: {}urdfctl smoke {} {}"
-NEEDS_FILE = "it reads the robot from '{}', which does not exist{}: urdfctl smoke ROBOT"
+NEEDS_FILE = "it reads the robot from '{}', which does not exist{} urdfctl smoke ROBOT"
 NEEDS_ROBOT = "it starts a robot whose description is known only while it runs: urdfctl smoke ROBOT"
 STARTS_NONE = "it starts no robot"
 STARTS_UNKNOWN = "it starts no robot that is known before it runs: urdfctl smoke ROBOT"
@@ -191,12 +191,12 @@ def packages_lacking(project: Project) -> tuple[str, ...]:
 
 
 def lost_description(project: Project) -> tuple[str, str] | None:
-    """Return the only description of a launch file if it is not there, and when it is made if the build may do that."""
+    """Return the only description of a launch file if it is not there, and what makes it if the build may do that."""
     files = {each.file.path: each.file for each in project.launch.descriptions} if project.launch else {}
     [path, file], *others = files.items() or [(None, None)]
     if others or path is None or file is None or is_file(path):
         return None
-    return shown(path), " before the build" if file.exists is None else ""
+    return shown(path), " before the build: build the workspace, or" if file.exists is None else ":"
 
 
 def is_only_the_driver_missing(project: Project) -> bool:
