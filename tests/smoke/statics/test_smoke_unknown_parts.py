@@ -334,3 +334,19 @@ def test_a_package_in_a_list_of_repositories_is_imported(files: dict[str, str], 
     robot(folder)
     folder.write(files)
     assert f"needs package 'lift_driver', not here: {expected}, or --package-path FOLDER" in command(*SMOKE).stdout
+
+
+CHOSEN = """<robot name="test" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:macro name="scanner" params="parent"><link name="scan"/></xacro:macro>
+<xacro:property name="sensor" value="$(arg sensor)"/><link name="world"/>
+<xacro:{} parent="world"/>
+</robot>
+"""
+
+
+@pytest.mark.parametrize("element", ['element xacro:name="${sensor}"', 'call macro="${sensor}"'])
+def test_an_element_whose_name_is_an_argument_needs_it(element: str, folder: Folder) -> None:
+    folder.write({"robot.urdf.xacro": CHOSEN.format(element)})
+    shown = command("smoke", "robot.urdf.xacro", "--engine", "none", "--distro", "jazzy").stdout
+    assert "; it needs argument 'sensor': urdfctl smoke robot.urdf.xacro sensor:=VALUE\n" in shown
+    assert "UC901" not in shown

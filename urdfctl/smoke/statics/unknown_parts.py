@@ -87,7 +87,9 @@ def needs_of(seen: LintedTarget) -> str:
     lost = lost_description(seen.project)
     if lost and seen.project.robot is None:
         return NEEDS_FILE.format(*lost)
-    if launch is None or not joining.unread:
+    if launch is None:
+        return "" if seen.project.complete else _asking_for(NEEDS_VARIABLE, _problems(seen.project), seen.result.path)
+    if not joining.unread:
         return ""
     given = launch.variables
     return _asking(NEEDS_VARIABLE, in_command(launch.path), variables=given) if given else NEEDS_ROBOT
@@ -155,15 +157,22 @@ def _computed(seen: LintedTarget) -> str:
 
 
 def _why_of(problems: list[Problem], path: str) -> str:
-    needed = [problem.subject for problem in problems if problem.kind in _ARGUMENTS and problem.subject]
-    wanted = dict.fromkeys(name for names in needed for name in re.findall(r"[^,\s]+", names))
-    if wanted:
-        variables = [name[1:] for name in wanted if name.startswith("$")]
-        return _asking(NO_ARGUMENT, in_command(path), [name for name in wanted if not name.startswith("$")], variables)
+    asked = _asking_for(NO_ARGUMENT, problems, path)
+    if asked:
+        return asked
     if problems:
         first = problems[0]
         return NO_PART.format(shown(first.at.source.path), first.at.source.position(first.at.start)[0], first.message)
     return UNKNOWN_ROBOT
+
+
+def _asking_for(text: str, problems: list[Problem], path: str) -> str:
+    """That a robot needs the arguments and the environment variables that some problems are about; empty if none."""
+    needed = [problem.subject for problem in problems if problem.kind in _ARGUMENTS and problem.subject]
+    wanted = dict.fromkeys(name for names in needed for name in re.findall(r"[^,\s]+", names))
+    variables = [name[1:] for name in wanted if name.startswith("$")]
+    arguments = [name for name in wanted if not name.startswith("$")]
+    return _asking(text, in_command(path), arguments, variables) if wanted else ""
 
 
 def _asking(text: str, path: str, arguments: Sequence[str] = (), variables: Sequence[str] = ()) -> str:

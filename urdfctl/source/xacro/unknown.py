@@ -10,6 +10,7 @@ from typing import Any
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.opaque import UNKNOWN, AnyArgument, NotKnown, Opaque
 from urdfctl.source.problem import Problem
+from urdfctl.source.xacro.blame import Blame
 from urdfctl.source.xacro.errors import causes_of
 from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.expansion import Expander
@@ -126,6 +127,12 @@ class UnknownExpander(Expander):
                 self._values.setdefault(name, self._values[name])
         words = set(re.findall(r"\w+", text))
         return any(name in words and UNKNOWN in value for name, value in self._values.items())
+
+    def _keep(self, blame: Blame, error: BaseException) -> None:
+        if any(isinstance(cause, NotKnown) for cause in causes_of(error)):
+            self.found.left_out = True  # whatever the element would have become
+        else:
+            super()._keep(blame, error)
 
     def _add(self, problem: Problem) -> None:
         if UNKNOWN not in problem.message:
