@@ -350,3 +350,28 @@ def test_an_element_whose_name_is_an_argument_needs_it(element: str, folder: Fol
     shown = command("smoke", "robot.urdf.xacro", "--engine", "none", "--distro", "jazzy").stdout
     assert "; it needs argument 'sensor': urdfctl smoke robot.urdf.xacro sensor:=VALUE\n" in shown
     assert "UC901" not in shown
+
+
+UR = '<xacro:include filename="$(find ur_description)/urdf/ur_macro.xacro"/>'
+OF_ROS2 = "https://github.com/UniversalRobots/Universal_Robots_ROS2_Description for jazzy"
+
+
+@pytest.mark.parametrize(
+    ("include", "distro", "expected"),
+    [
+        (UR, "jazzy", f"clone {OF_ROS2} beside it"),
+        (UR, "noetic", "clone https://github.com/ros-industrial/universal_robot for noetic beside it"),
+        (DRIVER, "jazzy", "clone it beside it"),
+        (
+            f"{UR}{DRIVER}",
+            "jazzy",
+            f"clone {OF_ROS2} and the other beside it",
+        ),
+    ],
+)
+def test_the_repository_of_a_package_is_named_where_it_is_known(
+    include: str, distro: str, expected: str, folder: Folder
+) -> None:
+    robot(folder, include)
+    words = [distro if word == "jazzy" else word for word in SMOKE]
+    assert f"not here: {expected}, or --package-path FOLDER" in command(*words).stdout

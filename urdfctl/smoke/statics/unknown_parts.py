@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
+from urdfctl.catalog.repositories import repository_of
 from urdfctl.catalog.values import is_known
 from urdfctl.lint.target import LintedTarget
 from urdfctl.model.project import Project
@@ -60,7 +61,7 @@ def why_unknown(seen: LintedTarget) -> str:
     problems = _problems(project) if incomplete else []
     packages = _packages_of_robot(seen) if incomplete else set()
     if packages:
-        return NO_PACKAGES.format(*_with_what_adds(packages, seen.result.path)) + (
+        return NO_PACKAGES.format(*_with_what_adds(packages, seen)) + (
             OR_MOCK if is_only_the_driver_missing(project) else ""
         )
     if project.robot is None and project.launch is not None and seen.result.controllers:
@@ -69,7 +70,7 @@ def why_unknown(seen: LintedTarget) -> str:
             return _asking(NO_VARIABLE, in_command(project.launch.path), variables=project.launch.variables)
         included = {*packages_lacking(project), *seen.result.joining.described_in}
         if included:
-            return NO_INCLUDED.format(*_with_what_adds(included, seen.result.path), files)
+            return NO_INCLUDED.format(*_with_what_adds(included, seen), files)
         lost = lost_description(project)
         return NO_FILE.format(*lost, files) if lost else NO_ROBOT.format(files)
     return _computed(seen) if incomplete and not problems else _why_of(problems, seen.result.path)
@@ -83,7 +84,7 @@ def needs_of(seen: LintedTarget) -> str:
     if seen.project.robot is not None and not seen.project.complete:
         packages |= _packages_of_robot(seen)
     if packages:
-        return NEEDS_PACKAGES.format(*_with_what_adds(packages, seen.result.path))
+        return NEEDS_PACKAGES.format(*_with_what_adds(packages, seen))
     lost = lost_description(seen.project)
     if lost and seen.project.robot is None:
         return NEEDS_FILE.format(*lost)
@@ -118,15 +119,25 @@ def _packages_of_robot(seen: LintedTarget) -> set[str]:
     return {*named, *seen.result.missing_packages}
 
 
-def _with_what_adds(packages: Collection[str], path: str) -> tuple[str, str]:
-    """Packages that a file needs, by name, and what adds them: the commands for submodules and listed repositories."""
-    names = sorted(packages)
+def _with_what_adds(packages: Collection[str], seen: LintedTarget) -> tuple[str, str]:
+    """Packages that a file needs, by name, and what adds them: the commands for submodules and repositories."""
+    names, path = sorted(packages), seen.result.path
     fetched = {name: at for name in names if (at := empty_submodule(name, path))}
     listed = {name: at for name in names if name not in fetched and (at := list_with(name, path))}
     commands = [*_fetching(fetched.values()), *map(_importing, dict.fromkeys(listed.values()))]
-    left = len(names) - len(fetched) - len(listed)
-    clone = "clone the others beside it" if commands else f"clone {'it' if left == 1 else 'them'} beside it"
-    return f"package{'s' * (len(names) > 1)} {_quoted(names)}", ", and ".join([*commands, *([clone] if left else [])])
+    left = [name for name in names if name not in fetched and name not in listed]
+    clones = [_cloning(left, seen, is_all=not commands)] if left else []
+    return f"package{'s' * (len(names) > 1)} {_quoted(names)}", ", and ".join([*commands, *clones])
+
+
+def _cloning(names: Sequence[str], seen: LintedTarget, *, is_all: bool) -> str:
+    """What clones packages: beside the file, from their repositories as far as these are known."""
+    found = [repository_of(name, seen.result.ros) for name in names]
+    distro = f" for {seen.result.distro}" if seen.result.distro else ""
+    known, rest = dict.fromkeys(f"{one}{distro}" for one in found if one), found.count(None)
+    one, several = ("it", "them") if is_all and not known else ("the other", "the others")
+    others = one if rest == 1 else several
+    return f"clone {enumerated([*known, *([others] if rest else [])], 'and')} beside it"
 
 
 def _fetching(submodules: Collection[tuple[str, str]]) -> Iterator[str]:
