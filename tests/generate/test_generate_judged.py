@@ -128,6 +128,18 @@ FLAT = b" " * 80 + (1).to_bytes(4, "little") + bytes(50)
 """A binary STL file with one triangle, whose corners are one point."""
 
 
+@pytest.mark.parametrize("package", ["scanner", ""])
+def test_the_package_that_a_robot_needs_to_be_tested_is_named(package: str, folder: Folder) -> None:
+    include = f'<xacro:include filename="$(find {package})/urdf/scanner.xacro"/>' if package else ""
+    xacro = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    folder.write({"arm.urdf.xacro": GOOD.replace('<robot name="arm">', xacro + include)})
+    done = command("gen-all", "arm.urdf.xacro", *"--distro jazzy --simulator gz -o made".split())
+    expected = (
+        "parts of the robot are not known, and its package is not tested: it needs files of package 'scanner', not here"
+    )
+    assert (done.returncode, expected in done.stderr) == (0, bool(package))
+
+
 def test_a_model_for_mujoco_has_an_inertia_that_a_solid_can_have(folder: Folder) -> None:
     folder.write({"r.urdf": TWO.format(visual="", xy="0.5")})
     done = command("convert", "r.urdf", "--to", "mjcf", "-o", "r.xml")

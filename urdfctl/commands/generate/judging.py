@@ -48,6 +48,7 @@ class Judgement(NamedTuple):
     others: what keeps something from moving as it should.
     unplanned: the errors in MoveIt's configuration.
     checked: the robot with the plan of its motion; None if it is not known.
+    needs: what parts of the robot need that is not here, without which it is not tested.
     """
 
     fatal: tuple[Diagnostic, ...] = ()
@@ -55,6 +56,7 @@ class Judgement(NamedTuple):
     others: tuple[Diagnostic, ...] = ()
     unplanned: tuple[Diagnostic, ...] = ()
     checked: CheckedRobot | None = None
+    needs: str = ""
 
     @property
     def refusal(self) -> str:
@@ -68,7 +70,9 @@ class Judgement(NamedTuple):
         return "would not move as commanded" if fails else ""
 
     def lines(self) -> Iterator[str]:
-        """Yield a line for each finding, with its place if that is in a file of the user."""
+        """Yield a line for what is missing, and for each finding, with its place if that is in a file of the user."""
+        if self.needs:
+            yield f"parts of the robot are not known, and its package is not tested: {self.needs}"
         told = [*self.fatal, *self.unplanned, *self.gains]
         told += [one for one in self.others if self.refusal or one.severity is Severity.ERROR]
         for finding in causes_first(told):
@@ -94,7 +98,8 @@ def judged(made: list[File], robot: RobotFacts, settings: Settings, *, repaired:
         return Judgement()
     checked = CheckedRobot.from_json(result)
     unplanned = tuple(map(diagnostic_from_json, result["unplanned"]))
-    return _judgement(checked.result)._replace(checked=checked, unplanned=unplanned)
+    needs = "" if _BESIDE in checked.result.needs else checked.result.needs
+    return _judgement(checked.result)._replace(checked=checked, unplanned=unplanned, needs=needs)
 
 
 def with_motion(judgement: Judgement, robot: RobotFacts, settings: Settings) -> Judgement:
@@ -106,7 +111,7 @@ def with_motion(judgement: Judgement, robot: RobotFacts, settings: Settings) -> 
     [result] = move([judgement.checked], _request(), settings)
     if result.interrupted:
         raise KeyboardInterrupt
-    return _judgement(result)._replace(unplanned=judgement.unplanned)
+    return _judgement(result)._replace(unplanned=judgement.unplanned, needs=judgement.needs)
 
 
 def _request() -> SmokeRequest:
