@@ -108,6 +108,19 @@ def test_the_springs_on_fingers_that_follow_a_motor_are_one_hand_with_it() -> No
     assert not parts.tools[0].single
 
 
+def test_what_follows_followers_of_a_motor_is_one_hand_with_it() -> None:
+    fingers = [turning("pivot", "wrist", "motor"), turning("gear", "wrist", "pivot"), turning("tip", "gear", "gear")]
+    parts = anatomy(turning("shoulder"), turning("wrist", "shoulder"), turning("motor", "wrist"), *fingers)
+    assert names_of(parts) == ([["motor"]], [["shoulder", "wrist"]])
+
+
+def test_what_a_follower_of_a_follower_carries_by_another_joint_is_no_hand() -> None:
+    parts = anatomy(
+        turning("motor"), turning("rod", None, "motor"), turning("beam", "rod", "rod"), *finger("arm", 3, "beam")
+    )
+    assert parts.tools == ()
+
+
 @pytest.mark.parametrize("carried", [(turning("pan", "second"), turning("tilt", "pan")), (turning("pan", "lift"),)])
 def test_what_carries_an_arm_or_a_head_is_no_hand(carried: tuple[JointFacts, ...]) -> None:
     parts = anatomy(turning("lift"), turning("second", None, "lift"), *carried)
@@ -157,3 +170,96 @@ def test_a_word_in_the_names_of_all_joints_makes_no_hand_of_two_arms() -> None:
     tools, chains = names_of(anatomy(turning("claw_torso"), *arms))
     assert tools == [["claw_l_2"], ["claw_r_2"]]
     assert chains == [["claw_torso"], ["claw_l_1"], ["claw_r_1"]]
+
+
+def jaw(name: str, side: float, low: float, high: float, axis: tuple[float, float, float] = LEVEL) -> JointFacts:
+    """Return a joint on the wrist, to one side of it, that turns between two limits."""
+    return turning(name, "wrist")._replace(at=(side, 0.0, 0.5), axis=axis, lower=low, upper=high)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (jaw("a", -0.03, -0.1, 0.8), jaw("b", 0.03, -0.8, 0.1)),
+        (jaw("a", -0.03, 0.0, 0.8), jaw("b", 0.03, 0.0, 0.8, (0.0, -1.0, 0.0))),
+        (jaw("a", 0.0, 0.0, 0.8), jaw("b", 0.0, -0.8, 0.0)),  # on one pin
+    ],
+)
+def test_two_joints_that_turn_towards_each_other_at_the_end_of_an_arm_are_a_gripper(
+    left: JointFacts, right: JointFacts
+) -> None:
+    assert names_of(anatomy(*ARM, left, right)) == ([["a", "b"]], [["shoulder", "elbow", "wrist"]])
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (jaw("a", -0.03, 0.0, 0.8), jaw("b", 0.03, 0.0, 0.8)),  # both turn to the same side
+        (jaw("a", -0.03, -0.8, 0.8), jaw("b", 0.03, -0.8, 0.8)),  # a head and an antenna may
+        (jaw("a", -0.03, 0.0, 0.8, (1.0, 0.0, 0.0)), jaw("b", 0.03, -0.8, 0.0, (1.0, 0.0, 0.0))),  # on one axle
+        (jaw("a", -0.03, 0.0, 0.8), jaw("b", 0.03, -0.8, 0.0, (0.0, 0.0, 1.0))),  # about other axes
+        (jaw("a", -0.03, 0.0, 4.0), jaw("b", 0.03, -4.0, 0.0)),  # more than half a turn
+        (jaw("a", -0.03, 0.0, 0.8), jaw("b", 0.03, -0.8, 0.0)._replace(type="prismatic")),
+    ],
+)
+def test_a_fork_of_two_joints_that_do_not_close_is_no_gripper(left: JointFacts, right: JointFacts) -> None:
+    assert names_of(anatomy(*ARM, left, right)) == ([], [["shoulder", "elbow", "wrist"], ["a"], ["b"]])
+
+
+def test_two_legs_that_mirror_each_other_are_no_gripper() -> None:
+    hips = [jaw("a", -0.03, 0.0, 0.8)._replace(above=None), jaw("b", 0.03, -0.8, 0.0)._replace(above=None)]
+    assert names_of(anatomy(*hips)) == ([], [["a"], ["b"]])
+
+
+def led(name: str, above: str = "wrist") -> list[JointFacts]:
+    """Return a joint, and one on it that follows it."""
+    return [turning(name, above), turning(f"{name}_end", name, name)]
+
+
+def test_fingers_on_one_link_whose_ends_follow_them_are_one_hand() -> None:
+    parts = anatomy(*ARM, *led("a"), *led("b"), *led("c"))
+    assert names_of(parts) == ([["a", "b", "c"]], [["shoulder", "elbow", "wrist"]])
+
+
+def test_two_grippers_of_a_motor_and_a_follower_beside_it_remain_two() -> None:
+    pairs = [turning("a", "wrist"), turning("b", "wrist", "a"), turning("c", "wrist"), turning("d", "wrist", "c")]
+    assert names_of(anatomy(*ARM, *pairs))[0] == [["a"], ["c"]]
+
+
+def test_joints_with_the_names_of_fingers_are_a_hand_beside_a_thumb_and_say_nothing_elsewhere() -> None:
+    digits = [*finger("thumb", 2), *led("index", "wrist"), *led("middle", "wrist"), turning("ring", "wrist")]
+    assert names_of(anatomy(*ARM, *digits))[0] == [["thumb_1", "thumb_2", "index", "middle", "ring"]]
+    legs = [*finger("front", 3, "spine"), *finger("middle", 3, "spine")]
+    assert names_of(anatomy(turning("spine"), *legs))[0] == []
+
+
+SIX = ("pan", "tilt", "elbow", "roll", "bend", "turn")
+
+
+@pytest.mark.parametrize(
+    ("root", "joints"),
+    [
+        ([turning("axis")._replace(type="prismatic")], 6),
+        ([turning("x")._replace(type="prismatic"), turning("y", "x")._replace(type="prismatic")], 6),
+        ([turning("left_lift")], 6),
+        ([turning("torso")], 5),
+    ],
+)
+def test_a_lift_or_a_rail_below_an_arm_is_a_chain_of_its_own(root: list[JointFacts], joints: int) -> None:
+    row = SIX[:joints]
+    arm = [turning(name, above) for name, above in zip(row, (root[-1].name, *row), strict=False)]
+    assert names_of(anatomy(*root, *arm))[1] == [[joint.name for joint in root], [*row]]
+
+
+@pytest.mark.parametrize(
+    ("root", "joints"),
+    [
+        ([turning("axis")._replace(type="prismatic")], 4),
+        ([turning("shoulder_lift")], 6),
+        ([turning("base")], 6),
+    ],
+)
+def test_a_joint_at_the_root_of_an_arm_is_a_part_of_it(root: list[JointFacts], joints: int) -> None:
+    row = SIX[:joints]
+    arm = [turning(name, above) for name, above in zip(row, (root[-1].name, *row), strict=False)]
+    assert names_of(anatomy(*root, *arm))[1] == [[root[0].name, *row]]

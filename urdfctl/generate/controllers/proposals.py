@@ -9,8 +9,9 @@ from itertools import takewhile
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.fit import offered_by
 from urdfctl.generate.options import GeneratorOptions, Request
-from urdfctl.generate.robot.anatomy import Base, Tool, anatomy_of
+from urdfctl.generate.robot.anatomy import Base, anatomy_of
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
+from urdfctl.generate.robot.hands import Tool
 from urdfctl.generate.robot.name_words import SIDES, words_of
 
 _SENSORS = {
@@ -102,7 +103,8 @@ def _of_chains(chains: Sequence[tuple[JointFacts, ...]]) -> Iterator[Request]:
         labels = ["leg" if chain in unnamed else label for chain, label in zip(chains, labels, strict=True)]
     for chain, label in zip(chains, labels, strict=True):
         prefix = _prefix(chain, label) if labels.count(label) > 1 else ""
-        yield Request(f"{prefix}{label}_controller", "trajectory", tuple(joint.name for joint in chain))
+        name = prefix if re.search(rf"(?:^|_){label}\d+_$", prefix) else f"{prefix}{label}_"
+        yield Request(f"{name}controller", "trajectory", tuple(joint.name for joint in chain))
 
 
 def _other_than(wanted: str, joints: Sequence[JointFacts], offered: Mapping[str, tuple[str, ...]]) -> str | None:
@@ -165,7 +167,8 @@ def _prefix(chain: Sequence[JointFacts], label: str) -> str:
     """What the names of a chain's joints begin with, in words, such as `left_`."""
     first, last = min(joint.name for joint in chain), max(joint.name for joint in chain)
     common = "".join(a for a, _ in takewhile(lambda pair: pair[0] == pair[1], zip(first, last, strict=False)))
-    words = re.split(r"[^A-Za-z0-9]+", common if len(chain) == 1 else common.rpartition("_")[0])
+    whole = common if len(chain) == 1 else re.sub(r"[A-Za-z0-9]*$", "", common)
+    words = re.split(r"[^A-Za-z0-9]+", whole)
     kept = [word for word in words if word and word.lower() not in (label, "joint", "finger", "j")]
     return "".join(f"{word.lower()}_" for word in kept[:2] if not word[0].isdigit()) or _side(chain)
 

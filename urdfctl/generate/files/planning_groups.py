@@ -9,13 +9,12 @@ from itertools import count
 from urdfctl.errors import UserError
 from urdfctl.generate.controllers.parameters import GeneratedController
 from urdfctl.generate.request.planning_group import LinkTree, PlanningGroup, asked_group
-from urdfctl.generate.robot.anatomy import Tool
+from urdfctl.generate.robot.anatomy import ARM, SHORT
 from urdfctl.generate.robot.facts import LinkFacts
+from urdfctl.generate.robot.hands import Tool
 
 _TIPS = ("tool0", "tcp", "tool", "tip", "end_effector", "ee", "flange", "grasp", "hand")
 """Words of the names of links at which a chain ends, the best first."""
-_ARM, _SHORT = 5, 3
-"""An arm has at least this many joints; a chain that carries one has at most this many."""
 _TOOL = re.compile(r"gripper|finger|hand|jaw|claw", re.IGNORECASE)
 _OF_TYPE = re.compile(r"(?:^|_)(?:(?:joint_)?traj(?:ectory)?_)?controller$")
 """What the name of a controller says of its type."""
@@ -135,10 +134,10 @@ def _ends_of(joints: Sequence[str], tree: LinkTree) -> tuple[str, str] | None:
 def _standing(groups: Sequence[PlanningGroup], tree: LinkTree) -> Iterator[tuple[str, str]]:
     """The arms that stand on a short chain of their own, such as a torso that lifts one, each with that chain."""
     for below in groups:
-        if not below.tip or len(below.joints) > _SHORT:
+        if not below.tip or len(below.joints) > SHORT:
             continue
         welded = tree.welded(below.tip)
-        on_it = [group for group in groups if group.base in welded and len(group.joints) >= _ARM]
+        on_it = [group for group in groups if group.base in welded and len(group.joints) >= ARM]
         if len(on_it) == 1:
             yield on_it[0].name, below.name
 

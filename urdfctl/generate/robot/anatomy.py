@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import takewhile
 
 from urdfctl.generate.options import Roles
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
+from urdfctl.generate.robot.hands import JointTree, Tool, is_named_finger, tools_of
 from urdfctl.startup.records import NamedTuple
 
 _LEVEL = 0.3
@@ -21,7 +23,10 @@ _ASKEW = 0.05
 """How much farther to one side than to the other a wheel may be, in track widths."""
 _ROLLERS = 4
 _FINGERS = 3
-_FINGER = re.compile(r"finger|gripper|jaw|claw|gripping|grasp", re.IGNORECASE)
+ARM, SHORT = 5, 3
+"""An arm has at least this many joints; a chain that carries one has at most this many."""
+_LIFT = re.compile(r"lift|torso|trunk|rail|gantry|elevator|column", re.IGNORECASE)
+_LIMB = re.compile(r"shoulder|elbow|wrist|arm|hip|knee|leg", re.IGNORECASE)
 _CASTER = re.compile(r"caster|castor", re.IGNORECASE)
 _MECANUM = re.compile(r"mecanum", re.IGNORECASE)
 _WHEEL = re.compile(r"wheel|tire|tyre", re.IGNORECASE)
@@ -39,13 +44,6 @@ class Base(NamedTuple):
     others: tuple[JointFacts, ...] = ()
 
 
-class Tool(NamedTuple):
-    """Fingers at the end of a chain. `single`: one joint moves all of them."""
-
-    joints: tuple[JointFacts, ...]
-    single: bool
-
-
 class Anatomy(NamedTuple):
     """The parts of a robot. Each joint that moves and mimics no other is in one of them."""
 
@@ -56,50 +54,20 @@ class Anatomy(NamedTuple):
 
 def anatomy_of(robot: RobotFacts, joints: Sequence[JointFacts]) -> Anatomy:
     """Return the parts that some joints of a robot form."""
-    tree = _JointTree(robot.joints or joints)
+    tree = JointTree(robot.joints or joints)
     base = _base(tree, joints, robot.name or "")
     used = {joint.name for joint in (*base.joints, *base.others)} if base else set()
     free = [joint for joint in joints if joint.name not in used and not joint.mimics]
-    tools = tuple(_tools(tree, free))
+    tools = tuple(tools_of(tree, free))
     used |= {joint.name for tool in tools for joint in tool.joints}
     mounts = {joint.above for tool in tools for joint in tool.joints}
     return Anatomy(base, tools, tuple(_chains(tree, [joint for joint in free if joint.name not in used], mounts)))
 
 
-class _JointTree:
-    """The joints of a robot by name, and what hangs on them."""
-
-    def __init__(self, joints: Iterable[JointFacts]) -> None:
-        self.joints: Mapping[str, JointFacts] = {joint.name: joint for joint in joints}
-        self.below: dict[str | None, list[JointFacts]] = {}
-        self.followers: dict[str, list[JointFacts]] = {}
-        for joint in self.joints.values():
-            self.below.setdefault(joint.above, []).append(joint)
-            if joint.mimic:
-                self.followers.setdefault(joint.mimic[0], []).append(joint)
-
-    def under(self, name: str) -> list[JointFacts]:
-        """Return all joints that a joint carries."""
-        found, pending = [], [name]
-        while pending:
-            below = [joint for joint in self.below.get(pending.pop(), ()) if joint not in found]
-            found += below
-            pending += [joint.name for joint in below]
-        return found
-
-    def over(self, joint: JointFacts) -> list[JointFacts]:
-        """Return the joints between a joint and the root, the nearest first."""
-        found: list[JointFacts] = []
-        while joint.above in self.joints and self.joints[joint.above or ""] not in found:
-            joint = self.joints[joint.above or ""]
-            found.append(joint)
-        return found
-
-
 # -- mobile bases ----------------------------------------------------------------------------------------------------
 
 
-def _base(tree: _JointTree, joints: Sequence[JointFacts], name: str) -> Base | None:
+def _base(tree: JointTree, joints: Sequence[JointFacts], name: str) -> Base | None:
     turning = [joint for joint in joints if _may_be_wheel(tree, joint)]
     rolling = [joint for joint in turning if joint.radius or _is_named_wheel(joint)] or _mirrored(tree, turning)
     ground = min((_bottom(wheel) for wheel in rolling), default=0.0)
@@ -120,7 +88,7 @@ def _base(tree: _JointTree, joints: Sequence[JointFacts], name: str) -> Base | N
     return Base(kind, roles, mine, others)
 
 
-def _may_be_wheel(tree: _JointTree, joint: JointFacts) -> bool:
+def _may_be_wheel(tree: JointTree, joint: JointFacts) -> bool:
     """Whether a joint may turn a wheel: level, endless, and on the base itself, a steering joint or a spring."""
     if joint.type != "continuous" or joint.axis is None or abs(joint.axis[2]) > _LEVEL or joint.at is None:
         return False
@@ -136,7 +104,7 @@ def _is_named_wheel(joint: JointFacts) -> bool:
     return bool(_WHEEL.search(joint.name) or _WHEEL.search(joint.link or ""))
 
 
-def _mirrored(tree: _JointTree, joints: Sequence[JointFacts]) -> list[JointFacts]:
+def _mirrored(tree: JointTree, joints: Sequence[JointFacts]) -> list[JointFacts]:
     """Joints on the base itself of which one on the left mirrors one on the right: its wheels, whatever their names."""
     bare = [joint for joint in joints if joint.at and not tree.over(joint) and not tree.below.get(joint.name)]
     return [joint for joint in bare if any(_mirrors(joint, other) for other in bare)]
@@ -147,7 +115,7 @@ def _mirrors(joint: JointFacts, other: JointFacts) -> bool:
     return y * side < 0 and max(abs(x - across), abs(y + side), abs(z - up)) <= _ASKEW * abs(y - side)
 
 
-def _carries_wheels(tree: _JointTree, rocker: JointFacts) -> bool:
+def _carries_wheels(tree: JointTree, rocker: JointFacts) -> bool:
     """Whether a joint only carries wheels, as the rockers of a rover do."""
     return all(joint.type == "continuous" for joint in tree.under(rocker.name))
 
@@ -156,7 +124,7 @@ def _is_upright(joint: JointFacts) -> bool:
     return not joint.slides and joint.axis is not None and abs(joint.axis[2]) > _UPRIGHT
 
 
-def _is_caster(tree: _JointTree, wheel: JointFacts) -> bool:
+def _is_caster(tree: JointTree, wheel: JointFacts) -> bool:
     swivel = next((upper for upper in tree.over(wheel) if _is_upright(upper)), None)
     if _is_named_caster(wheel):
         return True
@@ -167,7 +135,7 @@ def _is_caster(tree: _JointTree, wheel: JointFacts) -> bool:
     return bool(_CASTER.search(swivel.name)) or trail > _TRAIL * (wheel.radius or 0.1)
 
 
-def _is_swivel(tree: _JointTree, joint: JointFacts) -> bool:
+def _is_swivel(tree: JointTree, joint: JointFacts) -> bool:
     """Whether a joint on the base itself is by its name a caster whose wheel does not turn by itself."""
     alone = not tree.over(joint) and not tree.below.get(joint.name)
     return alone and not joint.slides and _is_named_caster(joint)
@@ -178,7 +146,7 @@ def _is_named_caster(joint: JointFacts) -> bool:
 
 
 def _kind_of_base(
-    tree: _JointTree, wheels: list[JointFacts], fixed: list[JointFacts], steered: list[JointFacts], name: str
+    tree: JointTree, wheels: list[JointFacts], fixed: list[JointFacts], steered: list[JointFacts], name: str
 ) -> tuple[str | None, Roles]:
     left, right = ([wheel for wheel in wheels if wheel.at and wheel.at[1] * side > 0] for side in (1, -1))
     if (
@@ -222,74 +190,11 @@ def _front_first(joints: Iterable[JointFacts]) -> tuple[str, ...]:
 _O = (0.0, 0.0, 0.0)
 
 
-# -- tools and chains ------------------------------------------------------------------------------------------------
-
-
-def _tools(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[Tool]:
-    """Grippers: a joint that others at the end of a chain mimic, with what they carry, or fingers on one link."""
-    names = {joint.name for joint in joints}
-    taken: set[str] = set()
-    for joint in joints:
-        hand = _hand_of(tree, joint) if joint.name in tree.followers and joint.name not in taken else []
-        led = tuple(other for other in joints if other in hand)
-        if led:
-            taken.update(member.name for member in led)
-            yield Tool(led, single=len(led) == 1)
-    for whole in _with_long_fingers(tree, [joint for joint in joints if joint.name not in taken]):
-        taken.update(member.name for member in whole)
-        yield Tool(whole, single=False)
-    ends = [joint for joint in joints if joint.name not in taken and not tree.under(joint.name)]
-    by_place: dict[str | None, list[JointFacts]] = {}
-    for joint in ends:
-        by_place.setdefault(joint.above, []).append(joint)
-    for above, fingers in by_place.items():
-        named = [joint for joint in fingers if _is_named_finger(joint)]
-        pair = len(fingers) == 2 and all(joint.slides for joint in fingers) and above in names  # noqa: PLR2004
-        members = fingers if pair else named
-        if members:
-            yield Tool(tuple(members), single=len(members) == 1)
-
-
-def _with_long_fingers(tree: _JointTree, joints: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:
-    """Hands of several fingers on one link, of which one has several joints: all are named after it.
-
-    Where each joint of a robot is named so, that is its name, and says nothing of a part.
-    """
-    named = [joint for joint in joints if _is_named_finger(joint)]
-    places = dict.fromkeys(joint.above for joint in named if joint.above and len(named) < len(joints))
-    free, taken = {joint.name for joint in joints}, set[str]()
-    for place in sorted(places, key=lambda above: len(tree.under(above)), reverse=True):
-        roots = [joint for joint in named if joint.above == place and joint.name not in taken]
-        carried = [[joint, *(one for one in tree.under(joint.name) if one.name in free)] for joint in roots]
-        fingers = [each for each in carried if all(map(_is_named_finger, each))]
-        if len(fingers) > 1 and any(len(each) > 1 for each in fingers):
-            hand = tuple(joint for each in fingers for joint in each)
-            taken.update(joint.name for joint in hand)
-            yield hand
-
-
-def _is_named_finger(joint: JointFacts) -> bool:
-    return bool(_FINGER.search(f"{joint.name} {joint.link or ''}"))
-
-
-def _hand_of(tree: _JointTree, joint: JointFacts) -> list[JointFacts]:
-    """A joint whose followers are at the end of a chain, with the joints that these carry, such as springs of fingers.
-
-    Empty if the joint itself carries others than followers, or one that the followers carry does: they are no fingers.
-    """
-    followers = {follower.name for follower in tree.followers[joint.name]}
-    carried = {below.name: below for name in (joint.name, *followers) for below in tree.under(name)}
-    inner = [below for below in carried.values() if not below.mimics]
-    within = {joint.name, *(below.name for below in inner)}
-    if any(below.mimic is None or below.mimic[0] not in within for below in carried.values() if below.mimics):
-        return []
-    if any(not below.mimics for each in (joint, *inner) for below in tree.under(each.name)):
-        return []
-    return [joint, *inner]
+# -- chains ----------------------------------------------------------------------------------------------------------
 
 
 def _chains(
-    tree: _JointTree, joints: Sequence[JointFacts], mounts: Collection[str | None]
+    tree: JointTree, joints: Sequence[JointFacts], mounts: Collection[str | None]
 ) -> Iterator[tuple[JointFacts, ...]]:
     """The remaining joints in chains from the root outwards. A chain ends where it branches, or carries a tool."""
     names = {joint.name: joint for joint in joints}
@@ -303,9 +208,22 @@ def _chains(
         while len(below.get(chain[-1].name, ())) == 1 and chain[-1].name not in mounts:
             chain.append(below[chain[-1].name][0])
         branches = below.get(chain[-1].name, [])
-        if len(branches) >= _FINGERS and all(_FINGER.search(joint.name + (joint.link or "")) for joint in branches):
-            yield tuple(chain)
+        if len(branches) >= _FINGERS and all(is_named_finger(joint) for joint in branches):
+            yield from _parted(chain)
             yield tuple(joint for joint in tree.under(chain[-1].name) if joint.name in names)
             continue
-        yield tuple(chain)
+        yield from _parted(chain)
         pending += [[joint] for joint in reversed(branches)]
+
+
+def _parted(chain: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:
+    """A chain, or the lift, rail or torso at its root and the arm on that."""
+    root = tuple(takewhile(_is_lift, chain))
+    arm = tuple(chain[len(root) :])
+    is_carrier = 0 < len(root) <= SHORT and sum(not joint.slides for joint in arm) >= ARM
+    yield from (root, arm) if is_carrier else (tuple(chain),)
+
+
+def _is_lift(joint: JointFacts) -> bool:
+    words = f"{joint.name} {joint.link or ''}"
+    return joint.slides or bool(_LIFT.search(words) and not _LIMB.search(words))
