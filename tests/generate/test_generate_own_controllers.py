@@ -75,6 +75,19 @@ def test_moveit_uses_the_controllers_that_the_plugin_of_a_simulated_robot_loads(
     assert command("gen-check", "out") == (0, "", "")
 
 
+def test_an_own_controller_of_a_finger_that_follows_has_the_group_of_the_whole_hand(folder: Folder) -> None:
+    moved = OWN_FILE.replace("    wrist:", f"    fist: {{type: {TRAJECTORY}}}\n    wrist:")
+    moved += "fist: {ros__parameters: {joints: [right_finger_joint], command_interfaces: [position],"
+    moved += " state_interfaces: [position, velocity]}}\n"
+    text = with_own_controllers(folder, SIMULATED, controllers=moved)
+    folder.write({"six.urdf": text.replace('<joint name="left_finger_joint"><c', '<joint name="right_finger_joint"><c')})
+    ran = command("gen-moveit", "six.urdf", *JAZZY, "--force")  # it has a command interface, which a follower must not
+    assert "no controller of the robot moves group 'fist', which MoveIt can plan for and not move" in ran.stderr
+    groups = {one.get("name"): [part.get("name") for part in one] for one in semantic(folder).findall("group[joint]")}
+    assert groups == {"fist": ["left_finger_joint", "right_finger_joint"]}
+    assert [one.get("group") for one in semantic(folder).findall("end_effector")] == ["fist"]
+
+
 def test_a_tool_that_no_own_controller_moves_is_an_end_effector_all_the_same(folder: Folder) -> None:
     folder.write({"six.urdf": with_own_controllers(folder, SIMULATED)})
     ran = command("gen-moveit", "six.urdf", *JAZZY)

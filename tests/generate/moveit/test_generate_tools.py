@@ -100,3 +100,40 @@ def test_a_group_that_is_a_part_of_a_chain_has_a_controller_of_its_own_and_the_r
     tips = {group.get("name"): group.find("chain") for group in root.findall("group")}
     assert {name: None if tip is None else tip.get("tip_link") for name, tip in tips.items()} == groups
     assert {one.get("group") for one in root.findall("end_effector")} == {"hand"} & {*groups}
+
+
+def welded(name: str, parent: str) -> str:
+    """Return a link without a shape that is fixed to another one."""
+    return f"""<link name="{name}"/><joint name="{name}_joint" type="fixed"><parent link="{parent}"/>
+      <child link="{name}"/><origin xyz="0 0 0.05"/></joint>"""
+
+
+@pytest.mark.parametrize(("frame", "tip"), [("hand_tcp", "hand_tcp"), ("ee_grasp", "ee_grasp"), ("camera", "hand")])
+def test_the_chain_of_an_arm_ends_at_the_frame_between_the_fingers(frame: str, tip: str, folder: Folder) -> None:
+    folder.write({"six.urdf": arm().replace("</robot>", welded(frame, "hand") + "</robot>")})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    root = semantic(folder)
+    assert [one.get("tip_link") for one in root.findall("group/chain")] == [tip]
+    assert [one.get("parent_link") for one in root.findall("end_effector")] == ["hand"]
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
+
+
+@pytest.mark.parametrize(("name", "base"), [("base_link_inertia", "base_link"), ("plate", "plate")])
+def test_the_chain_of_an_arm_begins_at_the_link_of_which_its_first_one_is_the_inertia(
+    name: str, base: str, folder: Folder
+) -> None:
+    moved = arm().replace('<parent link="base_link"/>', f'<parent link="{name}"/>')
+    folder.write({"six.urdf": moved.replace("</robot>", welded(name, "base_link") + "</robot>")})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    assert [one.get("base_link") for one in semantic(folder).findall("group/chain")] == [base]
+
+
+def test_followers_of_followers_are_in_the_group_of_their_hand(folder: Folder) -> None:
+    tip = f"""<link name="tip">{INERTIAL}</link><joint name="tip_joint" type="revolute"><parent link="right_finger"/>
+      <child link="tip"/><axis xyz="1 0 0"/><mimic joint="right_finger_joint"/>
+      <limit lower="0" upper="1" effort="9" velocity="1"/></joint>"""
+    folder.write({"six.urdf": arm().replace("</robot>", f"{tip}</robot>").replace("finger", "part")})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    [hand] = semantic(folder).findall("group[joint]")
+    assert [part.get("name") for part in hand] == ["left_part_joint", "right_part_joint", "tip_joint"]
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0

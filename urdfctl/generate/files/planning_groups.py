@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import count
 
 from urdfctl.errors import UserError
@@ -15,6 +15,8 @@ from urdfctl.generate.robot.hands import Tool
 
 _TIPS = ("tool0", "tcp", "tool", "tip", "end_effector", "ee", "flange", "grasp", "hand")
 """Words of the names of links at which a chain ends, the best first."""
+_HELD = ("tcp", "tool0", "tool", "grasp", "grasping", "end_effector", "ee")
+"""Words of the names of frames between the fingers of a tool."""
 _TOOL = re.compile(r"gripper|finger|hand|jaw|claw", re.IGNORECASE)
 _OF_TYPE = re.compile(r"(?:^|_)(?:(?:joint_)?traj(?:ectory)?_)?controller$")
 """What the name of a controller says of its type."""
@@ -105,7 +107,17 @@ def _name_of(controller: GeneratedController) -> str:
 
 
 def _joints_of(controller: GeneratedController) -> tuple[str, ...]:
-    return tuple(joint.name for joint in controller.task.joints)
+    """The joints that a controller moves; in place of one that follows others, the leader, which MoveIt plans for."""
+    followed = {joint.name: joint.mimic[0] for joint in controller.task.robot.joints if joint.mimic}
+    return tuple(dict.fromkeys(_leader(joint.name, followed) for joint in controller.task.joints))
+
+
+def _leader(name: str, followed: Mapping[str, str]) -> str:
+    passed = {name}
+    while followed.get(name, name) not in passed:
+        name = followed[name]
+        passed.add(name)
+    return name
 
 
 def _proposed(controller: GeneratedController, tree: LinkTree, hands: Sequence[set[str]]) -> PlanningGroup:
@@ -128,7 +140,14 @@ def _ends_of(joints: Sequence[str], tree: LinkTree) -> tuple[str, str] | None:
     first, last = min(joints, key=depth.__getitem__), max(joints, key=depth.__getitem__)
     base, tip = tree.of_joint[first].parent, tree.of_joint[last].name
     moving = tree.moving(base, tip)
-    return (base, tip) if moving is not None and sorted(moving) == sorted(joints) else None
+    return (_whole_base(base, tree), tip) if moving is not None and sorted(moving) == sorted(joints) else None
+
+
+def _whole_base(base: str, tree: LinkTree) -> str:
+    """The link that a base is a part of by its name, such as base_link for the inertia of base_link; else the base."""
+    link = tree.links[base]
+    is_part = link.type == "fixed" and base.startswith(f"{link.parent}_") and not base.endswith("link")
+    return link.parent if is_part else base
 
 
 def _standing(groups: Sequence[PlanningGroup], tree: LinkTree) -> Iterator[tuple[str, str]]:
@@ -155,7 +174,9 @@ def _joined(groups: Sequence[PlanningGroup], tree: LinkTree) -> Iterator[Plannin
         if group.tip:
             welded = tree.welded(group.tip)
             on_it = [mount for mount in mounts.values() if mount in welded]
-            extended[group.name] = on_it[0] if on_it else _frame(welded, asked_ends - {group.tip})
+            others = asked_ends - {group.tip}
+            held = tree.welded(on_it[0])[1:] if on_it else []
+            extended[group.name] = _named_frame(held, others, _HELD) or on_it[0] if on_it else _frame(welded, others)
     for group in groups:
         if group.tip:
             yield group._replace(tip=extended[group.name])
@@ -176,8 +197,13 @@ def _mount(group: PlanningGroup, tree: LinkTree) -> str | None:
 
 def _frame(welded: Sequence[str], taken: set[str]) -> str:
     """The frame at the end of a chain: the link of the best name, else the last one of a row, else the link itself."""
-    for word in _TIPS:
-        for name in welded:
+    return _named_frame(welded, taken, _TIPS) or welded[0]
+
+
+def _named_frame(links: Sequence[str], taken: set[str], words: Sequence[str]) -> str | None:
+    """The link whose name has the best of some words, if any has one."""
+    for word in words:
+        for name in links:
             if name not in taken and re.search(rf"(?:^|[^a-z0-9]){word}(?:$|[^a-z0-9])", name.lower()):
                 return name
-    return welded[0]
+    return None

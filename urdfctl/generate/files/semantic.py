@@ -101,8 +101,9 @@ def _group(group: PlanningGroup, joints: Sequence[JointFacts]) -> SemanticPart:
     """A group; a tool has the joints that follow its own, so that all its fingers are tested together."""
     if group.base and group.tip:
         return _part("group", _part("chain", base_link=group.base, tip_link=group.tip), name=group.name)
-    following = [joint.name for joint in joints if joint.mimic and joint.mimic[0] in group.joints]
-    names = dict.fromkeys((*group.joints, *following))
+    names = [*group.joints]
+    for name in names:
+        names += [one.name for one in joints if one.mimic and one.mimic[0] == name and one.name not in names]
     return _part("group", *(_part("joint", name=name) for name in names), name=group.name)
 
 
