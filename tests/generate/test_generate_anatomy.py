@@ -211,6 +211,17 @@ def test_two_legs_that_mirror_each_other_are_no_gripper() -> None:
     assert names_of(anatomy(*hips)) == ([], [["a"], ["b"]])
 
 
+@pytest.mark.parametrize(
+    ("links", "tools"), [(2, [["l_gear", "l_finger", "r_gear", "r_finger"]]), (4, [["l_finger"], ["r_finger"]])]
+)
+def test_gears_that_carry_fingers_at_the_end_of_an_arm_are_a_hand_with_them(links: int, tools: list[list[str]]) -> None:
+    sides: list[JointFacts] = []
+    for side in "lr":
+        names = [f"{side}_gear", *(f"{side}_bar_{n}" for n in range(links - 2)), f"{side}_finger"]
+        sides += [turning(one, on) for one, on in zip(names, ["wrist", *names], strict=False)]
+    assert names_of(anatomy(*ARM, *sides))[0] == tools
+
+
 def led(name: str, above: str = "wrist") -> list[JointFacts]:
     """Return a joint, and one on it that follows it."""
     return [turning(name, above), turning(f"{name}_end", name, name)]

@@ -80,7 +80,9 @@ def test_an_own_controller_of_a_finger_that_follows_has_the_group_of_the_whole_h
     moved += "fist: {ros__parameters: {joints: [right_finger_joint], command_interfaces: [position],"
     moved += " state_interfaces: [position, velocity]}}\n"
     text = with_own_controllers(folder, SIMULATED, controllers=moved)
-    folder.write({"six.urdf": text.replace('<joint name="left_finger_joint"><c', '<joint name="right_finger_joint"><c')})
+    folder.write(
+        {"six.urdf": text.replace('<joint name="left_finger_joint"><c', '<joint name="right_finger_joint"><c')}
+    )
     ran = command("gen-moveit", "six.urdf", *JAZZY, "--force")  # it has a command interface, which a follower must not
     assert "no controller of the robot moves group 'fist', which MoveIt can plan for and not move" in ran.stderr
     groups = {one.get("name"): [part.get("name") for part in one] for one in semantic(folder).findall("group[joint]")}

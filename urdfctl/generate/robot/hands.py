@@ -11,6 +11,8 @@ from urdfctl.generate.robot.name_words import words_of
 from urdfctl.startup.records import NamedTuple
 
 _FINGER = re.compile(r"finger|grip|jaw|claw|grasp|thumb|knuckle|pinch|pincer", re.IGNORECASE)
+_BENDS, _ARM = 3, 3
+"""A finger has at most this many joints; the arm that carries a hand has at least this many."""
 _DIGITS = frozenset(("index", "middle", "ring", "pinky", "little"))
 """Words that name a finger beside a thumb or another finger; elsewhere they say where a part is."""
 _PARALLEL = 0.95
@@ -143,22 +145,27 @@ def _close(one: JointFacts, other: JointFacts, along: float) -> bool:
 
 
 def _with_long_fingers(tree: JointTree, joints: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:
-    """Hands of several fingers on one link, of which one has several joints: all are named after it.
+    """Hands of several fingers on one link, of which one has several joints.
 
-    Where each joint of a robot is named so, that is its name, and says nothing of a part.
+    Where each joint of a robot is named after fingers, that is its name, and says nothing of a part.
     """
-    known = [joint for joint in joints if is_named_finger(joint)]
-    places = dict.fromkeys(joint.above for joint in known if joint.above and len(known) < len(joints))
-    named = [joint for joint in joints if joint in known or _is_digit(joint)]
+    known = {joint.name: joint for joint in joints if is_named_finger(joint)}
+    above = [upper.name for joint in known.values() for upper in tree.over(joint) if len(known) < len(joints)]
     free, taken = {joint.name for joint in joints}, set[str]()
-    for place in sorted(places, key=lambda above: len(tree.under(above)), reverse=True):
-        roots = [joint for joint in named if joint.above == place and joint.name not in taken]
+    for place in sorted(dict.fromkeys(above), key=lambda name: len(tree.under(name)), reverse=True):
+        roots = [joint for joint in joints if joint.above == place and joint.name not in taken]
         carried = [[joint, *(one for one in tree.under(joint.name) if one.name in free)] for joint in roots]
-        fingers = [each for each in carried if all(is_named_finger(part) or _is_digit(part) for part in each)]
-        if len(fingers) > 1 and any(len(each) > 1 for each in fingers):
-            hand = tuple(joint for each in fingers for joint in each)
+        fingers = [each for each in carried if _is_finger(tree, each)]
+        hand = tuple(joint for each in fingers for joint in each)
+        if len(hand) > len(fingers) > 1 and any(joint.name in known for joint in hand):
             taken.update(joint.name for joint in hand)
             yield hand
+
+
+def _is_finger(tree: JointTree, row: Sequence[JointFacts]) -> bool:
+    """Whether a joint with what it carries is a finger: all are named so, or one is, and it is short and on an arm."""
+    named = [joint for joint in row if is_named_finger(joint) or _is_digit(joint)]
+    return len(named) == len(row) or (bool(named) and len(row) <= _BENDS and len(tree.over(row[0])) >= _ARM)
 
 
 def is_named_finger(joint: JointFacts) -> bool:
