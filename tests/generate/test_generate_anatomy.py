@@ -192,6 +192,16 @@ def test_two_joints_that_turn_towards_each_other_at_the_end_of_an_arm_are_a_grip
 
 
 @pytest.mark.parametrize(
+    ("name", "joints", "hand"),
+    [("bar", 1, True), ("bar", 2, True), ("bar", 3, False), ("arm", 2, False)],
+)
+def test_jaws_may_carry_a_few_joints_that_are_not_of_an_arm(name: str, joints: int, hand: bool) -> None:
+    left, right = jaw("a", -0.03, 0.0, 0.8), jaw("b", 0.03, -0.8, 0.0)
+    parts = anatomy(*ARM, left, *finger(f"l_{name}", joints, "a"), right, *finger(f"r_{name}", joints, "b"))
+    assert [len(tool.joints) for tool in parts.tools] == [2 * joints + 2] * hand
+
+
+@pytest.mark.parametrize(
     ("left", "right"),
     [
         (jaw("a", -0.03, 0.0, 0.8), jaw("b", 0.03, 0.0, 0.8)),  # both turn to the same side

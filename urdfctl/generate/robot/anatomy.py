@@ -8,7 +8,7 @@ from itertools import takewhile
 
 from urdfctl.generate.options import Roles
 from urdfctl.generate.robot.facts import JointFacts, RobotFacts
-from urdfctl.generate.robot.hands import JointTree, Tool, is_named_finger, tools_of
+from urdfctl.generate.robot.hands import LIMB, JointTree, Tool, is_named_finger, tools_of
 from urdfctl.startup.records import NamedTuple
 
 _LEVEL = 0.3
@@ -26,7 +26,6 @@ _FINGERS = 3
 ARM, SHORT = 5, 3
 """An arm has at least this many joints; a chain that carries one has at most this many."""
 _LIFT = re.compile(r"lift|torso|trunk|rail|gantry|elevator|column", re.IGNORECASE)
-_LIMB = re.compile(r"shoulder|elbow|wrist|arm|hip|knee|leg", re.IGNORECASE)
 _CASTER = re.compile(r"caster|castor", re.IGNORECASE)
 _MECANUM = re.compile(r"mecanum", re.IGNORECASE)
 _WHEEL = re.compile(r"wheel|tire|tyre", re.IGNORECASE)
@@ -226,4 +225,4 @@ def _parted(chain: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:
 
 def _is_lift(joint: JointFacts) -> bool:
     words = f"{joint.name} {joint.link or ''}"
-    return joint.slides or bool(_LIFT.search(words) and not _LIMB.search(words))
+    return joint.slides or bool(_LIFT.search(words) and not LIMB.search(words))

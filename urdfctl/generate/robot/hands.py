@@ -11,6 +11,7 @@ from urdfctl.generate.robot.name_words import words_of
 from urdfctl.startup.records import NamedTuple
 
 _FINGER = re.compile(r"finger|grip|jaw|claw|grasp|thumb|knuckle|pinch|pincer", re.IGNORECASE)
+LIMB = re.compile(r"shoulder|elbow|wrist|arm|hip|knee|leg", re.IGNORECASE)
 _BENDS, _ARM = 3, 3
 """A finger has at most this many joints; the arm that carries a hand has at least this many."""
 _DIGITS = frozenset(("index", "middle", "ring", "pinky", "little"))
@@ -46,12 +47,13 @@ class JointTree:
 
     def under(self, name: str) -> list[JointFacts]:
         """Return all joints that a joint carries."""
-        found, pending = [], [name]
+        found: dict[str, JointFacts] = {}
+        pending = [name]
         while pending:
-            below = [joint for joint in self.below.get(pending.pop(), ()) if joint not in found]
-            found += below
-            pending += [joint.name for joint in below]
-        return found
+            below = {joint.name: joint for joint in self.below.get(pending.pop(), ()) if joint.name not in found}
+            found |= below
+            pending += below
+        return [*found.values()]
 
     def led_by(self, name: str) -> list[str]:
         """Return the joints that follow a joint, also those that follow its followers."""
@@ -82,13 +84,30 @@ def tools_of(tree: JointTree, joints: Sequence[JointFacts]) -> Iterator[Tool]:
     taken = {member.name for hand in hands for member in hand}
     by_place: dict[str | None, list[JointFacts]] = {}
     for joint in joints:
-        if joint.name not in taken and not tree.under(joint.name):
+        if joint.name not in taken and (joint.above in names or not tree.under(joint.name)):
             by_place.setdefault(joint.above, []).append(joint)
-    for above, fingers in by_place.items():
-        pair = len(fingers) == 2 and above in names and _are_jaws(tree, *fingers)  # noqa: PLR2004
-        members = fingers if pair else _named_fingers(fingers)
+    for fingers in by_place.values():
+        jaws = _jaws(tree, fingers, names - taken) if fingers[0].above in names else []
+        members = jaws or _named_fingers([joint for joint in fingers if not tree.under(joint.name)])
         if members:
             yield Tool(tuple(members), single=len(members) == 1)
+
+
+def _jaws(tree: JointTree, joints: Sequence[JointFacts], free: set[str]) -> list[JointFacts]:
+    """The jaws among the joints on one link, with the few joints that each carries."""
+    ends = [joint for joint in joints if not tree.under(joint.name)]
+    if len(ends) == 2 and all(joint.slides for joint in ends):  # noqa: PLR2004
+        return ends
+    rows = {joint.name: [joint, *(one for one in tree.under(joint.name) if one.name in free)] for joint in joints}
+    short = [
+        joint for joint in joints if joint in ends or (len(tree.over(joint)) >= _ARM and _is_short(rows[joint.name]))
+    ]
+    found = [joint for joint in short if any(_are_jaws(tree, joint, other) for other in short if other is not joint)]
+    return [one for joint in found for one in rows[joint.name]]
+
+
+def _is_short(row: Sequence[JointFacts]) -> bool:
+    return len(row) <= _BENDS and not any(LIMB.search(f"{joint.name} {joint.link or ''}") for joint in row)
 
 
 def _led_hands(tree: JointTree, joints: Sequence[JointFacts]) -> Iterator[tuple[JointFacts, ...]]:
@@ -114,9 +133,7 @@ def _named_fingers(joints: Sequence[JointFacts]) -> list[JointFacts]:
 
 
 def _are_jaws(tree: JointTree, one: JointFacts, other: JointFacts) -> bool:
-    """Whether two joints on one link are jaws: both slide, or they turn towards each other at the end of an arm."""
-    if one.slides and other.slides:
-        return True
+    """Whether two joints on one link turn towards each other at the end of an arm."""
     if one.slides or other.slides or not (one.at and other.at and one.axis and other.axis):
         return False
     along = sum(a * b for a, b in zip(one.axis, other.axis, strict=True))
