@@ -90,6 +90,27 @@ def test_an_own_controller_of_a_finger_that_follows_has_the_group_of_the_whole_h
     assert [one.get("group") for one in semantic(folder).findall("end_effector")] == ["fist"]
 
 
+MANIFEST = """<package format="3"><name>base</name><version>0.0.0</version><description>a</description>
+  <maintainer email="a@b.cc">a</maintainer><license>a</license></package>"""
+
+
+@pytest.mark.parametrize("form", ["python", "xml", "yaml"])
+def test_a_spawner_of_lyrical_gets_the_parameters_of_own_controllers_from_their_package(
+    form: str, folder: Folder
+) -> None:
+    listed = "\n".join(line for line in OWN_FILE.splitlines() if "wrist" not in line)
+    text = with_own_controllers(folder, SIMULATED, controllers=listed)
+    folder.write({"six.urdf": text, "package.xml": MANIFEST})
+    words = ["--distro", "lyrical", "--samples", "10", "--form", form, "-o", "out"]
+    ran = command("gen-moveit", "six.urdf", *words)
+    assert ran.returncode == 0, ran.stderr
+    [launched] = Path("out/launch").glob("control.launch.*")
+    assert "--param-file" in launched.read_text()
+    assert "<exec_depend>base</exec_depend>" in Path("out/package.xml").read_text()
+    assert command("lint", "out", "--fail-on", "error").returncode == 0
+    assert command("gen-check", "out") == (0, "", "")
+
+
 def test_a_tool_that_no_own_controller_moves_is_an_end_effector_all_the_same(folder: Folder) -> None:
     folder.write({"six.urdf": with_own_controllers(folder, SIMULATED)})
     ran = command("gen-moveit", "six.urdf", *JAZZY)

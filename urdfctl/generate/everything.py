@@ -181,7 +181,7 @@ def _all(order: Order) -> list[File]:
     blocks = list(_blocks(order, made))
     includes = [order.options.robot_file]
     includes += [f"$(find {options.package})/urdf/control.xacro"] if blocks else []
-    depends = dependencies(made, options, order.catalog, robot.package)
+    depends = dependencies(made, options, order.catalog, robot)
     moveit = moveit_file(made, options, order.templates, order.title)
     planning = _planning(order, made) if options.moveit else []
     depends = sorted({*depends, *moveit_dependencies(options)}) if options.moveit else depends

@@ -61,11 +61,13 @@ def launch_file(
     hosted = options.simulator in ("gz", "gazebo-classic")
     to_xacro = [*of_robot, *(own if hosted or NAMESPACE in robot.arguments else ())]
     names = [controller.name for controller in made if not controller.waits]
+    generated = options.package or "my_robot_control", options.controllers_file
+    controllers_package, controllers_file = (robot.own_file if options.own else None) or generated
     text = templates.render(
         f"launch/ros{options.ros}.{name.partition('.')[2]}",
         command=options.command,
         file=options.launch or name,
-        package=options.package or "my_robot_control",
+        package=generated[0],
         robot_file=options.description or "urdf/robot.urdf.xacro",
         arguments=[
             *of_robot,
@@ -76,7 +78,8 @@ def launch_file(
         of_robot=to_xacro,
         passed_xml=passed(to_xacro, "var"),
         passed_ros1=passed(to_xacro, "arg"),
-        controllers_file=options.controllers_file,
+        controllers_package=controllers_package,
+        controllers_file=controllers_file,
         simulated=options.simulated,
         simulator=options.simulator,
         movable=movable,
@@ -88,7 +91,7 @@ def launch_file(
         spawner=spawner(options.distro),
         manager_option="--controller-manager",
         manager="controller_manager" if movable else f"{'/' * bool(space)}{space}/controller_manager",
-        param_file=takes_param_file(options.distro) and not options.own,
+        param_file=takes_param_file(options.distro) and not (options.own and robot.own_file is None),
         description=_description(options.distro),
         gz=gz_names(options.distro),
         model_path=_model_path(options),
@@ -199,15 +202,16 @@ def _model_path(options: GeneratorOptions) -> str:
 
 
 def dependencies(
-    made: Sequence[GeneratedController], options: GeneratorOptions, catalog: Catalog, robot_package: str | None
+    made: Sequence[GeneratedController], options: GeneratorOptions, catalog: Catalog, robot: RobotFacts
 ) -> list[str]:
     """Return the packages that are required to start the robot, sorted."""
     packages = {"controller_manager", "robot_state_publisher", "xacro"}
     packages |= {package for controller in made for package in _packages_of(controller)}
     if options.robot_text:
         packages |= {*_NAMED.findall(options.robot_text[1])}
-    if robot_package:
-        packages.add(robot_package)
+    packages.add(robot.package or "")
+    if options.own and robot.own_file:
+        packages.add(robot.own_file[0])
     if options.simulator in ("gz", "gazebo-classic"):
         packages.add(host(options, catalog).package or "")
         gz = gz_names(options.distro)

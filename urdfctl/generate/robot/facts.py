@@ -157,7 +157,8 @@ class RobotFacts(NamedTuple):
     gen-ros2-control wrote, with their parts, and the joints of transmissions that gen-transmissions wrote. `lowest` is
     the height of the lowest point in the frame of the root, in m, with all joints at zero. `mesh_packages` contain its
     meshes. `linkage` is there if a motion planner is configured, and `own` are the controllers in the files that its
-    plugins load. `plugins` are the hardware plugins of its `<ros2_control>` tags, and `space` is the namespace in which
+    plugins load; `own_file` is the package and the path in it of the only one, None if it is in no package. `plugins`
+    are the hardware plugins of its `<ros2_control>` tags, and `space` is the namespace in which
     a plugin of a simulator runs the controller manager, empty at the root.
     """
 
@@ -185,6 +186,7 @@ class RobotFacts(NamedTuple):
     mesh_packages: tuple[str, ...] = ()
     linkage: Linkage | None = None
     own: tuple[OwnController, ...] = ()
+    own_file: tuple[str, str] | None = None
     plugins: tuple[str, ...] = ()
     space: str = ""
 

@@ -12,7 +12,7 @@ from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
 from urdfctl.generate.robot.facts import Linkage, RobotFacts
 from urdfctl.generate.robot.mjcf_bodies import SurfaceOf, skeleton_of
-from urdfctl.generate.robot.own_controllers import own_controllers
+from urdfctl.generate.robot.own_controllers import own_controllers, own_file
 from urdfctl.generate.robot.sdf_bodies import sdf_of
 from urdfctl.generate.robot.survey import facts_of
 from urdfctl.lint.engine import lint
@@ -108,7 +108,8 @@ def measured_facts(
     if linked is not None:
         try:
             facts = facts._replace(linkage=linked(_whole(robot, expansion), find))
-            facts = facts._replace(own=tuple(own_controllers(robot, expander.files)))
+            own = tuple(own_controllers(robot, expander.files))
+            facts = facts._replace(own=own, own_file=own_file(facts.hosted) if own else None)
         except UserError as error:
             return {"facts": None, "refused": str(error), "outcome": outcome_to_json(outcome)}
     return {"facts": facts.to_json(), "outcome": outcome_to_json(outcome)}

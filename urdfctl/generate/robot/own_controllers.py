@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import os
+from collections.abc import Iterator, Sequence
 
 from urdfctl.generate.robot.facts import OwnController
 from urdfctl.load.controller_files import read_controllers
 from urdfctl.model.controllers import Controller
 from urdfctl.model.robot import Robot
 from urdfctl.source.disk.files import Files
+from urdfctl.source.workspaces.packages import package_around, package_name
 
 _ROS2 = 2
 
@@ -21,6 +23,15 @@ def own_controllers(robot: Robot, files: Files) -> Iterator[OwnController]:
             joints, commanded = (_texts(controller, name) for name in ("joints", "command_interfaces"))
             joints = joints or _texts(controller, "joint")
             yield OwnController(controller.name, controller.type.text, joints, commanded)
+
+
+def own_file(hosted: Sequence[str]) -> tuple[str, str] | None:
+    """Return the package of the only file that the plugins of a robot load, and its path there; None if it has none."""
+    if len(hosted) != 1 or not os.path.isabs(hosted[0]):
+        return None
+    folder = package_around(os.path.dirname(hosted[0]))
+    name = package_name(os.path.join(folder, "package.xml")) if folder else None
+    return (name, os.path.relpath(hosted[0], folder).replace(os.sep, "/")) if name else None
 
 
 def _texts(controller: Controller, name: str) -> tuple[str, ...]:
