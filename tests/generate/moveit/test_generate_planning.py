@@ -15,7 +15,7 @@ import pytest
 import yaml
 from folder import Folder
 from generating import command
-from planned_arm import JAZZY, ROW, arm, mechanism, semantic
+from planned_arm import INERTIAL, JAZZY, ROW, arm, mechanism, semantic
 
 from urdfctl.model.robot.build_robot import robot_of
 from urdfctl.smoke.engines import touching_links
@@ -254,3 +254,29 @@ def test_without_a_simulator_asked_for_a_robot_without_hardware_is_planned_for_w
     assert Path(folder.path, "out").exists() is not component
     if not component:
         assert not command("lint", "out", "--format", "concise", "--select", "UC6").stdout
+
+
+def test_a_robot_without_any_mass_is_planned_for_without_the_simulator_of_its_plugin(folder: Folder) -> None:
+    hosted = arm().replace("</robot>", HOST.format(""))
+    folder.write({"six.urdf": hosted.replace(INERTIAL, "")})
+    ran = command("gen-moveit", "six.urdf", *JAZZY)
+    assert "written for mock hardware, without a simulator: no link of the robot has an <inertial>" in ran.stderr
+    assert command("lint", "out", "--fail-on", "error").returncode == 0
+    assert command("smoke", "out").returncode == 0
+    assert command("gen-check", "out") == (0, "", "")
+    folder.write({"six.urdf": hosted})
+    assert "without a simulator" not in command("gen-moveit", "six.urdf", *JAZZY[:-1], "other").stderr
+
+
+def test_mock_hardware_is_commanded_by_positions_whatever_transmissions_say(folder: Folder) -> None:
+    driven = "".join(
+        f"""<transmission name="{name}_t"><type>transmission_interface/SimpleTransmission</type><joint name="{name}">
+        <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+        <actuator name="{name}_m"/></transmission>"""
+        for name, _, _ in ROW
+    )
+    folder.write({"six.urdf": arm().replace("</robot>", f"{driven}</robot>")})
+    assert command("gen-moveit", "six.urdf", *JAZZY, "--simulator", "none").returncode == 0
+    described = Path(folder.path, "out/urdf/control.xacro").read_text()
+    assert described.count('<command_interface name="position">') == len(ROW) + 1
+    assert "effort" not in Path(folder.path, "out/config/controllers.yaml").read_text().replace("max_effort", "")

@@ -16,6 +16,7 @@ from urdfctl.generate.robot.facts import RobotFacts
 from urdfctl.generate.robot.job import measure_robot
 
 _WITHOUT = "none"
+_MASSLESS = "no link of the robot has an <inertial>, without which the simulator drops it"
 
 
 def plans(options: GenerateOptions) -> bool:
@@ -43,7 +44,8 @@ def started(
     """Return the options with which a robot is started, and what to say of it: of one that a planner starts.
 
     A simulator's plugin that loads controllers of its own, or runs them in a namespace, is not started if no hardware
-    of the robot needs the simulator: the demo of MoveIt needs none, and a robot without hardware gets mock hardware.
+    of the robot needs the simulator: the demo of MoveIt needs none, and a robot without hardware gets mock hardware. So
+    it is with a robot without any mass, which a simulator drops.
     Otherwise a planner uses the plugin's controllers, unless the user asks for other ones.
 
     requested: returns the options for a simulator.
@@ -53,13 +55,18 @@ def started(
     if robot is None or not plans(asked):
         return options, []
     others = unplanned(robot, options, catalog)
-    if others and not (is_set or simulates(robot, options.distro, catalog)):
-        return requested(_WITHOUT), [f"written for {_hardware(robot, options)}, without a simulator: {others}"]
+    why = others or (_MASSLESS if options.simulated and not _has_mass(robot) else "")
+    if why and not (is_set or simulates(robot, options.distro, catalog)):
+        return requested(_WITHOUT), [f"written for {_hardware(robot, options)}, without a simulator: {why}"]
     own = options._replace(own=True)
     if others and has_planned(robot) and not (asked.types or asked.controller or unplanned(robot, own, catalog)):
         told = f"MoveIt uses the controllers of '{hosted_file(robot)}', which the simulator's plugin in the robot loads"
         return own, [told]
     return options, []
+
+
+def _has_mass(robot: RobotFacts) -> bool:
+    return any(joint.inertia for joint in robot.joints) or not robot.joints
 
 
 def _hardware(robot: RobotFacts, options: GeneratorOptions) -> str:

@@ -38,6 +38,14 @@ def offered_by(robot: RobotFacts, options: GeneratorOptions) -> dict[str, tuple[
     return {part.name: part.commands for part in robot.of_kind("joint") if part.commands}
 
 
+def copies_commands(options: GeneratorOptions) -> bool:
+    """Return whether mock hardware is written: it copies commands to states of that name, so that no effort moves it.
+
+    The interfaces of transmissions, which ROS 1 reads, say nothing of it.
+    """
+    return options.ros == 2 and not options.simulated and options.hardware in (None, "mock")  # noqa: PLR2004
+
+
 def _plain(interface: str, options: GeneratorOptions) -> str | None:
     if options.ros == 2:  # noqa: PLR2004
         return interface

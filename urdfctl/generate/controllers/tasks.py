@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.errors import UserError
+from urdfctl.generate.controllers.fit import copies_commands, offered_by
 from urdfctl.generate.controllers.recipes import NamedType
 from urdfctl.generate.controllers.values import Task
 from urdfctl.generate.options import GeneratorOptions
@@ -29,9 +30,10 @@ def tasks_of(
     if kind.short == "gpio":
         joints = _gpios(options, robot)
     by_interfaces: dict[tuple[str, ...], list[JointFacts]] = {}
-    common = next((names for joint in joints if (names := _offered(kind, joint, robot))), ())
+    known = offered_by(robot, options) if copies_commands(options) else robot.interfaces
+    common = next((names for joint in joints if (names := _offered(kind, joint, known))), ())
     for joint in joints:
-        there = _offered(kind, joint, robot) or common
+        there = _offered(kind, joint, known) or common
         by_interfaces.setdefault(_commanded(kind, joint, options, there), []).append(joint)
     if not kind.interface:
         by_interfaces = {options.interfaces or ("position",): list(joints)}
@@ -52,9 +54,9 @@ def tasks_of(
         )
 
 
-def _offered(kind: NamedType, joint: JointFacts, robot: RobotFacts) -> tuple[str, ...]:
+def _offered(kind: NamedType, joint: JointFacts, known: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
     """The interfaces of a joint that a kind can command."""
-    return tuple(name for name in robot.interfaces.get(joint.name, ()) if name in kind.fit or "any" in kind.fit)
+    return tuple(name for name in known.get(joint.name, ()) if name in kind.fit or "any" in kind.fit)
 
 
 def _commanded(
