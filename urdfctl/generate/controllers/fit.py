@@ -39,10 +39,7 @@ def offered_by(robot: RobotFacts, options: GeneratorOptions) -> dict[str, tuple[
 
 
 def copies_commands(options: GeneratorOptions) -> bool:
-    """Return whether mock hardware is written: it copies commands to states of that name, so that no effort moves it.
-
-    The interfaces of transmissions, which ROS 1 reads, say nothing of it.
-    """
+    """Return whether mock hardware is written: it copies commands to states of that name; no effort moves it."""
     return options.ros == 2 and not options.simulated and options.hardware in (None, "mock")  # noqa: PLR2004
 
 

@@ -30,7 +30,7 @@ def tasks_of(
     if kind.short == "gpio":
         joints = _gpios(options, robot)
     by_interfaces: dict[tuple[str, ...], list[JointFacts]] = {}
-    known = offered_by(robot, options) if copies_commands(options) else robot.interfaces
+    known = _known(options, robot)
     common = next((names for joint in joints if (names := _offered(kind, joint, known))), ())
     for joint in joints:
         there = _offered(kind, joint, known) or common
@@ -52,6 +52,14 @@ def tasks_of(
             states=states,
             fit=kind.fit,
         )
+
+
+def _known(options: GeneratorOptions, robot: RobotFacts) -> Mapping[str, tuple[str, ...]]:
+    """The interfaces of the joints; without the efforts of transmissions where mock hardware would only copy them."""
+    if not copies_commands(options):
+        return robot.interfaces
+    moving = {joint: tuple(name for name in names if name != "effort") for joint, names in robot.interfaces.items()}
+    return {**moving, **offered_by(robot, options)}
 
 
 def _offered(kind: NamedType, joint: JointFacts, known: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
