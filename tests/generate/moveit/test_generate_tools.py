@@ -85,14 +85,14 @@ def test_a_trajectory_controller_of_a_joint_that_fingers_follow_moves_a_tool_wha
             {"arm_controller": ["pan", "lift", "elbow", "roll"], "hand_controller": ["bend", "turn"]},
             {"arm": "roll_link", "hand": None, "arm_with_hand": "tool0"},
         ),
-        ("arm=base_link:hand", {"arm_controller": [name for name, _, _ in ROW]}, {"arm": "hand"}),
+        ("arm=base_link:stump", {"arm_controller": [name for name, _, _ in ROW]}, {"arm": "stump"}),
     ],
 )
 def test_a_group_that_is_a_part_of_a_chain_has_a_controller_of_its_own_and_the_rest_has_one_too(
     asked: str, controllers: dict[str, list[str]], groups: dict[str, str | None], folder: Folder
 ) -> None:
     bare = arm().split('<link name="left_finger">')[0] + "</robot>"
-    folder.write({"six.urdf": bare})
+    folder.write({"six.urdf": bare.replace('"hand"', '"stump"')})
     assert command("gen-moveit", "six.urdf", *JAZZY, "--group", asked).returncode == 0
     listed = yaml.safe_load(Path("out/config/moveit_controllers.yaml").read_text())["moveit_simple_controller_manager"]
     assert {name: listed[name]["joints"] for name in listed["controller_names"]} == controllers
@@ -137,3 +137,19 @@ def test_followers_of_followers_are_in_the_group_of_their_hand(folder: Folder) -
     [hand] = semantic(folder).findall("group[joint]")
     assert [part.get("name") for part in hand] == ["left_part_joint", "right_part_joint", "tip_joint"]
     assert command("lint", "out", "--fail-on", "warning").returncode == 0
+
+
+@pytest.mark.parametrize(("name", "links"), [("suction_cup", ["suction_cup", "lip"]), ("camera_hand", []), ("bar", [])])
+def test_a_tool_without_joints_at_the_end_of_an_arm_is_its_end_effector_by_its_name(
+    name: str, links: list[str], folder: Folder
+) -> None:
+    bare = arm().split('<link name="left_finger">')[0].replace('"hand"', f'"{name}"')
+    folder.write({"six.urdf": f"{bare}{welded('lip', name)}</robot>"})
+    assert command("gen-moveit", "six.urdf", *JAZZY).returncode == 0
+    root = semantic(folder)
+    assert [part.get("name") for part in root.findall("group/link")] == links
+    effector = {"name": "gripper", "parent_link": "tool0", "group": "gripper", "parent_group": "arm"}
+    assert [one.attrib for one in root.findall("end_effector")] == [effector] * bool(links)
+    assert {one.get("group") for one in root.findall("group_state")} == {"arm"}
+    assert command("lint", "out", "--fail-on", "warning").returncode == 0
+    assert command("gen-check", "out") == (0, "", "")

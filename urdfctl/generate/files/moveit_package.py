@@ -61,7 +61,8 @@ def moveit_files(
     if not usable:
         raise UserError("no controller of the robot is one that MoveIt uses: it needs --type trajectory or gripper")
     tools = anatomy_of(robot, chosen(robot)).tools
-    groups = planning_groups(usable, linkage.links, options.planning_groups, tools, bare=options.own)
+    solid = {name for one, other, _ in linkage.pairs for name in (one, other)}
+    groups = planning_groups(usable, linkage.links, options.planning_groups, tools, solid=solid, bare=options.own)
     name, parts = robot.name or "robot", semantic_parts(robot, linkage, groups, in_world=needs_world(robot, options))
     semantic = f"config/{re.sub(r'[^A-Za-z0-9_.-]+', '_', name)}.srdf"
     notes: list[str] = []
@@ -100,7 +101,7 @@ def _about_start(linkage: Linkage, parts: Sequence[SemanticPart], margin: float)
 
 def _about_bare(groups: Sequence[PlanningGroup], moved: set[str]) -> list[str]:
     """Which groups no controller moves, in words."""
-    bare = [group.name for group in groups if moved.isdisjoint(group.joints)]
+    bare = [group.name for group in groups if group.joints and moved.isdisjoint(group.joints)]
     return [f"no controller of the robot moves group '{name}', which MoveIt can plan for and not move" for name in bare]
 
 
@@ -139,7 +140,7 @@ def _values(
     return {
         "command": options.command,
         "chains": [group for group in groups if group.tip],
-        "groups": groups,
+        "groups": [group for group in groups if group.joints],
         "joints": [_limits(joint) for joint in robot.joints if joint.name in moved],
         "ramp": _RAMP,
         "lists": lists,

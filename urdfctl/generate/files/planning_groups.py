@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import count
 
 from urdfctl.errors import UserError
@@ -13,11 +13,15 @@ from urdfctl.generate.robot.anatomy import ARM, SHORT
 from urdfctl.generate.robot.facts import LinkFacts
 from urdfctl.generate.robot.hands import Tool
 
-_TIPS = ("tool0", "tcp", "tool", "tip", "end_effector", "ee", "flange", "grasp", "hand")
+_TIPS = ("tool0", "tcp", "tool", "tip", "end_effector", "eef", "ee", "flange", "grasp", "hand")
 """Words of the names of links at which a chain ends, the best first."""
-_HELD = ("tcp", "tool0", "tool", "grasp", "grasping", "end_effector", "ee")
+_HELD = ("tcp", "tool0", "tool", "grasp", "grasping", "end_effector", "eef", "ee")
 """Words of the names of frames between the fingers of a tool."""
 _TOOL = re.compile(r"gripper|finger|hand|jaw|claw", re.IGNORECASE)
+_RIGID = re.compile(r"gripper|hand|suction|vacuum|pump|magnet", re.IGNORECASE)
+_NO_TOOL = re.compile(r"camera|sensor|mount|adapter|coupl|flange", re.IGNORECASE)
+_REACH = 3
+"""An arm that carries a tool without joints has at least this many joints."""
 _OF_TYPE = re.compile(r"(?:^|_)(?:(?:joint_)?traj(?:ectory)?_)?controller$")
 """What the name of a controller says of its type."""
 _UNNAMED, _HAND = "arm", "gripper"
@@ -29,11 +33,13 @@ def planning_groups(
     given: Sequence[str],
     tools: Sequence[Tool] = (),
     *,
+    solid: Collection[str] = (),
     bare: bool = False,
 ) -> tuple[PlanningGroup, ...]:
     """Return the groups for these controllers, and the `given` ones. UserError if one does not fit the robot.
 
     tools: those of the robot; several controllers of one have a group together.
+    solid: the links that can collide; one that is fixed to the end of an arm and named as a tool has a group.
     bare: whether a tool without a controller has a group.
     """
     tree = LinkTree(links)
@@ -49,7 +55,8 @@ def planning_groups(
     joined = {group.name: group for group in _joined(groups, tree)}
     known = {group.joints for group in groups}
     whole = [_whole(joined[arm], joined[below]) for arm, below in standing]
-    return (*joined.values(), *(group for group in whole if group.joints not in known))
+    rigid = _rigid([*joined.values()], tree, solid)
+    return (*joined.values(), *rigid, *(group for group in whole if group.joints not in known))
 
 
 def _of_controllers(
@@ -148,6 +155,26 @@ def _whole_base(base: str, tree: LinkTree) -> str:
     link = tree.links[base]
     is_part = link.type == "fixed" and base.startswith(f"{link.parent}_") and not base.endswith("link")
     return link.parent if is_part else base
+
+
+def _rigid(groups: Sequence[PlanningGroup], tree: LinkTree, solid: Collection[str]) -> Iterator[PlanningGroup]:
+    """A group for each tool without joints, such as a suction cup, at the end of an arm that carries no other."""
+    carriers, names = {group.carrier for group in groups}, {group.name for group in groups}
+    listed = {joint for group in groups if not group.tip for joint in group.joints}
+    for arm in groups:
+        moving = tree.moving(arm.base, arm.tip) if arm.base and arm.tip and arm.name not in carriers else None
+        if arm.tip is None or not moving or len(moving) < _REACH or not listed.isdisjoint(moving):
+            continue
+        fixed = tree.welded(tree.of_joint[moving[-1]].name)[1:]
+        body = next(
+            (name for name in fixed if name in solid and _RIGID.search(name) and not _NO_TOOL.search(name)), None
+        )
+        mount = tree.links[body].parent if body else ""
+        if body and mount in {link.name for link in tree.up(arm.tip)}:
+            stem = f"{arm.name}_{_HAND}" if len([one for one in groups if one.tip]) > 1 else _HAND
+            name = next(one for n in count(1) if (one := stem if n == 1 else f"{stem}_{n}") not in names)
+            names.add(name)
+            yield PlanningGroup(name, (), mount=mount, carrier=arm.name, links=tuple(tree.welded(body)))
 
 
 def _standing(groups: Sequence[PlanningGroup], tree: LinkTree) -> Iterator[tuple[str, str]]:

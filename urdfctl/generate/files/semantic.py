@@ -101,6 +101,8 @@ def _group(group: PlanningGroup, joints: Sequence[JointFacts]) -> SemanticPart:
     """A group; a tool has the joints that follow its own, so that all its fingers are tested together."""
     if group.base and group.tip:
         return _part("group", _part("chain", base_link=group.base, tip_link=group.tip), name=group.name)
+    if group.links:
+        return _part("group", *(_part("link", name=name) for name in group.links), name=group.name)
     names = [*group.joints]
     for name in names:
         names += [one.name for one in joints if one.mimic and one.mimic[0] == name and one.name not in names]
@@ -108,6 +110,8 @@ def _group(group: PlanningGroup, joints: Sequence[JointFacts]) -> SemanticPart:
 
 
 def _poses(group: PlanningGroup, joints: dict[str, JointFacts], rest: dict[str, float]) -> Iterator[SemanticPart]:
+    if group.links:
+        return
     if group.mount:
         far, near = ("open", "close") if _is_drawn_closed(group, joints) else ("close", "open")
         values = {far: _far, near: _near}

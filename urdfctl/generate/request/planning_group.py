@@ -17,7 +17,8 @@ _LISTED = re.compile(r"([^=:]+)=([^=:]+)")
 class PlanningGroup(NamedTuple):
     """A planning group: its joints, and the links at the ends of its chain, if it is one.
 
-    mount: for a tool, the link that it is attached to. carrier: the group that moves this link.
+    mount: for a tool, the link that it is attached to. carrier: the group that moves this link. links: of a tool
+    without joints.
     """
 
     name: str
@@ -26,6 +27,7 @@ class PlanningGroup(NamedTuple):
     tip: str | None = None
     mount: str | None = None
     carrier: str | None = None
+    links: tuple[str, ...] = ()
 
 
 class LinkTree:
