@@ -280,3 +280,11 @@ def test_mock_hardware_is_commanded_by_positions_whatever_transmissions_say(fold
     described = Path(folder.path, "out/urdf/control.xacro").read_text()
     assert described.count('<command_interface name="position">') == len(ROW) + 1
     assert "effort" not in Path(folder.path, "out/config/controllers.yaml").read_text().replace("max_effort", "")
+
+
+def test_links_that_cannot_be_tested_in_time_are_one_line_and_nothing_is_written(folder: Folder) -> None:
+    folder.write({"six.urdf": arm()})
+    ran = command("gen-moveit", "six.urdf", "--distro", "jazzy", "--samples", "10000000", "--timeout", "5", "-o", "out")
+    said = "it takes longer than 5 s; use fewer --samples, or a longer --timeout"
+    assert (ran.returncode, ran.stderr) == (2, f"urdfctl: the links cannot be tested for collisions: {said}\n")
+    assert not Path(folder.path, "out").exists()

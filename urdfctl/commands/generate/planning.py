@@ -9,6 +9,7 @@ from urdfctl.commands.generate.measuring import measure_links
 from urdfctl.commands.generate.options import GenerateOptions
 from urdfctl.commands.words import split_arguments
 from urdfctl.config.settings import Settings
+from urdfctl.errors import UserError
 from urdfctl.generate.files.hardware import hosted_file, simulates, unplanned
 from urdfctl.generate.files.planned_controllers import has_planned
 from urdfctl.generate.options import GeneratorOptions
@@ -25,11 +26,14 @@ def plans(options: GenerateOptions) -> bool:
 
 
 def with_tested_links(robot: RobotFacts, options: GenerateOptions, settings: Settings) -> RobotFacts:
-    """Return a robot with the pairs of its links that need no test for collisions."""
+    """Return a robot with the pairs of its links that need no test for collisions. UserError if they are not known."""
     poses = {"samples": options.samples, "seed": options.seed}
     _, arguments = split_arguments(options.words)
     measured = measure_robot(robot.file or "", arguments, settings, measure_links, poses)
-    return robot._replace(linkage=measured.facts.linkage) if measured.facts else robot
+    if measured.facts is None:
+        why = next((problem.message.rpartition(": ")[2] for problem in measured.problems), "the worker ended")
+        raise UserError(f"the links cannot be tested for collisions: {why}; use fewer --samples, or a longer --timeout")
+    return robot._replace(linkage=measured.facts.linkage)
 
 
 def started(
