@@ -180,6 +180,21 @@ def test_what_is_not_found_tells_which_names_are_known(tmp_path: Path) -> None:
     assert (raised.value.name, list(raised.value.known)) == ("bose", ["base"])
 
 
+def test_the_same_last_words_after_the_first_word_of_other_packages_are_no_slip(tmp_path: Path) -> None:
+    def meant(name: str) -> tuple[list[str], str]:
+        with pytest.raises(PackageNotFound) as raised:
+            found(name, tmp_path, "mur_description/r.xacro")
+        return sorted(raised.value.known), raised.value.own
+
+    package(tmp_path / "mur_description")
+    assert meant("ur_description") == (["mur_description"], "mur_description")
+    manifest = Path(package(tmp_path / "base"), "package.xml")
+    manifest.write_text("<package><name>base</name><depend>ur_driver</depend></package>")
+    assert meant("ur_description") == (["base"], "")
+    assert meant("mur_descripton") == (["base", "mur_description"], "mur_description")
+    assert meant("mr_description") == (["base", "mur_description"], "mur_description")
+
+
 def test_an_installed_path_leads_to_its_source(tmp_path: Path) -> None:
     package(tmp_path / "arm")
     (tmp_path / "arm" / "CMakeLists.txt").write_text("install(DIRECTORY description/urdf DESTINATION share/arm)")

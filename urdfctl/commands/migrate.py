@@ -39,7 +39,8 @@ from urdfctl.output.writing import encoded
 from urdfctl.report.common import shown
 from urdfctl.run.git import has_changes
 from urdfctl.source.disk.gate import exists
-from urdfctl.source.workspaces.packages import package_around, package_folders
+from urdfctl.source.workspaces.package_folders import package_folders
+from urdfctl.source.workspaces.packages import package_around
 from urdfctl.startup.records import NamedTuple
 
 REPORT = "MIGRATION.md"

@@ -141,7 +141,8 @@ def _misspelt(named: Iterable[Word], packages: Packages, path: str) -> tuple[tup
         except PackageNotFound as error:
             known = () if word.text in _OFTEN_USED else (*error.known, *_OFTEN_USED)
             meant = nearest(word.text, [name for name in known if is_slip(word.text, name)])
-            if meant and not packages.declares(word.text, path):
+            declared = any(packages.declares(word.text, file) for file in (path, word.at.source.path))
+            if meant and not declared:
                 found[word.text] = (word, meant)
     return tuple(found.values())
 

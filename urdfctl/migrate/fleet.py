@@ -9,7 +9,8 @@ from collections.abc import Iterable, Sequence
 from urdfctl.migrate.report import NOT_CHANGED, NOT_READ, ReportLine
 from urdfctl.migrate.step import EntryKind
 from urdfctl.report.pages import page
-from urdfctl.source.workspaces.packages import package_folders, package_name
+from urdfctl.source.workspaces.package_folders import package_folders
+from urdfctl.source.workspaces.packages import package_name
 from urdfctl.startup.records import NamedTuple
 
 _COLUMNS = ("package", "applied", "choices", "left", "skipped", "failed")

@@ -13,7 +13,8 @@ from urdfctl.output.scratch import scratch_folder
 from urdfctl.source.disk.files import folders_upwards
 from urdfctl.source.disk.gate import is_file, is_folder, walk
 from urdfctl.source.disk.gitignore import GitIgnore
-from urdfctl.source.workspaces.packages import package_around, package_folders, package_name
+from urdfctl.source.workspaces.package_folders import package_folders
+from urdfctl.source.workspaces.packages import package_around, package_name
 from urdfctl.source.workspaces.workspace import workspace_of
 from urdfctl.startup.records import NamedTuple
 

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
-from itertools import islice
+from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from urdfctl.source.disk import gate
 from urdfctl.source.disk.files import first_bytes, folders_upwards
 from urdfctl.source.disk.gitignore import GitIgnore
+from urdfctl.source.workspaces.families import may_be_meant
+from urdfctl.source.workspaces.package_folders import is_searched, package_folders
 
 if TYPE_CHECKING:
     from urdfctl.source.workspaces.install_maps import InstallMap
@@ -24,9 +25,6 @@ _T = TypeVar("_T")
 _NAME = rb"<name[^<>]*>\s*([^<\s]+)\s*</name>"
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _DEPENDENCY = rb"<(?:[a-z_]+_)?depend\b[^<>]*>\s*([^<\s]+)\s*</"
-_IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
-_PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", "site-packages"})
-_MOST_FOLDERS = 100_000
 PREFIXES = ("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH")
 """The environment variables that list where packages are installed."""
 _ROOTS = "ROS_PACKAGE_PATH"
@@ -93,23 +91,6 @@ class Crawl:
         return self._found
 
 
-def package_folders(root: str) -> Iterator[str]:
-    """Yield the folders below `root` that contain a package.xml. Like colcon, does not search inside a package."""
-    for folder, folders, others in islice(gate.walk(root), _MOST_FOLDERS):
-        is_package = "package.xml" in others
-        if not _IGNORE_FILES.isdisjoint((*folders, *others)):
-            folders.clear()
-        elif is_package:
-            yield folder
-        if is_package and folder != root:
-            folders.clear()
-        folders[:] = filter(_is_searched, folders)
-
-
-def _is_searched(name: str) -> bool:
-    return not name.startswith(".") and name not in _PRUNED
-
-
 class PackageIndex:
     """State shared by all robots of a run: the package walks, manifests and install maps that were read."""
 
@@ -117,8 +98,8 @@ class PackageIndex:
         self.workspace = os.path.abspath(workspace)
         self.extra = [os.path.abspath(path) for path in extra]
         self.environ = os.environ if environ is None else environ
-        self.named = [Crawl(path) for path in self.extra]
-        self.around = [Crawl(path) for path in [self.workspace, *self.prefixes(_ROOTS)]]
+        self.named = list(map(Crawl, self.extra))
+        self.around = list(map(Crawl, [self.workspace, *self.prefixes(_ROOTS)]))
         self.crawls = [*self.named, *self.around]
         self._names: dict[str, str | None] = {}
         self._maps: dict[str, InstallMap] = {}
@@ -145,6 +126,11 @@ class PackageIndex:
         if folder not in self._dependencies:
             self._dependencies[folder] = dependencies_of(os.path.join(folder, "package.xml"))
         return self._dependencies[folder]
+
+    def declared(self) -> Collection[str]:
+        """Return the names of the packages that any package.xml declares."""
+        folders = {folder for crawl in self.crawls for each in crawl.packages().values() for folder in each}
+        return self.once("declared", lambda: frozenset().union(*map(self.dependencies, folders)))
 
     def name_of(self, folder: str) -> str | None:
         """Return the name of the package in a folder; None if the folder has no package.xml."""
@@ -232,21 +218,25 @@ class Packages:
         if os.path.basename(self._folder) != "config" or not around:
             return []
         beside = (
-            entry.path for entry in gate.entries_in(around[0]) if _is_searched(entry.name) and not entry.is_symlink()
+            entry.path for entry in gate.entries_in(around[0]) if is_searched(entry.name) and not entry.is_symlink()
         )
         return [folder for folder in sorted(beside) if self._index.name_of(folder)]
 
     def find(self, name: str) -> str:
         """Return the folder of a package. Raises PackageNotFound if no package has this name."""
         if name in ("", os.curdir, os.pardir) or {os.sep, "/"} & {*name}:  # a path could lead out of the search folders
-            raise PackageNotFound(name, self.known(), self._own_name())
+            raise self._not_found(name)
         if name not in self._found:
             folder, is_assumed = self._index.once(("find", self._folder, name), lambda: self._looked_for(name))
             if folder is None:
-                raise PackageNotFound(name, self.known(), self._own_name())
+                raise self._not_found(name)
             self._found[name] = folder
             self.assumed.update([name] if is_assumed else [])
         return self._found[name]
+
+    def _not_found(self, name: str) -> PackageNotFound:
+        """The error for a package, with the packages that may be meant."""
+        return PackageNotFound(name, *may_be_meant(name, self.known(), self._own_name(), self._index.declared))
 
     def _looked_for(self, name: str) -> tuple[str | None, bool]:
         """The folder of a package, and whether it has no package.xml."""
@@ -293,9 +283,8 @@ class Packages:
 
     def _of_other_machine(self, path: str) -> str | None:
         """The file that an absolute path of another machine means: it goes through a package of the workspace."""
-        parts = (
-            path.split(os.sep) if os.path.isabs(path) and not path.startswith(self._index.workspace + os.sep) else []
-        )
+        is_inside = path.startswith(self._index.workspace + os.sep)
+        parts = path.split(os.sep) if os.path.isabs(path) and not is_inside else []
         for index in range(len(parts) - 2, 0, -1):
             if self.is_of_workspace(parts[index]):
                 folder, relative = self.find(parts[index]), os.path.join(*parts[index + 1 :])

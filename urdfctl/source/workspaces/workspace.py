@@ -6,7 +6,8 @@ import os
 
 from urdfctl.source.disk.files import folders_upwards
 from urdfctl.source.disk.shown import current_folder, remembered
-from urdfctl.source.workspaces.packages import package_around, package_folders
+from urdfctl.source.workspaces.package_folders import package_folders
+from urdfctl.source.workspaces.packages import package_around
 
 
 def workspace_of(file: str, named: str | None = None) -> str:
