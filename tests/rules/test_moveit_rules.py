@@ -169,6 +169,43 @@ def test_the_limits_that_controllers_of_ros_1_are_given_are_none_of_moveits(fold
 @pytest.mark.parametrize(
     ("listed", "told"),
     [
+        ("$(arg side)/finger", []),
+        ("$(arg side)/thumb", ["left/thumb", "right/thumb"]),
+        ("left/finger", ["left/finger"]),
+        ("$(env SIDE)/thumb", []),
+    ],
+)
+def test_a_list_for_moveit_is_compared_with_the_controller_of_its_namespace_as_roslaunch_evaluates_it(
+    folder: Folder, listed: str, told: list[str]
+) -> None:
+    hand = """
+        <include file="$(find arm)/hand.launch"><arg name="side" value="{0}"/></include>
+        <rosparam ns="{0}" file="$(find arm)/{0}.yaml"/>
+    """
+    semantic = '<param name="robot_description_semantic" textfile="$(find arm)/gripper.srdf"/>'
+    both = f"{semantic}{hand.format('left')}{hand.format('right')}"
+    described = '<launch><param name="robot_description" textfile="$(find arm)/gripper.urdf"/>'
+    of_side = '<rosparam file="$(find arm)/$(arg side)_lists.yaml" subst_value="true"/>'
+    controller = "hand: {{type: position_controllers/JointTrajectoryController, joints: [{0}/finger]}}"
+    lists = f"controller_list: [{{name: $(arg side)/hand, type: FollowJointTrajectory, joints: [{listed}]}}]"
+    folder.write(
+        {
+            "package.xml": '<package format="2"><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>',
+            "gripper.urdf": GRIPPER,
+            "gripper.srdf": '<robot name="gripper"/>',
+            "demo.launch": f"{described}{both}</launch>",
+            "hand.launch": f'<launch><arg name="side"/>{of_side}</launch>',
+            **{f"{side}_lists.yaml": lists for side in ("left", "right")},
+            **{f"{side}.yaml": controller.format(side) for side in ("left", "right")},
+        }
+    )
+    messages = [finding.message for finding in robots.findings("demo.launch", ("UC653",))]
+    assert re.findall(r"does not control joint '([\w/]+)'", " ".join(messages)) == told
+
+
+@pytest.mark.parametrize(
+    ("listed", "told"),
+    [
         ("shoulder, elbow, virtual_joint", None),
         ("shoulder, elbow, flange", None),
         ("shoulder, elbow, tool", "tool"),

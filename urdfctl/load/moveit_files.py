@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from urdfctl.load.expansion.description import expansion_of
 from urdfctl.model.controllers import FileReference, MoveItController
@@ -24,6 +24,7 @@ from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.disk.gate import is_file, names_in
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.expansion import Expander
+from urdfctl.source.yaml.replacing import with_replacements
 from urdfctl.source.yaml.tree import YamlFile, read_yaml
 
 _ROS_2 = 2
@@ -31,6 +32,8 @@ _CONTROLLERS, _OF_MOVEIT = "ros2_controllers.yaml", "moveit_controllers.yaml"
 _KINEMATICS, _LIMITS = "kinematics.yaml", "joint_limits.yaml"
 _DESCRIPTIONS = (".urdf.xacro", ".urdf", ".xacro")
 _PIPELINE = "_planning.yaml"
+
+_Texts = tuple[tuple[str, str], ...]
 
 
 def read_moveit(
@@ -46,7 +49,10 @@ def read_moveit(
     found = given or _beside(path, controllers)
     if found is None:
         return None
-    return _MoveItReader(files, expander).read(found, is_given=given is not None, ros=launch.ros if launch else None)
+    loads = launch.loads if launch is not None else ()
+    replaced = {load.file.path: load.rewriting.texts for load in loads}
+    reader = _MoveItReader(files, expander, replaced)
+    return reader.read(found, is_given=given is not None, ros=launch.ros if launch else None)
 
 
 def moveit_in(paths: Sequence[str], files: Files, expander: Callable[[], Expander], ros: int) -> MoveIt:
@@ -141,9 +147,13 @@ def _start_of(path: str) -> Place:
 
 
 class _MoveItReader:
-    def __init__(self, files: Files, expander: Callable[[], Expander]) -> None:
+    def __init__(
+        self, files: Files, expander: Callable[[], Expander], replaced: Mapping[str | None, _Texts] | None = None
+    ) -> None:
+        """`replaced`: the texts that a launch file replaces in a file, such as `$(arg prefix)`."""
         self.files = files
         self._expander = expander
+        self._replaced = replaced or {}
 
     def read(self, found: MoveItFiles, *, is_given: bool, ros: int | None) -> MoveIt:
         """Return the content of the files; `is_given` tells whether a launch file gives them to MoveIt."""
@@ -196,6 +206,6 @@ class _MoveItReader:
         if file is None or file.path is None:
             return None
         try:
-            return read_yaml(self.files.read(file.path))
+            return with_replacements(read_yaml(self.files.read(file.path)), self._replaced.get(file.path, ()))
         except FileProblem:
             return None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.controllers import Controller, Key, MoveItController
+from urdfctl.model.controllers import Controller, Controllers, Key, MoveItController
 from urdfctl.model.robot import Robot
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Note, Project, Severity, rule
@@ -36,8 +36,9 @@ def moveit_joints_differ(project: Project) -> Iterator[Finding]:
     if project.moveit is None or project.moveit.guessed:
         return
     for moveit in real_controllers(project):
-        name = moveit.name.text.rpartition("/")[2]
-        controller = controllers.controller(name) if controllers else None
+        if any("$(" in joint.text for joint in moveit.joints):
+            continue  # what roslaunch puts there is not known
+        controller = _meant(moveit, controllers) if controllers else None
         joints = controller.own.value("joints") if controller else None
         names = [item.text for item in joints.items] if joints and joints.items else []
         if controller is not None and joints is not None and names and "Trajectory" in (moveit.type or ""):
@@ -48,6 +49,14 @@ def moveit_joints_differ(project: Project) -> Iterator[Finding]:
                 continue  # other launch files start the robot
             for finding in _compared(moveit, controller, names, note):
                 yield finding._replace(severity=finding.severity or severity)
+
+
+def _meant(moveit: MoveItController, controllers: Controllers) -> Controller | None:
+    """The controller with the name that MoveIt uses, which may have a namespace; or the only one of the last word."""
+    name = moveit.name.text.strip("/")
+    last = name.rpartition("/")[2]
+    same = [each for each in controllers.controllers if each.full_name.rpartition("/")[2] == last]
+    return controllers.controller(name) or (same[0] if len(same) == 1 else None)
 
 
 def _sent(moveit: MoveItController, names: list[str], robot: Robot | None) -> Iterator[Key]:
