@@ -194,6 +194,27 @@ def test_a_launch_files_namespace_stands_before_the_names() -> None:
     assert told(controllers_of([Loaded(file, "/robot")], 1)) == [("arm", "/robot", "a/B")]
 
 
+def gains_of(gains: str) -> list[str]:
+    """The parameters below `gains` of a controller in /robot whose joints have slashes."""
+    text = f"arm: {{type: a/B, joints: [left/elbow, left/wrist], gains: {{{gains}}}}}"
+    file = read_yaml(SourceText("/c.yaml", text.encode()))
+    made = controllers_of([Loaded(file, "/robot")], 1).controller("/robot/arm")
+    assert made is not None
+    return [parameter.name for parameter in made.parameters if parameter.name.startswith("gains.")]
+
+
+def test_the_slash_in_the_name_of_a_joint_is_that_between_the_namespaces_of_its_parameters() -> None:
+    whole = ["gains.left/elbow", "gains.left/elbow.p", "gains.left/wrist", "gains.left/wrist.p"]
+    assert gains_of("left/elbow: {p: 1}, left/wrist: {p: 1}") == whole
+    assert gains_of("left: {elbow: {p: 1}, wrist: {p: 1}}") == whole
+    assert gains_of("right/elbow: {p: 1}") == ["gains.right", "gains.right.elbow", "gains.right.elbow.p"]
+
+
+def test_a_key_with_a_leading_slash_is_a_full_name_as_roslaunch_uploads_it() -> None:
+    assert gains_of("/robot/arm/gains/left/elbow: {p: 1}") == ["gains.left/elbow", "gains.left/elbow.p"]
+    assert gains_of("/other/arm/gains/left/elbow: {p: 1}") == []
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -11,6 +11,7 @@ from urdfctl.model.controllers.build_parameters import (
     read_by_rcl,
     read_by_rosparam,
     tag_faults,
+    with_names_of_elements,
 )
 from urdfctl.model.controllers.controller_forms import MANAGER, OF_OTHER_STACKS, controllers_file, is_class
 from urdfctl.model.controllers.controllers import (
@@ -288,9 +289,12 @@ class _Ros1:
             if known is None or known.value.kind is not ValueKind.MAP or leaf.value.kind is not ValueKind.MAP:
                 self.leaves[leaf.path] = leaf
         self.hardware = {(*path[:-1], name) for path in self.leaves for name in self._hardware(path)}
-        self.children: dict[tuple[str, ...], list[tuple[str, ...]]] = {}
-        for path in self.leaves:
-            self.children.setdefault(path[:-1], []).append(path)
+        self.children: dict[tuple[str, ...], dict[tuple[str, ...], None]] = {}
+        for path in self.leaves:  # a key `left/elbow` leaves its parent out
+            for length in range(len(path), 0, -1):
+                self.children.setdefault(path[: length - 1], {}).setdefault(path[:length])
+                if path[: length - 1] in self.leaves:
+                    break
         self.started = [(name.startswith("/"), tuple(part for part in name.split("/") if part)) for name in started]
         self._started_by_end: dict[tuple[str, ...], list[tuple[bool, tuple[str, ...]]]] = {}
         for full, parts in self.started:
@@ -347,11 +351,13 @@ class _Ros1:
         return leaf.value if leaf else None
 
     def _section(self, path: tuple[str, ...], leaf: Leaf) -> Section:
-        return Section("/".join(path), leaf.key, parameters_of(self._below(path), len(path)))
+        leaves = with_names_of_elements(list(self._below(path)), len(path))
+        return Section("/".join(path), leaf.key, parameters_of(leaves, len(path)))
 
     def _below(self, path: tuple[str, ...]) -> Iterator[Leaf]:
         for child in self.children.get(path, ()):
-            yield self.leaves[child]
+            if child in self.leaves:
+                yield self.leaves[child]
             yield from self._below(child)
 
     def _controller(self, path: tuple[str, ...], leaf: Leaf) -> Controller:

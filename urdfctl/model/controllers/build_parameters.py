@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 
 from urdfctl.model.controllers.controllers import FaultKind, FileFault, Key, Section
 from urdfctl.model.controllers.parameters import Parameter, Parameters, Value, ValueKind
@@ -73,6 +73,44 @@ def parameters_of(leaves: Iterable[Leaf], base: int = 0) -> Parameters:
             continue
         by_name[name] = Parameter(name, leaf.key, leaf.value)
     return Parameters(by_name.values())
+
+
+def with_names_of_elements(leaves: list[Leaf], base: int) -> list[Leaf]:
+    """Return the leaves of a section of ROS 1, where the parts of a path that name an element with slashes are one.
+
+    With `joints: [left/elbow]`, `gains: {left/elbow: {p: 1}}` and `gains: {left: {elbow: {p: 1}}}` both set
+    `gains.left/elbow.p`: the slash in the name of a joint is that between namespaces.
+
+    base: number of leading keys that are the section's own.
+    """
+    texts = {item.text for leaf in leaves for item in (leaf.value, *leaf.value.items) if "/" in item.text}
+    names = {tuple(text.split("/")) for text in texts} & (_runs_in(leaves, base) if texts else set())
+    if not names:
+        return leaves
+    merged = (leaf._replace(path=(*leaf.path[:base], *_joined(leaf.path[base:], names))) for leaf in leaves)
+    holders = {name[:size] for name in names for size in range(1, len(name))}
+    return [
+        leaf for leaf in merged if leaf.value.kind is not ValueKind.MAP or not _ends_with(leaf.path[base:], holders)
+    ]
+
+
+def _runs_in(leaves: Iterable[Leaf], base: int) -> set[tuple[str, ...]]:
+    """All runs of at least two parts in the paths of leaves."""
+    paths = {leaf.path[base:] for leaf in leaves}
+    return {path[i:j] for path in paths for i in range(len(path)) for j in range(i + 2, len(path) + 1)}
+
+
+def _joined(path: tuple[str, ...], names: Collection[tuple[str, ...]]) -> Iterator[str]:
+    """Yield the parts of a path, those of a name as one."""
+    start = 0
+    while start < len(path):
+        size = max((len(name) for name in names if path[start : start + len(name)] == name), default=1)
+        yield "/".join(path[start : start + size])
+        start += size
+
+
+def _ends_with(path: tuple[str, ...], holders: Collection[tuple[str, ...]]) -> bool:
+    return any(path[-len(holder) :] == holder for holder in holders)
 
 
 def tag_faults(file: YamlFile) -> list[FileFault]:
@@ -210,7 +248,8 @@ def _leaves_of_rosparam(mapping: Mapping, path: tuple[str, ...], faults: list[Fi
     for key, node in _merged(mapping):
         if typed_by_pyyaml(key).kind not in _TEXT_KEYS:
             faults.append(FileFault(FaultKind.KEY, key.at, key.text))
-        here = (*path, *(part for part in key.text.split("/") if part))
+        outer = () if key.text.startswith("/") else path  # roslaunch loader.py add_param(): ns_join(param_name, key)
+        here = (*outer, *(part for part in key.text.split("/") if part))
         value = value_of(node, typed_by_pyyaml)
         yield Leaf(here, key.at, value)
         faults.extend(_unexpanded(value, key))
