@@ -63,6 +63,8 @@ def test_namespaces_are_joined_as_roslaunch_joins_them(outer: str, inner: str, w
         ("--namespace=/x a", ["a"], "/x", True, True),
         ("--namespace y --timeout 60 a", ["a"], "/r/y", True, True),
         ("--no-timeout --wait-for /go a", ["a"], "/r", True, True),
+        ("--shutdown-time 1 --names=/x --stop a", ["a"], "/x", False, True),
+        ("--no-time 1", ["1"], "/r", True, True),
         ("a $(env B)", ["a"], "/r", True, False),
         ("$(find p)/c.yaml", [], "/r", True, False),
         ("\n      a\n      b", ["a", "b"], "/r", True, True),

@@ -77,6 +77,7 @@ def spawner(*words: str, more: str = "") -> str:
 IDIOMS = {
     "a list of words": (spawner("arm", "-c", "/controller_manager"), ["arm"]),
     "several names": (spawner("jsb", "arm"), ["jsb", "arm"]),
+    "an option by its beginning": (spawner("jsb", "--controller-manager-time", "60", "--switch-t=9"), ["jsb"]),
     "a loop over names": (
         """
         nodes = []

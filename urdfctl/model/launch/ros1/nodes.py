@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from urdfctl.model.launch.abbreviations import whole_option
 from urdfctl.model.launch.parts import Node, ProgramOption, Spawn, Word
 from urdfctl.model.launch.scope import Scope, Substitutions
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -12,6 +13,7 @@ from urdfctl.source.span import Place
 from urdfctl.source.xml.dom import Element
 
 _OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
+_OPTIONS = (*_OPTIONS_WITH_VALUE, "--stopped", "--no-timeout", "--help")
 _VERBS = {"spawn": True, "load": False, "start": True}
 """The verbs of the program `controller_manager` that load controllers, and whether they start them."""
 
@@ -66,7 +68,8 @@ def _with_arguments(spawn: Spawn, words: Iterator[tuple[str, Place]], scope: Sco
     options: list[ProgramOption] = []
     files: list[Word] = []
     for word, place in words:
-        option, mark, value = word.partition("=")
+        written, mark, value = word.partition("=")
+        option = whole_option(written, _OPTIONS)
         if option in _OPTIONS_WITH_VALUE:
             value, of_value = (value, place) if mark else next(words, ("", spawn.at))
             if option == "--namespace":

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from urdfctl.model.launch import ProgramOption, Word
+from urdfctl.model.launch.abbreviations import whole_option
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
@@ -18,6 +19,7 @@ WITH_VALUE = frozenset(
 _WITHOUT_VALUE = frozenset(
     "--load-only --stopped --inactive -u --unload-on-kill --activate-as-group --switch-asap --no-switch-asap".split()
 )
+_OF_SPAWNER = frozenset({*(name for name in WITH_VALUE | _WITHOUT_VALUE if "_" not in name), "--controller", "--help"})
 _VERBS = {
     "load_controller": None,
     "load_start_controller": True,
@@ -63,7 +65,8 @@ def spawner_arguments(words: Sequence[Word], *, complete: bool) -> SpawnerArgume
     options: list[ProgramOption] = []
     rest = iter(words)
     for word in rest:
-        name, mark, value = word.text.partition("=")
+        written, mark, value = word.text.partition("=")
+        name = whole_option(written, _OF_SPAWNER)
         if name == _OF_ROS:
             while (skipped := next(rest, None)) and skipped.text != "--":
                 pass
