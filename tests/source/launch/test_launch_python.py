@@ -104,6 +104,21 @@ IDIOMS = {
         """,
         ["jsb", "arm"],
     ),
+    "a helper whose condition is None": (
+        """
+        def make(name, condition=None):
+            return Node(package='controller_manager', executable='spawner', arguments=[name], condition=condition)
+        return LaunchDescription([make('jsb'), make('arm', UnlessCondition('false'))])
+        """,
+        ["jsb", "arm"],
+    ),
+    "a variable of the environment with a default": (
+        """
+        names = [os.getenv('NAME', default='jsb'), os.getenv('NAME', 'arm'), os.environ.get('NAME', default='hand')]
+        return LaunchDescription([Node(package='controller_manager', executable='spawner', arguments=names)])
+        """,
+        ["jsb", "arm", "hand"],
+    ),
     "a description that actions are added to": (
         """
         ld = LaunchDescription()

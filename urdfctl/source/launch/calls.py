@@ -107,7 +107,7 @@ class Calls:
             items = listed(first) if first is not None else []
             return UnknownTerm(at) if items is None else Items(items, at)
         if name in _ENVIRONMENT:
-            return self.environment(arguments, at)
+            return self.environment([*arguments, *(keywords[name] for name in ("default",) if name in keywords)], at)
         if short in _ADDING and isinstance(first, Called):
             first.added.extend(_ADDING[short](arguments, keywords, at))
         if name in _LOADING and isinstance(first, Called):

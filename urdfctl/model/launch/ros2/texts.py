@@ -128,7 +128,7 @@ class Texts:
 
     def condition(self, term: Term | None) -> bool | None:
         """Return whether a condition is true; None if unknown. No condition counts as true."""
-        if term is None:
+        if term is None or (isinstance(term, Constant) and term.value is None):
             return True
         if not isinstance(term, Called):
             return None
