@@ -266,9 +266,9 @@ def _excludes(start: Start, lonely: TargetResult) -> bool:
 
 def _spawns_all(start: Start, lonely: TargetResult) -> bool:
     """Whether a start of the same package spawns all that a launch file spawns, which is then a part of it; unless that
-    has a robot or a manager of its own."""
+    has a robot or a manager of its own, or starts a robot by launch files that are not here."""
     facts = lonely.joining
-    if facts.described_in or facts.waits or facts.manages or facts.unread:
+    if facts.described_in or facts.started_in or facts.waits or facts.manages or facts.unread:
         return False
     spawned = {name for _, result in start.robots for name in spawned_by(result)}
     return _package(start.first) == _package(lonely) and bool(spawned_by(lonely)) and spawned >= set(spawned_by(lonely))
