@@ -405,3 +405,36 @@ def test_show_says_which_start_spawns_the_controllers_of_a_launch_file_without_a
     written(folder, up=xml(SPAWNER.format("winch")))
     again = json.loads(folder.run("show", ".", "--format", "json").stdout)
     assert again["covered"] == []
+
+
+def test_a_launch_file_whose_robot_is_started_elsewhere_is_no_part_of_one_that_spawns_the_same(folder: Folder) -> None:
+    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    whole = xml(PUBLISHER.format("hoist.urdf"), SPAWNER.format("states"))
+    abroad = '<include file="$(find-pkg-share {})/launch/{}.launch.xml"/>'
+    written(folder, whole=whole, up=xml(abroad.format("derrick_bringup", "derrick"), SPAWNER.format("states")))
+    absent = "launch files that it includes are in package 'derrick_bringup', not in this workspace"
+    assert f"launch/up.launch.xml  (starts controllers without a robot: {absent})" in told(folder)
+    written(folder, up=xml(abroad.format("slam_toolbox", "slam"), SPAWNER.format("states")))
+    assert "launch/up.launch.xml  (launch/whole.launch.xml spawns its controllers)" in told(folder)
+
+
+READ_HERE = """
+from launch import LaunchDescription
+from launch.substitutions import Command, PathJoinSubstitution
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    described = Command(["xacro ", PathJoinSubstitution(["./", "hoist.urdf"])])
+    return LaunchDescription([Node(package="robot_state_publisher", executable="robot_state_publisher",
+                                   parameters=[{"robot_description": described}])])
+"""
+
+
+def test_a_relative_path_is_that_of_the_file_beside_the_launch_file(folder: Folder) -> None:
+    written(folder, up=READ_HERE)
+    named = ["launch/up.launch.py  (starts a robot whose description could not be determined)"]
+    assert told(folder) == named
+    folder.write({"hoist.urdf": HOIST.format("")})  # the folder in which launch is started is not known
+    assert [line for line in told(folder) if "up.launch" in line] == named
+    folder.write({"launch/hoist.urdf": HOIST.format("")})
+    assert "launch/up.launch.py\n  description launch/hoist.urdf\n" in folder.run("show", ".").stdout

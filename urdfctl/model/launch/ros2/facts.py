@@ -56,8 +56,9 @@ class LaunchFacts:
         """Add a reference to a file, if its path is known, and return it."""
         known = if_known(path)
         located, exists = self.locate(known) if known else (None, None)
-        if known and not os.path.isabs(known):
-            located, exists = None, None  # depends on the folder that the launch is started in
+        if known and not os.path.isabs(known):  # depends on the folder that the launch is started in, e.g. its own
+            beside = os.path.normpath(os.path.join(os.path.dirname(at.source.path), known))
+            located, exists = self.locate(beside) if self.exists(beside) else (None, None)
         reference = FileReference(path, at, located, exists)
         if located is not None:
             key = located, at.start
