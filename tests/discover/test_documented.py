@@ -43,6 +43,10 @@ def documented(folder: Folder, text: str, name: str = "README.md", package: str 
         ("roslaunch arm go.launch name:='my arm' model:=\"small\".", {"name": "my arm", "model": "small"}),
         ("roslaunch arm go.launch model:=small && rosrun x y z:=1", {"model": "small"}),
         ("roslaunch arm go.launch ip:=<ip> model:=small", {"model": "small"}),
+        (
+            "roslaunch arm go.launch model:=UR5 side:=LEFT_ARM port:=TTY",
+            {"model": "UR5", "side": "LEFT_ARM", "port": "TTY"},
+        ),
     ],
 )
 def test_a_command_names_arguments(text: str, arguments: dict[str, str], folder: Folder) -> None:
@@ -60,11 +64,26 @@ def test_a_command_names_arguments(text: str, arguments: dict[str, str], folder:
         "roslaunch arm go.launch sim:=[true|false]",
         "roslaunch arm go.launch sim:=true/false",
         "roslaunch arm go.launch name:=your_name",
+        "roslaunch arm go.launch model:=MODEL",
+        "roslaunch arm go.launch robot:=ROBOT_NAME",
         "rosrun arm go.launch model:=small",
     ],
 )
 def test_another_command_and_a_value_that_the_reader_chooses_name_none(text: str, folder: Folder) -> None:
     assert documented(folder, text) == []
+
+
+def test_a_launch_file_that_a_text_names_by_its_path_is_the_one_beside_the_text(folder: Folder) -> None:
+    readme = "ros2 launch go.launch model:={}"
+    for name in ("left", "right"):
+        folder.write({f"{name}/go.launch": "<launch/>", f"{name}/README.md": readme.format(name)})
+    folder.write({"other/go.launch": "<launch/>", "README.md": readme.format("any")})
+    texts = Documentation([str(folder.path / name / "README.md") for name in ("left", "right", "")])
+
+    def models(name: str) -> list[str]:
+        return [dict(one.arguments)["model"] for one in texts.starts(str(folder.path / name / "go.launch"))]
+
+    assert (models("left"), models("right"), models("other")) == (["left", "any"], ["right", "any"], ["any"])
 
 
 def test_each_choice_counts_once_and_the_nearest_text_first(folder: Folder) -> None:

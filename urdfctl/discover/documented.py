@@ -9,7 +9,7 @@ from functools import cached_property
 from itertools import chain, islice
 
 from urdfctl.source.disk.files import first_bytes, folders_upwards
-from urdfctl.source.disk.gate import names_in
+from urdfctl.source.disk.gate import names_in, walk
 from urdfctl.source.disk.shown import remembered
 from urdfctl.source.workspaces.packages import package_around, package_name
 from urdfctl.source.workspaces.workspace import workspace_of
@@ -20,6 +20,7 @@ _STARTS = ("README", "Readme", "readme", "Makefile", "justfile", "Dockerfile", "
 _ENDINGS = (".md", ".rst", ".sh", ".bash")
 _MOST_BYTES = 1 << 18
 _MOST_FILES = 32
+_MOST_FOLDERS = 256
 _MOST_CHOICES = 16
 """Choices of arguments for one launch file."""
 _WORD = r"(?:[\w./~+$(){}<>\[\],:=*%@^…-]|\"[^\"\n]*\"|'[^'\n]*')+"
@@ -29,6 +30,8 @@ _OF_DEMO = r'<arg\s+name="load_robot_description"\s+default="true"'
 _ENDS_SENTENCE = ".,:)"
 _PLACEHOLDER = r"(?i)[<>$^*|{}…]|\.\.\.|xxx|\byour|\[[^\]]*[a-z]|(?:true|false)/(?:true|false)"
 """What stands for a value that the reader has to choose."""
+_KINDS = frozenset("ADDRESS DIR DIRECTORY FILE FOLDER ID IP NAME NUMBER PATH PORT TYPE VALUE".split())
+"""What a value in capitals ends with that stands for one: `SENSOR_NAME`."""
 
 
 class DocumentedStart(NamedTuple):
@@ -86,8 +89,21 @@ class Documentation:
         package = package_around(os.path.dirname(path))
         name = package and package_name(os.path.join(package, "package.xml"))
         for command in chain(*map(_commands, _folders_around(path)), self._elsewhere):
-            if command.name == os.path.basename(path) and command.package in (None, name):
+            is_named = command.name == os.path.basename(path) and command.package in (None, name)
+            if is_named and (command.package or not _means_another(command, path)):
                 yield command
+
+
+def _means_another(command: _Command, path: str) -> bool:
+    """Whether a command that names a launch file by its path means one beside the text, not one elsewhere."""
+    folder = os.path.dirname(command.start.place.rpartition(":")[0])
+    return not path.startswith(folder + os.sep) and command.name in _names_below(folder)
+
+
+@remembered
+def _names_below(folder: str) -> frozenset[str]:
+    """The names of the files in a folder and below it."""
+    return frozenset(name for _, _, names in islice(walk(folder), _MOST_FOLDERS) for name in names)
 
 
 def _own_start(path: str) -> str | None:
@@ -163,5 +179,11 @@ def _place(path: str, text: str, match: re.Match[str]) -> str:
 def _arguments(words: str) -> Iterator[tuple[str, str]]:
     for name, written in re.findall(_ARGUMENT, words):
         value = written.rstrip(_ENDS_SENTENCE).strip("\"'")
-        if not re.search(_PLACEHOLDER, value):
+        if not re.search(_PLACEHOLDER, value) and not _is_in_capitals(name, value):
             yield name, value
+
+
+def _is_in_capitals(name: str, value: str) -> bool:
+    """Whether a value in capitals stands for one: `MODEL` for a `model`, or a kind of value such as `ROBOT_IP`."""
+    words = value.split("_")
+    return value.isupper() and (name.upper() == value or (len(words) > 1 and words[-1] in _KINDS))
