@@ -46,6 +46,20 @@ def test_a_backup_is_no_choice(folder: Folder) -> None:
     assert found == [{"model": "large.urdf.xacro"}, {"model": "small.urdf.xacro"}]
 
 
+@pytest.mark.parametrize(
+    ("default", "found"),
+    [
+        ("$(optenv MODEL none)", [{"model": "large"}, {"model": "small"}]),
+        ("$(optenv MODEL small)", [{}]),
+        ("none", [{}]),
+    ],
+)
+def test_a_variable_of_the_environment_that_is_not_given_is_chosen_like_a_required_argument(
+    folder: Folder, default: str, found: list[dict[str, str]]
+) -> None:
+    assert variants(folder, NEEDS_MODEL.format(f'default="{default}"', DESCRIPTION)) == found
+
+
 def test_a_launch_file_with_a_robot_needs_none(folder: Folder) -> None:
     assert variants(folder, NEEDS_MODEL.format('default="small"', DESCRIPTION)) == [{}]
 

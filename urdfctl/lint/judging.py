@@ -26,6 +26,7 @@ from urdfctl.lint.results import TargetResult, Unjoined
 from urdfctl.lint.unjoined import unjoined
 from urdfctl.load.target import Target
 from urdfctl.source.disk.files import is_launch
+from urdfctl.source.workspaces.packages import package_around, package_name
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -304,14 +305,21 @@ def _without_parts(given: LaunchedTargets) -> LaunchedTargets:
 
 
 def _not_followed(files: DiscoveredFiles, started: LaunchedTargets) -> list[PlannedTarget]:
-    """The launch files that others seem to include, and that none of them starts, nor a namesake: the text was in a
+    """The launch files that others seem to include, and that none of them starts, nor a copy: the text was in a
     comment, the path is not understood, or a condition is false, and then their arguments may not be the defaults."""
     known = {path for _, (_, result) in started for path in (result.launch or result.path, *_included(result))}
-    names = {os.path.basename(path) for path in known}
-    left = (path for path in files.mentioned if os.path.basename(path) not in names)
+    names = set(map(_in_package, known))
+    left = (path for path in files.mentioned if _in_package(path) not in names)
     texts = files.documentation
     targets = (Target(path, guessed=takes_arguments(path), documented=texts.starts(path)) for path in left)
     return [PlannedTarget(target, TargetOrigin.LAUNCHED) for target in targets]
+
+
+def _in_package(path: str) -> tuple[str, str]:
+    """The name of the package that a file is in, and its path there: the same in copies of the package."""
+    folder = package_around(os.path.dirname(os.path.abspath(path)))
+    name = package_name(os.path.join(folder, "package.xml")) if folder else None
+    return (name, os.path.relpath(path, folder)) if folder and name else ("", os.path.basename(path))
 
 
 def _documented(

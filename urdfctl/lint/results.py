@@ -111,6 +111,9 @@ class TargetResult(NamedTuple):
         return bool(self.controllers) or bool(self.links and is_used)
 
 
+_LISTS_OF_UNJOINED = ("joints", "controllers", "packages", "models", "gone", "variables")
+
+
 class Unjoined(NamedTuple):
     """A launch file that starts controllers without a robot, or what is not here, and the fact that is missing.
 
@@ -124,6 +127,9 @@ class Unjoined(NamedTuple):
     description: the one that it names, and that does not exist.
     models: the files in SDF from which it spawns models.
     undescribed: whether it starts a robot whose description is not known.
+    gone: the launch file of a package that is here which it includes and which cannot be read, and why; empty if there
+        is none.
+    variables: the environment variables that its description depends on, and that are not given.
     """
 
     path: str
@@ -137,11 +143,13 @@ class Unjoined(NamedTuple):
     description: str = ""
     models: tuple[str, ...] = ()
     undescribed: bool = False
+    gone: tuple[str, ...] = ()
+    variables: tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Unjoined:
         """Return what `_asdict` and JSON made `data` from."""
-        lists = {name: tuple(data[name]) for name in ("joints", "controllers", "packages", "models")}
+        lists = {name: tuple(data[name]) for name in _LISTS_OF_UNJOINED}
         return cls(**{**data, **lists})
 
 

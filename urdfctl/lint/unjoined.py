@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 from urdfctl.lint.joining import (
     Start,
     is_lonely,
-    is_started_elsewhere,
     names_without_namespace,
     spawned_by,
     starts_of_generation,
@@ -42,7 +41,7 @@ def _is_absent(result: TargetResult) -> bool:
     """Whether a result is of a launch file whose robot, or what starts it, does not exist, is not known, is no
     description that is read, or is in a package that is not here."""
     facts = result.joining
-    missing = facts.described_in or facts.started_in or facts.lost or facts.unread or facts.models
+    missing = facts.described_in or facts.started_in or facts.gone or facts.lost or facts.unread or facts.models
     return is_launch(result.path) and result.links is None and bool(missing)
 
 
@@ -58,11 +57,19 @@ def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
         description=lonely.joining.lost,
         models=lonely.joining.models,
         undescribed=lonely.joining.unread,
+        gone=lonely.joining.gone,
+        variables=lonely.joining.variables if lonely.joining.unread else (),
     )
-    if lonely.joining.unread or lonely.joining.leftover or not absent.controls or is_started_elsewhere(lonely):
+    is_known = lonely.joining.unread or lonely.joining.leftover or not absent.controls or _is_elsewhere(lonely)
+    if is_known:
         return absent
     reasons = [_missing_in(lonely, start) for start in starts]
     return min(reasons, key=lambda reason: len(reason.joints + reason.controllers), default=absent)
+
+
+def _is_elsewhere(lonely: TargetResult) -> bool:
+    """Whether the robot is started by a launch file that is not here, or cannot be read."""
+    return bool(lonely.joining.started_in or lonely.joining.gone)
 
 
 def _missing_in(lonely: TargetResult, start: Start) -> Unjoined:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ from urdfctl.startup.records import NamedTuple
 if TYPE_CHECKING:
     from urdfctl.model.launch import Launch
 
-_LISTS = ("joints", "declared", "described_in", "started_in", "models")
+_LISTS = ("joints", "declared", "described_in", "started_in", "gone", "models", "variables")
 _PUBLISHER = "robot_state_publisher"
 _DESCRIBED = (None, _PUBLISHER, "ros2_control_node")
 """The nodes that have the description of a robot that is started, the parameter server of ROS 1 among them."""
@@ -32,9 +33,12 @@ class JoinFacts(NamedTuple):
     described_in: without a robot: the packages that its description is in, and that are not here.
     started_in: without a robot: the packages that are not here and whose launch files it includes, if these seem to
         start a robot.
+    gone: without a robot: the launch file that it includes, that seems to start a robot, and that cannot be read though
+        its package is here; and what is wrong with it. Empty if there is none.
     leftover: whether the launch file is written for ROS 1, in a package for ROS 2.
     lost: the description that it names, and that does not exist; empty if there is none.
     unread: without a robot: whether it starts one whose description is not known.
+    variables: the environment variables that it requires, and that are not given.
     models: without a robot: the files in SDF from which models are spawned.
     simulates: whether it starts a simulator, and no other controller manager.
     puts: whether it puts a model into a simulator.
@@ -49,6 +53,7 @@ class JoinFacts(NamedTuple):
     form: int | None = None
     described_in: tuple[str, ...] = ()
     started_in: tuple[str, ...] = ()
+    gone: tuple[str, ...] = ()
     leftover: bool = False
     lost: str = ""
     waits: bool = False
@@ -56,6 +61,7 @@ class JoinFacts(NamedTuple):
     models: tuple[str, ...] = ()
     simulates: bool = False
     puts: bool = False
+    variables: tuple[str, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> JoinFacts:
@@ -78,6 +84,7 @@ def join_facts(project: Project) -> JoinFacts:
         form=launch.ros if launch else None,
         described_in=_described_in(launch) if project.robot is None and launch else (),
         started_in=_started_in(launch) if project.robot is None and launch else (),
+        gone=_gone(launch) if project.robot is None and launch else (),
         leftover=launch is not None and launch.is_leftover,
         lost=_lost(launch) if launch is not None else "",
         waits=project.robot is not None and launch is not None and _waits(launch),
@@ -85,6 +92,7 @@ def join_facts(project: Project) -> JoinFacts:
         models=_models(launch) if project.robot is None and launch else (),
         simulates=launch is not None and bool(launch.simulations) and not _runs_manager(launch),
         puts=project.robot is None and launch is not None and _puts_model(launch),
+        variables=launch.variables if project.robot is None and launch is not None else (),
     )
 
 
@@ -155,6 +163,25 @@ def _started_in(launch: Launch) -> tuple[str, ...]:
 
     found = ((package_of(word.text), word.text) for word in launch.absent)
     return tuple(dict.fromkeys(name for name, text in found if name and may_start_robot(name, text)))
+
+
+def _gone(launch: Launch) -> tuple[str, ...]:
+    """The first launch file of a package that is here which a launch file includes, which seems to start a robot, and
+    which cannot be read: its path, in which `*` is what is not known, and what is wrong with it."""
+    if not launch.absent:
+        return ()
+    from urdfctl.source.workspaces.packages import package_around
+    from urdfctl.source.workspaces.robot_starts import may_start_robot
+
+    exists = {one.file.path: one.file.exists for one in launch.references}
+    for word in launch.absent:
+        folder = os.path.dirname(word.text)
+        package = package_around(folder) if os.path.isabs(folder) and not re.search(OUTSIDE, folder) else None
+        if package and may_start_robot(os.path.basename(package), word.text):
+            why = {True: "cannot be read", False: "does not exist", None: "was not found"}[exists.get(word.text)]
+            why = "depends on an argument or a variable" if UNKNOWN in word.text else why
+            return word.text.replace(UNKNOWN, "*"), why
+    return ()
 
 
 def _claimed(project: Project) -> tuple[tuple[str, str], ...]:

@@ -105,6 +105,7 @@ def _guesses(read: Read) -> list[LaunchVariant]:
         found = next(filter(None, choices), None)
         return list(_combined(found, {}, [{}], read)) if found else [LaunchVariant()]
     required = [name for name, default in launch.arguments if not default][:_MOST_REQUIRED]
+    required += _of_absent_file(launch)
     modes = [{}, *_modes(launch)]
     for mode in modes:
         for name in required:
@@ -114,6 +115,14 @@ def _guesses(read: Read) -> list[LaunchVariant]:
         if mode and not required and _robots(mode, read):
             return [_guessed(mode)]
     return [LaunchVariant()]
+
+
+def _of_absent_file(launch: Launch) -> list[str]:
+    """The arguments whose defaults may be no more than what is to be replaced: `$(optenv ROBOT NO_ROBOT_SET)`, where
+    the description is none that exists."""
+    is_absent = any(each.file.path and not each.file.exists for each in launch.descriptions)
+    names = [name for name, default in launch.arguments if "optenv" in (default or "")]
+    return names[:_MOST_REQUIRED] if is_absent else []
 
 
 def file_choices(launch: Launch, arguments: Mapping[str, str], read: Read) -> list[Arguments]:

@@ -63,6 +63,8 @@ def unjoined_document(unjoined: Unjoined) -> dict[str, Any]:
     }
     lacks |= {"description": shown(unjoined.description)} if unjoined.description else {}
     lacks |= {"models": list(map(shown, unjoined.models))} if unjoined.models else {}
+    lacks |= {"included": shown(unjoined.gone[0])} if unjoined.gone else {}
+    lacks |= {"variables": list(unjoined.variables)} if unjoined.variables else {}
     return {"launch": shown(unjoined.path), "robot": robot, "lacks": lacks}
 
 

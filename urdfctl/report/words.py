@@ -54,13 +54,26 @@ def what_it_starts(unjoined: Unjoined) -> str:
         return f"controllers without a robot: {missing_fact(unjoined)}"
     if unjoined.description:
         return f"a robot whose description '{shown(unjoined.description)}' does not exist"
+    if unjoined.gone and not unjoined.packages:
+        path, why = unjoined.gone
+        return f"launch file '{shown(path)}', which {why}"
     if unjoined.packages:
         what = "launch files" if unjoined.includes else "a robot"
         return f"{what} of {_quoted('package', unjoined.packages)}, not in this workspace"
     if unjoined.models:
         files = _listed((f"'{shown(model)}'" for model in unjoined.models), _MOST_NAMES)
         return f"a model from {files}; models in SDF are not checked"
-    return "a robot whose description could not be determined"
+    return f"a robot whose description {_undetermined(unjoined)}"
+
+
+def _undetermined(unjoined: Unjoined) -> str:
+    """Why the description of a launch file is not known."""
+    names = unjoined.variables
+    if not names:
+        return "could not be determined"
+    noun = "environment variable" if len(names) == 1 else "environment variables"
+    listed = _listed((repr(name) for name in names), _MOST_NAMES)
+    return f"depends on {noun} {listed}; give {'it' if len(names) == 1 else 'them'} with --env"
 
 
 def missing_fact(unjoined: Unjoined) -> str:
@@ -68,10 +81,13 @@ def missing_fact(unjoined: Unjoined) -> str:
     if unjoined.packages:
         what = "launch files that it includes are" if unjoined.includes else "its description is"
         return f"{what} in {_quoted('package', unjoined.packages)}, not in this workspace"
+    if unjoined.gone:
+        path, why = unjoined.gone
+        return f"launch file '{shown(path)}' that it includes {why}"
     if unjoined.leftover:
         return "it is written for ROS 1, and its package is built for ROS 2"
     if unjoined.undescribed:
-        return "its description could not be determined"
+        return f"its description {_undetermined(unjoined)}"
     if unjoined.robot is None:
         return "nothing here starts or describes a robot"
     robot = shown(unjoined.robot)

@@ -438,3 +438,76 @@ def test_a_relative_path_is_that_of_the_file_beside_the_launch_file(folder: Fold
     assert [line for line in told(folder) if "up.launch" in line] == named
     folder.write({"launch/hoist.urdf": HOIST.format("")})
     assert "launch/up.launch.py\n  description launch/hoist.urdf\n" in folder.run("show", ".").stdout
+
+
+CATKIN = "<package format='2'><name>{}</name><buildtool_depend>catkin</buildtool_depend></package>"
+DRUM = '<node name="s" pkg="controller_manager" type="spawner" args="drum"/>'
+
+
+@pytest.mark.parametrize(
+    ("file", "nodes", "said"),
+    [
+        ("hoist)/launch/bringup.launch", "", "launch file 'launch/bringup.launch', which does not exist"),
+        ("hoist)/launch/robot.launch", "", "launch file 'launch/robot.launch', which cannot be read"),
+        (
+            "hoist)/launch/$(arg a)_robot.launch",
+            "",
+            "launch file 'launch/*_robot.launch', which depends on an argument",
+        ),
+        ("hoist)/launch/robot.launch", DRUM, "launch file 'launch/robot.launch' that it includes cannot be read"),
+        ("derrick)/launch/robot.launch", "", "launch files of package 'derrick', not in this workspace"),
+    ],
+)
+def test_an_included_launch_file_that_cannot_be_read_is_named_and_not_its_package(
+    file: str, nodes: str, said: str, folder: Folder
+) -> None:
+    shows = '<node name="p" pkg="robot_state_publisher" type="robot_state_publisher"/>'
+    up = f'<launch><arg name="a" default="$(env A)"/><include file="$(find {file}"/>{shows}{nodes}</launch>'
+    folder.write({"package.xml": CATKIN.format("hoist"), "launch/up.launch": up, "launch/robot.launch": "<launch>"})
+    ran = folder.run("show", ".").stdout
+    assert [said in line for line in ran.splitlines() if line.startswith("launch/up.launch")] == [True]
+    lacks = [each["lacks"] for each in unjoined(folder) if each["launch"] == "launch/up.launch"]
+    included, packages = (None, ["derrick"]) if "derrick" in file else (said.split("'")[1], [])
+    assert [(each.get("included"), each["packages"]) for each in lacks] == [(included, packages)]
+
+
+def test_parameter_files_of_a_package_that_is_here_are_not_said_to_be_elsewhere(folder: Folder) -> None:
+    load = '<rosparam file="$(find {})/config/$(arg a).yaml"/>'
+    described = '<param name="robot_description" textfile="$(find hoist)/hoist.urdf"/>'
+    up = f'<launch><arg name="a" default="$(env A)"/>{described}{load}</launch>'
+    folder.write({"package.xml": CATKIN.format("hoist"), "hoist.urdf": HOIST.format("")})
+    elsewhere = "  unknown     parameter files of derrick, not in this workspace"
+    for name, told_of in (("hoist", []), ("derrick", [elsewhere])):
+        folder.write({"launch/up.launch": up.format(name)})
+        lines = folder.run("show", ".").stdout.splitlines()
+        assert [line for line in lines if "parameter files" in line] == told_of
+
+
+OF_ENVIRONMENT = """
+import os
+from launch import LaunchDescription
+from launch.substitutions import Command
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    described = Command(["xacro ", os.environ["MODEL"], ".urdf"])
+    return LaunchDescription([Node(package="robot_state_publisher", executable="robot_state_publisher",
+                                   parameters=[{"robot_description": described}])])
+"""
+
+
+def test_the_environment_variable_that_a_description_depends_on_is_named(folder: Folder) -> None:
+    written(folder, up=OF_ENVIRONMENT)
+    why = "depends on environment variable 'MODEL'; give it with --env"
+    assert told(folder) == [f"launch/up.launch.py  (starts a robot whose description {why})"]
+    assert [each["lacks"]["variables"] for each in unjoined(folder)] == [["MODEL"]]
+
+
+def test_an_included_launch_file_is_started_alone_though_another_package_has_one_of_its_name(folder: Folder) -> None:
+    described = '<launch><param name="robot_description" textfile="$(find {0})/{0}.urdf"/></launch>'
+    for name in ("hoist", "lift"):
+        folder.write({f"{name}/package.xml": CATKIN.format(name), f"{name}/{name}.urdf": HOIST.format("")})
+        folder.write({f"{name}/robot.launch": described.format(name)})
+    never = '<launch><group if="false"><include file="$(find lift)/robot.launch"/></group></launch>'
+    folder.write({"hoist/never.launch": never})
+    assert told(folder) == ["hoist/robot.launch", "lift/robot.launch"]

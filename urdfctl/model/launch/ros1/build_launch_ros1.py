@@ -38,7 +38,7 @@ from urdfctl.model.launch.scope import Scope, Sources, Substitutions, is_of_envi
 from urdfctl.model.launch.xacro_command import of_command, runs_xacro
 from urdfctl.model.moveit import MoveItFiles
 from urdfctl.names import is_slip
-from urdfctl.source.opaque import UNKNOWN, if_known
+from urdfctl.source.opaque import OUTSIDE, UNKNOWN, if_known
 from urdfctl.source.span import Place
 from urdfctl.source.xml.dom import Element
 
@@ -233,7 +233,7 @@ class _LaunchBuilder:
             self._reference(written, element.at["file"], if_known(path), "include", sure=scope.sure)
         if document is None or document.documentElement is None:
             if scope.held:
-                self.unread.append(Word(written, element.at["file"]))
+                self.unread.append(Word(path, element.at["file"]))
             return
         declared = declared_in(document.documentElement)
         if scope.held:
@@ -341,7 +341,10 @@ class _LaunchBuilder:
             self.inline.append(InlineParameters(namespace, last, at, scope.sure))
 
     def _load(self, written: str, at: Place, namespace: str, scope: Scope, texts: Substitutions) -> None:
-        reference = self._reference(written, at, if_known(texts.resolve(written)), "parameters", sure=scope.sure)
+        path = texts.resolve(written)
+        reference = self._reference(written, at, if_known(path), "parameters", sure=scope.sure)
+        if if_known(path) is None and not re.search(OUTSIDE, path):
+            reference = reference._replace(text=path)  # the package is here, whatever the file is
         self.loads.append(ParameterLoad(reference, if_known(namespace), at, scope.sure, scope.in_node))
 
     def _reference(self, written: str, at: Place, path: str | None, use: str, *, sure: bool) -> FileReference:
