@@ -71,12 +71,25 @@ def test_the_driver_joins_the_description_the_controllers_and_what_waits_for_it(
     package(folder, LAUNCH.replace(written, driver or written))
     shown = folder.run("show", ".").stdout
     lines = [" ".join(line.split()) for line in shown.splitlines()]
-    assert lines[:4] == [
+    assert lines[:5] == [
         "launch/pond.launch.py",
         "description resource/newt.urdf",
         "controllers config/wheels.yaml",
         "spawned drive",
+        "simulator webots",
     ]
+
+
+def test_webots_publishes_the_time_beside_a_manager_of_its_own(folder: Folder) -> None:
+    manager = """Node(package="controller_manager", executable="ros2_control_node", parameters=[wheels])
+    publisher = Node(package="robot_state_publisher", executable="robot_state_publisher",
+                     parameters=[{"robot_description": open(description).read(), "use_sim_time": True}])"""
+    written = LAUNCH[LAUNCH.index("WebotsController(robot") : LAUNCH.index("\n    spawner")]
+    beside = LAUNCH.replace(written, manager).replace("driver, waiting", "driver, publisher, waiting")
+    package(folder, beside)
+    assert "UC641" not in [code for code, _ in findings(folder)]
+    package(folder, beside.replace("webots, webots._supervisor, ", ""))
+    assert "UC641" in [code for code, _ in findings(folder)]
 
 
 def test_the_driver_expands_a_description_with_the_arguments_of_its_parameter(folder: Folder) -> None:

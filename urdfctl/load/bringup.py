@@ -68,6 +68,7 @@ def bringup_of(launch: Launch, target: Target) -> Bringup:
     all_named = all(spawn.complete for spawn in launch.spawns) and len(named) == sum(
         len(spawn.names) for spawn in launch.spawns
     )
+    simulators = [simulation.simulator for simulation in launch.simulations if simulation.sure]
     unloaded = [load.file for load in launch.loads if load.file.path is None and not load.in_node]
     included = (reference.file for reference in launch.references if reference.use == "include" and reference.sure)
     return Bringup(
@@ -76,7 +77,7 @@ def bringup_of(launch: Launch, target: Target) -> Bringup:
         namespace=description.namespace if description else None,
         spawned=tuple(dict.fromkeys(spawned)),
         includes=tuple(dict.fromkeys(file.path for file in included if file.path and file.exists)),
-        simulators=tuple(dict.fromkeys(simulation.simulator for simulation in launch.simulations if simulation.sure)),
+        simulators=tuple(dict.fromkeys([*simulators, *(["webots"] if launch.runs_webots else [])])),
         moveit=any(node.runs(*_MOVE_GROUP) for node in launch.nodes) or any(each.runs for each in launch.moveit),
         complete=launch.complete and all_named,
         others=tuple((robot.file.path, robot.namespace) for robot in launch.others if robot.file.path),

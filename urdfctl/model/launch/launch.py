@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from urdfctl.model.launch.package import Package
 from urdfctl.model.launch.parts import (
+    WEBOTS,
     Description,
     GivenParameters,
     InlineParameters,
@@ -169,6 +170,11 @@ class Launch(NamedTuple):
         """Whether it is known to start a controller manager of ROS 2, and no simulator."""
         managers = (node for node in self.nodes if node.sure and node.runs("controller_manager", "ros2_control_node"))
         return self.complete and not self.simulations and any(managers)
+
+    @property
+    def runs_webots(self) -> bool:
+        """Whether it certainly starts Webots, which has a description of the robot of its own."""
+        return any(node.sure and node.runs(*WEBOTS) for node in self.nodes)
 
     def is_of_other_node(self, load: ParameterLoad) -> bool:
         """Return whether ROS 1 loads parameters under the name of a node that manages no controllers."""

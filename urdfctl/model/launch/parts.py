@@ -250,6 +250,8 @@ class Simulation(NamedTuple):
     clock: Word | None = None
 
 
+WEBOTS = ("webots_ros2_driver", "webots")
+"""The package that starts Webots, and the program as which it is known here."""
 FILE_ENDINGS = (".rviz", ".vcg", ".world", ".sdf", ".yaml", ".yml", ".urdf", ".xacro", ".srdf")
 """How a text ends that is taken for a file where a program, a parameter or an included launch file gets it."""
 

@@ -53,7 +53,7 @@ def clock_of_other_world(project: Project) -> Iterator[Finding]:
         if simulation and value == "false" and node.sure:
             message = f"'{node.executable.text}' has use_sim_time false, but a simulator runs; set it to true"
             yield Finding(at, message, (Note("the simulator is started here", simulation.at),))
-        elif value == "true" and node.sure and has_no_clock:
+        elif value == "true" and node.sure and has_no_clock and not launch.runs_webots:
             message = (
                 f"'{node.executable.text}' has use_sim_time true, but no simulator publishes the time; set it to false"
             )

@@ -15,7 +15,7 @@ HARMLESS = frozenset(
         "LogInfo Shutdown EmitEvent SetEnvironmentVariable AppendEnvironmentVariable UnsetEnvironmentVariable "
         "PrependEnvironmentVariable SetROSLogDir "
         "UnregisterEventHandler ResetEnvironment PushEnvironment PopEnvironment LifecycleTransition "
-        "UnsetLaunchConfiguration ReadyToTest AppendEnvironment WebotsLauncher"
+        "UnsetLaunchConfiguration ReadyToTest AppendEnvironment"
     ).split()
 )
 """Actions that have no effect on a robot and its controllers."""

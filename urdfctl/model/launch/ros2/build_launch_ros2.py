@@ -22,6 +22,7 @@ from urdfctl.model.launch.ros2.descriptions import content_of
 from urdfctl.model.launch.ros2.facts import LaunchFacts
 from urdfctl.model.launch.ros2.moveit import LAUNCHES
 from urdfctl.model.launch.ros2.nodes import Nodes
+from urdfctl.model.launch.ros2.published import publisher_of
 from urdfctl.model.launch.ros2.simulators import (
     COMPONENTS,
     commanded_simulation,
@@ -336,6 +337,7 @@ class _Walk:
             if state.sure:
                 self.arguments.give(given, OF_SIMULATORS)
         else:
+            self.action(publisher_of(path, given, term.at), scope, state)
             self.undeclared.stop()
 
     def _follow(self, path: str, written: Word, scope: ActionScope, state: State) -> None:

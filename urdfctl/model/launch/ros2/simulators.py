@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.model.launch import Node, Simulation, Word
+from urdfctl.model.launch.parts import WEBOTS
 from urdfctl.model.launch.ros2.texts import Texts
 from urdfctl.source.launch.terms import Called, Constant, Items, Member, Table, Term
 from urdfctl.source.opaque import UNKNOWN
@@ -19,8 +20,9 @@ COMPONENTS = {
     "RosGzBridge": ("ros_gz_bridge", "bridge_node"),
     "WebotsController": (WEBOTS_DRIVER, "driver"),
     "Ros2SupervisorLauncher": (WEBOTS_DRIVER, "ros2_supervisor.py"),
+    "WebotsLauncher": WEBOTS,
 }
-"""Actions of ros_gz and Webots that start a node, with its package and program."""
+"""Actions of ros_gz and Webots that start a node, or Webots itself, with its package and program."""
 _AS_A_NODE = ("namespace", "parameters", "remappings")
 """What webots_ros2_driver's webots_controller.py WebotsController takes as a node does."""
 _SERVERS = ("gz_server.launch", "gzserver.launch", "ros_gz_sim.launch")
