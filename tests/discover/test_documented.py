@@ -248,6 +248,14 @@ def test_the_demo_of_moveit_for_ros_1_is_started_alone_although_that_for_gazebo_
     assert "  description arm/launch/large.urdf\n" in shown
 
 
+def test_the_demo_of_moveit_is_started_alone_though_another_launch_file_publishes_the_same_robot(folder: Folder) -> None:
+    demo = DEMO.format("$(find arm)/launch/small.urdf")
+    folder.write({"arm/launch/demo.launch": demo, "arm/launch/demo_gazebo.launch": IN_GAZEBO})
+    published = '<param name="robot_description" command="xacro $(find arm)/launch/small.urdf"/>'
+    started(folder, "# Arm", f"<launch>{published}</launch>")
+    assert "arm/launch/demo.launch\n  arguments   none" in folder.run("show", ".").stdout
+
+
 def test_another_launch_file_with_the_name_demo_is_no_start_of_its_own(folder: Folder) -> None:
     demo = DEMO.format("$(find arm)/launch/small.urdf").replace("load_robot_description", "load")
     outer = IN_GAZEBO.replace("load_robot_description", "load")

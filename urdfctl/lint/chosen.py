@@ -72,6 +72,6 @@ def documented_starts(
 
 
 def _controlled(pair: Pair) -> tuple[object, ...]:
-    """The robot that a target starts, with its controllers."""
-    result = pair[1]
-    return result.path, result.arguments, result.controllers, result.bringup and result.bringup.spawned
+    """The robot that a target starts, with its controllers, and whether MoveIt plans for it."""
+    result, bringup = pair[1], pair[1].bringup
+    return result.path, result.arguments, result.controllers, bringup and (bringup.spawned, bringup.moveit)
