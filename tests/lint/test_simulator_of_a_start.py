@@ -32,14 +32,22 @@ def generate_launch_description():
 RVIZ = "Node(package='rviz2', executable='rviz2')"
 SPAWN = "Node(package='gazebo_ros', executable='spawn_entity.py', arguments=['-topic', 'robot_description'])"
 CONTROLLERS = "Node(package='controller_manager', executable='spawner', arguments=['shoulder_controller'])"
+DRIVER = """IncludeLaunchDescription(PythonLaunchDescriptionSource(
+            os.path.join(get_package_share_directory('of_others'), 'launch', 'driver.launch.py')))"""
 ELSEWHERE = """IncludeLaunchDescription(PythonLaunchDescriptionSource(
             os.path.join(get_package_share_directory('of_others'), 'launch', 'world.launch.py')))"""
 
 
 @pytest.mark.parametrize(
     ("other", "simulator"),
-    [(RVIZ, None), (SPAWN, "gazebo-classic"), (CONTROLLERS, "gazebo-classic"), (ELSEWHERE, "gazebo-classic")],
-    ids=["it is only shown", "a model is spawned", "controllers wait for its manager", "a file is not here"],
+    [
+        (RVIZ, None),
+        (SPAWN, "gazebo-classic"),
+        (CONTROLLERS, "gazebo-classic"),
+        (ELSEWHERE, "gazebo-classic"),
+        (DRIVER, None),
+    ],
+    ids=["only shown", "a model is spawned", "controllers wait", "a world is not here", "a driver is not here"],
 )
 def test_a_plugin_counts_where_something_needs_the_simulator_or_is_unknown(
     folder: Folder, other: str, simulator: str | None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import chain
@@ -26,6 +27,8 @@ _OF_SIMULATORS = frozenset(
     {"gazebo_ros", "ros_gz", "ros_gz_sim", "ros_gz_bridge", "ros_ign", "ros_ign_gazebo", "ros_ign_bridge"}
 )
 """Packages whose nodes spawn models into a simulator, or talk to one."""
+_SIMULATES = r"(?i)gazebo|simul|world|(?:^|[^a-z])(?:gz|ign|sim|mujoco|isaac|webots)(?:[^a-z]|$)"
+"""What the path of a launch file holds that may start a simulator."""
 Run = Callable[..., Outcome]
 """Runs the rules on a project."""
 
@@ -40,10 +43,12 @@ class LintedTarget(NamedTuple):
 
 
 def _is_only_shown(project: Project) -> bool:
-    """Whether only a plugin in the robot names its simulator, and the launch file, which was read wholly, starts none,
-    and nothing that would wait for one."""
+    """Whether only a plugin in the robot names its simulator, and the launch file starts none, as far as the launch
+    files that it includes can be read, and nothing that would wait for one."""
     launch = project.launch
-    if launch is None or project.named_simulator or not launch.complete or launch.simulations or launch.spawns:
+    if launch is None or project.named_simulator or launch.simulations or launch.spawns:
+        return False
+    if not launch.complete and (not launch.unread or any(re.search(_SIMULATES, word.text) for word in launch.unread)):
         return False
     nodes = (*launch.nodes, *chain(*launch.beside))
     return not any(node.package.text in _OF_SIMULATORS for node in nodes)
