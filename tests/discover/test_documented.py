@@ -248,7 +248,7 @@ def test_the_demo_of_moveit_for_ros_1_is_started_alone_although_that_for_gazebo_
     assert "  description arm/launch/large.urdf\n" in shown
 
 
-def test_the_demo_of_moveit_is_started_alone_though_another_launch_file_publishes_the_same_robot(folder: Folder) -> None:
+def test_the_demo_of_moveit_is_started_alone_though_another_one_publishes_the_same_robot(folder: Folder) -> None:
     demo = DEMO.format("$(find arm)/launch/small.urdf")
     folder.write({"arm/launch/demo.launch": demo, "arm/launch/demo_gazebo.launch": IN_GAZEBO})
     published = '<param name="robot_description" command="xacro $(find arm)/launch/small.urdf"/>'

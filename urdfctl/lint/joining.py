@@ -226,7 +226,7 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
         alone = (_only_described(start) if _is_instead(lonely, start) else start for start in same[::-1])
         described = {(start.first.path, start.first.arguments): start for start in alone}
         same = [*described.values()][::-1]
-    own = [start for start in same if _package(start.first) == _package(lonely)]
+    own = [start for start in same if package_of(start.first) == package_of(lonely)]
     own = [start for start in own if start.first.launch is not None] or own
     same = own if lonely.joining.leftover or lonely.joining.unread else same
     fits = _has_joints if lonely.joining.claimed else _declares
@@ -235,7 +235,7 @@ def _fitting(lonely: TargetResult, starts: Sequence[Start]) -> list[Start]:
         if whole:
             return _best(whole)
     others = starts if lonely.joining.unread else own
-    there = (start.robots for start in others if _package(start.first) == _package(lonely))
+    there = (start.robots for start in others if package_of(start.first) == package_of(lonely))
     paths = {frozenset(result.path for _, result in robots) for robots in there}
     return _best([start for start in own if _may_be_meant(lonely, start)]) if len(paths) == 1 else []
 
@@ -255,7 +255,7 @@ def _managing(spawning: TargetResult, starts: Sequence[Start]) -> list[Start]:
         and start.first.joining.manages
         and not any(spawned_by(result) for _, result in start.robots)
     ]
-    own = [start for start in found if _package(start.first) == _package(spawning)] or found
+    own = [start for start in found if package_of(start.first) == package_of(spawning)] or found
     return own if len(own) == 1 else []
 
 
@@ -270,8 +270,8 @@ def _spawns_all(start: Start, lonely: TargetResult) -> bool:
     facts = lonely.joining
     if facts.described_in or facts.started_in or facts.waits or facts.manages or facts.unread:
         return False
-    spawned = {name for _, result in start.robots for name in spawned_by(result)}
-    return _package(start.first) == _package(lonely) and bool(spawned_by(lonely)) and spawned >= set(spawned_by(lonely))
+    wanted, spawned = set(spawned_by(lonely)), {name for _, result in start.robots for name in spawned_by(result)}
+    return package_of(start.first) == package_of(lonely) and bool(wanted) and spawned >= wanted
 
 
 def _is_instead(lonely: TargetResult, start: Start) -> bool:
@@ -292,8 +292,8 @@ def _only_described(start: Start) -> Start:
     return Start(tuple(robots))
 
 
-def _package(result: TargetResult) -> str:
-    """The folder of the package that starts a target; that of its file outside of packages."""
+def package_of(result: TargetResult) -> str:
+    """Return the folder of the package that starts a target; that of its file outside of packages."""
     folder = os.path.dirname(result.launch or result.path)
     return package_around(folder) or folder
 

@@ -124,7 +124,8 @@ class Unjoined(NamedTuple):
     controls: whether it starts controllers.
     leftover: whether it is written for ROS 1, in a package for ROS 2.
     includes: whether it takes launch files from those packages.
-    description: the one that it names, and that does not exist.
+    description: the one that it names, and that does not exist, or was not found.
+    is_found_nowhere: whether it does not exist, and nothing makes it later.
     models: the files in SDF from which it spawns models.
     undescribed: whether it starts a robot whose description is not known.
     gone: the launch file of a package that is here which it includes and which cannot be read, and why; empty if there
@@ -141,6 +142,7 @@ class Unjoined(NamedTuple):
     includes: bool = False
     leftover: bool = False
     description: str = ""
+    is_found_nowhere: bool = False
     models: tuple[str, ...] = ()
     undescribed: bool = False
     gone: tuple[str, ...] = ()

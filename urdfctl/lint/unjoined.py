@@ -8,6 +8,7 @@ from urdfctl.lint.joining import (
     Start,
     is_lonely,
     names_without_namespace,
+    package_of,
     spawned_by,
     starts_of_generation,
 )
@@ -41,8 +42,8 @@ def _is_absent(result: TargetResult) -> bool:
     """Whether a result is of a launch file whose robot, or what starts it, does not exist, is not known, is no
     description that is read, or is in a package that is not here."""
     facts = result.joining
-    missing = facts.described_in or facts.started_in or facts.gone or facts.lost or facts.unread or facts.models
-    return is_launch(result.path) and result.links is None and bool(missing)
+    missing = facts.described_in or facts.started_in or facts.gone or facts.lost or facts.unfound or facts.models
+    return is_launch(result.path) and result.links is None and bool(missing or facts.unread)
 
 
 def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
@@ -54,7 +55,8 @@ def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
         controls=_controls(lonely),
         includes=bool(lonely.joining.started_in),
         leftover=lonely.joining.leftover,
-        description=lonely.joining.lost,
+        description=lonely.joining.lost or lonely.joining.unfound,
+        is_found_nowhere=bool(lonely.joining.lost),
         models=lonely.joining.models,
         undescribed=lonely.joining.unread,
         gone=lonely.joining.gone,
@@ -68,8 +70,8 @@ def _missing(lonely: TargetResult, starts: Sequence[Start]) -> Unjoined:
 
 
 def _is_elsewhere(lonely: TargetResult) -> bool:
-    """Whether the robot is started by a launch file that is not here, or cannot be read."""
-    return bool(lonely.joining.started_in or lonely.joining.gone)
+    """Whether the robot is started by a launch file that is not here, or cannot be read, or its description is not."""
+    return bool(lonely.joining.started_in or lonely.joining.gone or lonely.joining.unfound)
 
 
 def _missing_in(lonely: TargetResult, start: Start) -> Unjoined:
@@ -77,4 +79,13 @@ def _missing_in(lonely: TargetResult, start: Start) -> Unjoined:
     joints = {joint for _, joint in lonely.joining.claimed} - start.joints if is_whole else ()
     spawned = names_without_namespace(spawned_by(lonely))
     declared = start.declared | names_without_namespace(lonely.joining.declared)
-    return Unjoined(lonely.path, start.first.path, tuple(sorted(joints)), tuple(sorted(spawned - declared)))
+    reason = Unjoined(lonely.path, start.first.path, tuple(sorted(joints)), tuple(sorted(spawned - declared)))
+    return reason if _has_in_common(lonely, start, reason) else reason._replace(robot=None)
+
+
+def _has_in_common(lonely: TargetResult, start: Start, reason: Unjoined) -> bool:
+    """Whether a start is worth naming for what it lacks: one of the same package, or with some of what is wanted."""
+    if package_of(lonely) == package_of(start.first) or not (reason.joints or reason.controllers):
+        return True
+    wanted = {joint for _, joint in lonely.joining.claimed} or names_without_namespace(spawned_by(lonely))
+    return len(wanted) > len(reason.joints or reason.controllers)

@@ -37,6 +37,8 @@ class JoinFacts(NamedTuple):
         its package is here; and what is wrong with it. Empty if there is none.
     leftover: whether the launch file is written for ROS 1, in a package for ROS 2.
     lost: the description that it names, and that does not exist; empty if there is none.
+    unfound: without a robot: the description that it names, and that was not found, though it may be made later; empty
+        if there is none.
     unread: without a robot: whether it starts one whose description is not known.
     variables: the environment variables that it requires, and that are not given.
     models: without a robot: the files in SDF from which models are spawned.
@@ -56,6 +58,7 @@ class JoinFacts(NamedTuple):
     gone: tuple[str, ...] = ()
     leftover: bool = False
     lost: str = ""
+    unfound: str = ""
     waits: bool = False
     unread: bool = False
     models: tuple[str, ...] = ()
@@ -86,7 +89,8 @@ def join_facts(project: Project) -> JoinFacts:
         started_in=_started_in(launch) if project.robot is None and launch else (),
         gone=_gone(launch) if project.robot is None and launch else (),
         leftover=launch is not None and launch.is_leftover,
-        lost=_lost(launch) if launch is not None else "",
+        lost=_lost(launch, exists=False) if launch is not None else "",
+        unfound=_lost(launch, exists=None) if project.robot is None and launch is not None else "",
         waits=project.robot is not None and launch is not None and _waits(launch),
         unread=project.robot is None and launch is not None and _is_unread(launch),
         models=_models(launch) if project.robot is None and launch else (),
@@ -118,9 +122,10 @@ def _waits(launch: Launch) -> bool:
     return not loading and all(hosts_no_manager(node) for node in launch.nodes)
 
 
-def _lost(launch: Launch) -> str:
-    """The path of the first description that a launch file names, and that does not exist; empty if there is none."""
-    missing = (each.file for each in launch.descriptions if each.sure and each.file.exists is False)
+def _lost(launch: Launch, *, exists: bool | None) -> str:
+    """The path of the first description that a launch file names, and of which `exists` is known: that it does not
+    exist, or nothing; empty if there is none."""
+    missing = (one.file for one in launch.descriptions if one.sure and one.file.path and one.file.exists is exists)
     return next((file.path or file.text for file in missing), "")
 
 

@@ -29,6 +29,9 @@ def notes(diagnostic: Diagnostic) -> Iterator[str]:
         yield note.message + (f" ({_where(note.at, diagnostic.at.file)})" if note.at else "")
 
 
+_NO_ROBOT = "nothing here starts or describes a robot"
+
+
 def about_unjoined(unjoined: Sequence[Unjoined]) -> str:
     """Return which launch files start controllers without a robot, or what is not here, and what to do."""
     lonely = [each for each in unjoined if each.controls and not each.leftover]  # a finding names what is left over
@@ -53,7 +56,8 @@ def what_it_starts(unjoined: Unjoined) -> str:
     if unjoined.controls:
         return f"controllers without a robot: {missing_fact(unjoined)}"
     if unjoined.description:
-        return f"a robot whose description '{shown(unjoined.description)}' does not exist"
+        why = "does not exist" if unjoined.is_found_nowhere else "was not found"
+        return f"a robot whose description '{shown(unjoined.description)}' {why}"
     if unjoined.gone and not unjoined.packages:
         path, why = unjoined.gone
         return f"launch file '{shown(path)}', which {why}"
@@ -78,24 +82,35 @@ def _undetermined(unjoined: Unjoined) -> str:
 
 def missing_fact(unjoined: Unjoined) -> str:
     """Return why a launch file is joined with no robot."""
+    return _not_known(unjoined) or _not_fitting(unjoined)
+
+
+def _not_known(unjoined: Unjoined) -> str:
+    """What is not known of the robot that a launch file starts itself; empty if it starts none."""
     if unjoined.packages:
         what = "launch files that it includes are" if unjoined.includes else "its description is"
         return f"{what} in {_quoted('package', unjoined.packages)}, not in this workspace"
     if unjoined.gone:
         path, why = unjoined.gone
         return f"launch file '{shown(path)}' that it includes {why}"
+    if unjoined.description:
+        return f"its description '{shown(unjoined.description)}' was not found"
     if unjoined.leftover:
         return "it is written for ROS 1, and its package is built for ROS 2"
-    if unjoined.undescribed:
-        return f"its description {_undetermined(unjoined)}"
+    return f"its description {_undetermined(unjoined)}" if unjoined.undescribed else ""
+
+
+def _not_fitting(unjoined: Unjoined) -> str:
+    """Why none of the robots that are here is that of a launch file."""
+    joints, controllers = _quoted("joint", unjoined.joints), _quoted("controller", unjoined.controllers)
     if unjoined.robot is None:
-        return "nothing here starts or describes a robot"
+        wanted = joints if unjoined.joints else controllers
+        return f"no robot here has {wanted}" if unjoined.joints or unjoined.controllers else _NO_ROBOT
     robot = shown(unjoined.robot)
     if unjoined.joints:
-        return f"{robot} has no {_quoted('joint', unjoined.joints)}"
-    if unjoined.controllers:
-        return f"nothing declares {_quoted('controller', unjoined.controllers)} for {robot}"
-    return f"it is not known to belong to {robot}"
+        return f"{robot} has no {joints}"
+    told = f"nothing declares {controllers} for {robot}"
+    return told if unjoined.controllers else f"it is not known to belong to {robot}"
 
 
 def _quoted(noun: str, names: Sequence[str]) -> str:

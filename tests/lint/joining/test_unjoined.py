@@ -511,3 +511,53 @@ def test_an_included_launch_file_is_started_alone_though_another_package_has_one
     never = '<launch><group if="false"><include file="$(find lift)/robot.launch"/></group></launch>'
     folder.write({"hoist/never.launch": never})
     assert told(folder) == ["hoist/robot.launch", "lift/robot.launch"]
+
+
+DISPLAYED = """
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.substitutions import FindPackageShare
+
+def generate_launch_description():
+    given = {{"urdf_package": "hoist", {} "rviz_config": "x.rviz"}}
+    return LaunchDescription([IncludeLaunchDescription(
+        PathJoinSubstitution([FindPackageShare("urdf_launch"), "launch", "{}.launch.py"]),
+        launch_arguments=given.items())])
+"""
+FILE = '"urdf_package_path": PathJoinSubstitution(["urdf", "hoist.urdf"]),'
+
+
+@pytest.mark.parametrize(
+    ("given", "file", "found"),
+    [(FILE, "display", True), (FILE, "description", True), ("", "display", False), (FILE, "other", False)],
+)
+def test_urdf_launch_publishes_the_description_that_its_arguments_name(
+    given: str, file: str, found: bool, folder: Folder
+) -> None:
+    written(folder, up=DISPLAYED.format(given, file))
+    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    assert ("launch/up.launch.py\n  description urdf/hoist.urdf\n" in folder.run("show", ".").stdout) is found
+
+
+def test_a_description_that_may_be_made_later_is_named_where_it_was_not_found(folder: Folder) -> None:
+    folder.write({".gitignore": "made/\n", "package.xml": CATKIN.format("hoist")})
+    described = '<param name="robot_description" textfile="$(find hoist)/made/hoist.urdf"/>'
+    folder.write({"launch/up.launch": f"<launch>{described}</launch>"})
+    assert told(folder) == ["launch/up.launch  (starts a robot whose description 'made/hoist.urdf' was not found)"]
+    folder.write({"launch/up.launch": f"<launch>{described}{DRUM}</launch>"})
+    reason = "controllers without a robot: its description 'made/hoist.urdf' was not found"
+    assert told(folder) == [f"launch/up.launch  (starts {reason})"]
+
+
+def test_a_robot_of_another_package_that_has_nothing_of_it_is_not_named(folder: Folder) -> None:
+    for name, text in (("hoist", xml(PUBLISHER.format("hoist.urdf"))), ("drum", LOADED)):
+        ending = "launch" if "rosparam" in text else "launch.xml"
+        manifest = CATKIN if name == "drum" else MANIFEST
+        folder.write({f"{name}/package.xml": manifest.format(name), f"{name}/launch/up.{ending}": text})
+    folder.write({"hoist/urdf/hoist.urdf": HOIST.format(""), "lift/package.xml": CATKIN.format("lift")})
+    lift = '<launch><param name="robot_description" textfile="$(find lift)/lift.urdf"/></launch>'
+    folder.write({"lift/lift.urdf": HOIST.format(""), "lift/launch/show.launch": lift})
+    named = [line for line in told(folder) if line.startswith("drum/")]
+    reason = "controllers without a robot: no robot here has joint 'drum_joint'"
+    assert named == [f"drum/launch/up.launch  (starts {reason})"]
