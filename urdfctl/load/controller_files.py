@@ -101,7 +101,7 @@ def read_controllers(
         if not load.sure or load.namespace is None or load.file.path is None:
             reader.whole = False
         else:
-            others = launch.namespaces_of_others if launch is not None and launch.ros == 1 else ()
+            others = _beside(launch) if launch is not None and launch.ros == 1 else ()
             reader.load(load, of_other=launch is not None and launch.is_of_other_node(load), others=others)
     for inline in launch.inline if launch else ():
         reader.contained(inline)
@@ -112,6 +112,12 @@ def read_controllers(
     for path in map(os.path.abspath, paths):
         reader.named(path)
     return reader.read()
+
+
+def _beside(launch: Launch) -> list[str]:
+    """The namespaces of the other robots that are not around the robot's own one."""
+    home = launch.description.namespace if launch.description else None
+    return [each for each in launch.namespaces_of_others if not f"{home or ''}/".startswith(f"{each}/")]
 
 
 def _own(launch: Launch, reader: _ControllerFileReader) -> Several[ParameterLoad]:
@@ -140,6 +146,11 @@ def _spaces(tree: YamlFile, namespace: str) -> set[str]:
         entry.key.text for document in tree.documents if isinstance(document, Mapping) for entry in document.entries
     )
     return {joined(namespace, key) for key in keys} or {UNKNOWN}
+
+
+def _is_in(space: str, namespaces: Collection[str]) -> bool:
+    """Whether a full name is one of some namespaces, or below one: `/left/arm_controller` in `/left`."""
+    return any(space == each or space.startswith(f"{each}/") for each in namespaces)
 
 
 def listed_joints(path: str, files: Files) -> Iterator[tuple[str, Place]]:
@@ -251,7 +262,7 @@ class _ControllerFileReader:
         if exists is False and load.file.exists is None:
             exists = None  # its path needs an argument
         self._references.append(load.file._replace(exists=exists))
-        if tree is not None and _spaces(tree, load.namespace or "") <= set(others):
+        if tree is not None and all(_is_in(space, others) for space in _spaces(tree, load.namespace or "")):
             return
         if tree is not None and not (load.in_node and (of_other or form_of(tree) is None)):
             self._loaded.append(Loaded(self._rewritten(tree, load.rewriting), load.namespace or "", of_other))
