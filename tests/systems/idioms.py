@@ -102,7 +102,7 @@ SWITCHES = {
     "opaque": Switch(("at once", "timer", "event"), possible.opaque),
     "sections": Switch(("full name", "rooted", "wildcard", "nested", "replaced", "rewritten"), possible.sections),
     "loaded": Switch(("with spawners", "with robot"), possible.ros1),
-    "loading": Switch(("scope", "attribute", "key"), possible.loading),
+    "loading": Switch(("scope", "attribute", "key", "full names"), possible.loading),
     "parameters": Switch(
         ("one file", "several files", "common", "dictionary", "inline", "written"), possible.parameters
     ),
@@ -120,6 +120,7 @@ SWITCHES = {
         possible.spawners,
     ),
     "manager option": Switch(("absolute", "none", "relative", "argument"), possible.manager_option),
+    "timeout": Switch(("none", "whole", "beginning", "with value"), possible.timeout),
     "param file": Switch(("none", "given"), possible.param_file),
     "split": Switch(("one start", "spawners apart", "manager apart", "three starts"), possible.not_moveit),
     "planner": Switch(("none", "other arguments", "with spawners"), possible.planner),
@@ -148,6 +149,7 @@ SWITCHES = {
             "calibration",
             "backups",
             "namesakes",
+            "started elsewhere",
         ),
         possible.distractor,
     ),

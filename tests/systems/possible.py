@@ -185,9 +185,13 @@ def ros1(system: System, _idioms: Idioms, _position: str) -> bool:
     return system.generation == 1
 
 
+FULL_KEYS = ("key", "full names")
+"""Where the keys of a parameter file of ROS 1 hold the namespace."""
+
+
 def loading(system: System, idioms: Idioms, position: str) -> bool:
     """Parameters of ROS 1 below a namespace."""
-    if position == "key" and (idioms["namespacing"] == "group around include" or idioms["fleet"] == "shared"):
+    if position in FULL_KEYS and (idioms["namespacing"] == "group around include" or idioms["fleet"] == "shared"):
         return False
     return system.generation == 1 and all(robot.section for robot in system.robots)
 
@@ -253,6 +257,11 @@ def manager_option(system: System, idioms: Idioms, position: str) -> bool:
         plain = all(robot.asked == "controller_manager" for robot in system.robots)
         return plain and idioms["spawners"] != "command line"
     return position != "relative" or idioms["spawners"] != "command line"
+
+
+def timeout(system: System, idioms: Idioms, _position: str) -> bool:
+    """An option of the spawner, which argparse knows by its beginning, too."""
+    return not system.moveit and idioms["spawners"] not in ("command line", "manager program")
 
 
 def param_file(system: System, idioms: Idioms, _position: str) -> bool:
@@ -343,4 +352,6 @@ def distractor(system: System, idioms: Idioms, position: str) -> bool:
     """A distro that the user names is meant for everything."""
     if position == "namesakes":
         return system.generation == 2
+    if position == "started elsewhere":
+        return not system.moveit
     return position != "other generation" or idioms["evidence"] != "option"

@@ -64,6 +64,7 @@ def add_distractor(workspace: Workspace, places: Places) -> None:
         "tests": _tests,
         "other generation": _other_generation,
         "vendored": _vendored,
+        "started elsewhere": _started_elsewhere,
     }[kind](workspace.system, places)
     workspace.files = {**found, **workspace.files}
 
@@ -153,6 +154,14 @@ def _other_generation(system: System, _places: Places) -> Files:
     return {f"{package}/{name}": content for name, content in {**files, **own}.items()}
 
 
+def _started_elsewhere(system: System, places: Places) -> Files:
+    """A launch file beside the others, for a robot like the first that launch files of other repositories start."""
+    robot = system.robots[0]
+    names = " ".join(spawn.name for spawn in robot.spawned if spawn.active)
+    written, end = (_ROS1_ELSEWHERE, "launch") if system.generation == 1 else (_ROS2_ELSEWHERE, "launch.xml")
+    return {f"{places.bringup}/launch/of_lab.{end}": written.format(package="lab_robot_bringup", names=names)}
+
+
 def _namesakes(workspace: Workspace, places: Places) -> Files:
     """A package with launch files of the names of those that are started, which another one of it includes.
 
@@ -209,6 +218,18 @@ _ROS2 = """\
     <param from="$(find-pkg-share {package})/config/controllers.yaml"/>
     <remap from="~/robot_description" to="robot_description"/>
   </node>
+  <node pkg="controller_manager" exec="spawner" args="{names}"/>
+</launch>
+"""
+_ROS1_ELSEWHERE = """\
+<launch>
+  <include file="$(find {package})/launch/bringup.launch"/>
+  <node name="controller_spawner" pkg="controller_manager" type="spawner" args="{names}"/>
+</launch>
+"""
+_ROS2_ELSEWHERE = """\
+<launch>
+  <include file="$(find-pkg-share {package})/launch/bringup.launch.py"/>
   <node pkg="controller_manager" exec="spawner" args="{names}"/>
 </launch>
 """

@@ -145,5 +145,7 @@ def inline_parameters(system: System, idioms: Idioms, robot: Robot) -> str:
 
 
 def _below(idioms: Idioms, robot: Robot, sections: Tree) -> Tree:
-    """Below the namespace if it is a key of the file."""
+    """Below the namespace if it is a key of the file, or in the keys of the file."""
+    if robot.section and idioms["loading"] == "full names":
+        return {f"/{robot.section}/{name}": section for name, section in sections.items()}
     return {robot.section: sections} if robot.section and idioms["loading"] == "key" else sections

@@ -4,13 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from systems.possible import Idioms
+from systems.possible import FULL_KEYS, Idioms
 from systems.render.actions import Action, Describe, Group, Include, Load, Node, Param, Value, When
 from systems.render.arguments import Values
 from systems.render.parameters import inline_parameters
 from systems.render.places import DESCRIPTION, MANAGER, SPAWNERS, pick
 from systems.system import Spawn, System
 
+_TIMEOUTS: dict[str, list[Value]] = {
+    "none": [],
+    "whole": [("--shutdown-timeout",), ("1",)],
+    "beginning": [("--shutdown-time",), ("1",)],
+    "with value": [("--shutdown-t=1",)],
+}
+"""An option of the spawner, as the switch says."""
 DEFAULTS = {"mode": "full", "only_states": "false"}
 """The defaults of the arguments that conditions are on, where it is not "true"."""
 
@@ -82,7 +89,7 @@ def _loads(values: Values) -> list[Action]:
     is_own = robot.section == robot.namespace
     section: Value = values.namespace if is_own else (robot.section,)
     in_scope = idioms["namespacing"] != "attribute" and is_own and idioms["loading"] == "scope"
-    if idioms["loading"] == "key" or in_scope:
+    if idioms["loading"] in FULL_KEYS or in_scope:
         section = ()
     attribute: Value = ("/", *section) if section and idioms["loading"] == "attribute" else ()
     loads: list[Action] = [Load(path, "", attribute) for path in values.files]
@@ -125,6 +132,7 @@ def _node(values: Values, spawned: Sequence[Spawn], name: str, form: str = "") -
         words.insert(0, ("spawn",) if active else ("load",))
     elif not active:
         words.append(("--stopped",))
+    words[:0] = _TIMEOUTS[values.idioms["timeout"]]
     is_wrong = robot.asked != robot.manager
     namespace: Value = ("/", robot.asked) if is_wrong else _namespace(values)
     if values.idioms["manager option"] == "argument" and (robot.namespace or is_wrong):

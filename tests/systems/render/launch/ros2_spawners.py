@@ -11,6 +11,13 @@ from systems.render.arguments import Values
 from systems.render.places import config_folder, pick
 from systems.system import Robot, Spawn, System
 
+_TIMEOUTS: dict[str, list[Value]] = {
+    "none": [],
+    "whole": [("--controller-manager-timeout",), ("60",)],
+    "beginning": [("--controller-manager-time",), ("60",)],
+    "with value": [("--controller-manager-t=60",)],
+}
+"""An option of the spawner, as the switch says."""
 LISTED = "spawned.yaml"
 """The file with the names of the controllers that are spawned, if they are read from one."""
 
@@ -49,6 +56,7 @@ def _options(values: Values) -> list[Value]:
     if how != "none":
         option = pick(system, "manager option", ("--controller-manager", "-c"))
         words = [(option,), _manager(values) if how == "absolute" else (values.robot.asked,)]
+    words += _TIMEOUTS[values.idioms["timeout"]]
     if values.idioms["param file"] == "given":
         words += [(pick(system, "param option", ("--param-file", "-p")),), values.files[-1]]
     return words
