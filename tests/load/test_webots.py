@@ -80,6 +80,13 @@ def test_the_driver_joins_the_description_the_controllers_and_what_waits_for_it(
     ]
 
 
+def test_all_parameter_files_of_the_driver_reach_its_controllers(folder: Folder) -> None:
+    manager, drive = WHEELS.split("\ndrive:")
+    package(folder, LAUNCH.replace("description}, wheels]", 'description}, wheels, os.path.join(share, "drive.yaml")]'))
+    folder.write({"config/wheels.yaml": f"{manager}\n", "drive.yaml": f"drive:{drive}"})
+    assert "  controllers config/wheels.yaml, drive.yaml\n" in folder.run("show", ".").stdout
+
+
 def test_webots_publishes_the_time_beside_a_manager_of_its_own(folder: Folder) -> None:
     manager = """Node(package="controller_manager", executable="ros2_control_node", parameters=[wheels])
     publisher = Node(package="robot_state_publisher", executable="robot_state_publisher",

@@ -20,6 +20,7 @@ DESCRIBED = ("robot_state_publisher", *MANAGERS, "move_group", WEBOTS_DRIVER)
 _OF_MANAGERS = r"ros2_control|controller_manager"
 _MAY_MANAGE = r"control|manager|driver|hardware|simulat|mujoco|isaac|webots"
 """In the name of a program that may contain a controller manager; another one gets the description."""
+_PARAMETERS = "ros__parameters"
 _MAPPINGS = "xacro_mappings"
 _DESCRIPTION, _SEMANTIC = "robot_description", "robot_description_semantic"
 _DESCRIPTION_PATH = r"[^<>\s]+\.(?:urdf|xacro|sdf)"
@@ -67,14 +68,18 @@ class NodeParameters:
             self._as_manager()
 
     def _as_manager(self) -> None:
-        """Load the files of a program that has a controller manager by another name: they have its section."""
+        """Load the files of a program that has a controller manager by another name: one of them has its section, and
+        all of them reach every node of the process."""
         is_described = any(name.text == _DESCRIPTION for name in self.names) and self.executable not in DESCRIBED
         if not (is_described or re.search(_MAY_MANAGE, self.executable)):
             return
-        for term, word in self._plain:
-            content = self.texts.sources.values(word.text) if word.known else None
-            if isinstance(content, Table) and any(_is_manager(key) for key in content.entries):
-                self._load(term, word)
+        read = self.texts.sources.values
+        tables = [(term, word, read(word.text) if word.known else None) for term, word in self._plain]
+        known = [(term, word, table.entries) for term, word, table in tables if isinstance(table, Table)]
+        if any(_is_manager(key) for _, _, entries in known for key in entries):
+            for term, word, entries in known:
+                if any(isinstance(each, Table) and _PARAMETERS in each.entries for each in entries.values()):
+                    self._load(term, word)
 
     def _add(self, term: Term) -> None:
         if isinstance(term, Perhaps):
