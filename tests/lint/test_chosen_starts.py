@@ -88,3 +88,11 @@ def test_an_argument_that_python_compares_starts_what_is_in_the_other_branch(
     folder.write({"package.xml": MANIFEST.format(3, "ament_cmake"), "hoist.urdf": HOIST, **files})
     folder.write({"launch/world.launch.py": PYTHON.format(compared)})
     assert shown(folder) == (starts, left)
+
+
+def test_what_another_start_includes_is_no_reason_to_choose_an_argument(folder: Folder) -> None:
+    files = {f"launch/{kind}_control.launch": f"<launch>{SPAWNER.format(kind)}</launch>" for kind in ("fast", "slow")}
+    folder.write({"package.xml": MANIFEST.format(2, "catkin"), "hoist.urdf": HOIST, **files})
+    folder.write({"launch/world.launch": WORLD.format("$(arg kind)_control")})
+    folder.write({"launch/race.launch": WORLD.format("fast_control")})
+    assert shown(folder) == ([{}, {}], [])

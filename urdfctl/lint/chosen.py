@@ -20,12 +20,13 @@ LintPairs = Callable[[list[Target]], Iterable[Pair]]
 
 def chosen_starts(started: Sequence[Pair], joined: Collection[int], variants: Variants, lint: LintPairs) -> list[Pair]:
     """Return the starts, with an argument that is not the default, of launch files that start controllers without a
-    robot, and are joined with nothing.
+    robot, are joined with nothing, and are included nowhere.
 
     started: the results of launch files.
     joined: the identities of those that are joined.
     """
-    left = {result.path for _, result in started if is_lonely(result) and id(result) not in joined}
+    included = {path for _, result in started if result.bringup for path in result.bringup.includes}
+    left = {result.path for _, result in started if is_lonely(result) and id(result) not in joined} - included
     asked = [
         Target(result.launch, towards=path)
         for _, result in started

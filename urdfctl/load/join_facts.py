@@ -12,9 +12,10 @@ from urdfctl.source.opaque import OUTSIDE, UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
-    from urdfctl.model.launch import Launch
+    from urdfctl.model.launch import Launch, Word
 
 _LISTS = ("joints", "declared", "described_in", "started_in", "gone", "models", "variables")
+_DESCRIPTIONS = (".urdf", ".xacro")
 _PUBLISHER = "robot_state_publisher"
 _DESCRIBED = (None, _PUBLISHER, "ros2_control_node")
 """The nodes that have the description of a robot that is started, the parameter server of ROS 1 among them."""
@@ -166,8 +167,21 @@ def _started_in(launch: Launch) -> tuple[str, ...]:
         return ()
     from urdfctl.source.workspaces.robot_starts import may_start_robot, package_of
 
-    found = ((package_of(word.text), word.text) for word in launch.absent)
-    return tuple(dict.fromkeys(name for name, text in found if name and may_start_robot(name, text)))
+    found = ((package_of(word.text), word) for word in launch.absent)
+    return tuple(
+        dict.fromkeys(
+            name for name, word in found if name and (may_start_robot(name, word.text) or _is_given(word, launch))
+        )
+    )
+
+
+def _is_given(word: Word, launch: Launch) -> bool:
+    """Whether the include of a launch file of ROS 1 gives it the description of a robot as an argument."""
+    data, start = word.at.source.data, word.at.start
+    end = data.find(b"</include>", start)
+    named = (one for one in launch.references if one.use == "argument" and one.file.at.source is word.at.source)
+    described = (one for one in named if (one.file.path or "").endswith(_DESCRIPTIONS) and one.file.exists)
+    return launch.ros == 1 and any(start < one.file.at.start < end for one in described)
 
 
 def _gone(launch: Launch) -> tuple[str, ...]:

@@ -561,3 +561,16 @@ def test_a_robot_of_another_package_that_has_nothing_of_it_is_not_named(folder: 
     named = [line for line in told(folder) if line.startswith("drum/")]
     reason = "controllers without a robot: no robot here has joint 'drum_joint'"
     assert named == [f"drum/launch/up.launch  (starts {reason})"]
+
+
+@pytest.mark.parametrize(
+    ("given", "packages"), [("$(find hoist)/hoist.urdf", ["derrick"]), ("$(find hoist)/hoist.yaml", []), ("lift", [])]
+)
+def test_a_launch_file_that_is_not_here_starts_the_robot_whose_description_it_is_given(
+    given: str, packages: list[str], folder: Folder
+) -> None:
+    argument = f'<arg name="robot_description" value="{given}"/>'
+    up = f'<launch><include file="$(find derrick)/launch/go.launch">{argument}</include></launch>'
+    folder.write({"package.xml": CATKIN.format("hoist"), "launch/up.launch": up, "hoist.urdf": HOIST.format("")})
+    named = [each["lacks"]["packages"] for each in unjoined(folder) if each["launch"] == "launch/up.launch"]
+    assert named == ([packages] if packages else [])
