@@ -536,7 +536,8 @@ def test_urdf_launch_publishes_the_description_that_its_arguments_name(
     given: str, file: str, found: bool, folder: Folder
 ) -> None:
     written(folder, up=DISPLAYED.format(given, file))
-    folder.write({"urdf/hoist.urdf": HOIST.format("")})
+    folder.write({"urdf/hoist.urdf": HOIST.format("<!-- lift: heavy -->")})
+    assert "UC632" not in folder.run("lint", ".").stdout
     assert ("launch/up.launch.py\n  description urdf/hoist.urdf\n" in folder.run("show", ".").stdout) is found
 
 

@@ -30,6 +30,8 @@ def publisher_of(path: str, given: Table | None, at: Place) -> Called | None:
     whole = Called("launch.substitutions.PathJoinSubstitution", file.at, [Items([folder, file], file.at)])
     table = Table(at)
     command = Items([Constant("xacro ", file.at), whole], file.at)
-    table.put(Constant("robot_description", at), Called("launch.substitutions.Command", file.at, [command]))
+    made = Called("launch.substitutions.Command", file.at, [command])
+    value = Called("launch_ros.parameter_descriptions.ParameterValue", at, [made], {"value_type": Constant("str", at)})
+    table.put(Constant("robot_description", at), value)
     words: dict[str, Term] = {"package": Constant(_PUBLISHER, at), "executable": Constant(_PUBLISHER, at)}
     return Called("Node", at, (), {**words, "parameters": Items([table], at)})
