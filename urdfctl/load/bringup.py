@@ -34,6 +34,7 @@ class Bringup(NamedTuple):
     beside: the launch files that are started beside it, in other terminals.
     absent: the packages that are not here and of which it starts launch files.
     unloaded: the packages that are not here and of which it loads parameter files.
+    loads_known: False if nothing names a parameter file that it loads.
     """
 
     arguments: tuple[tuple[str, str], ...] = ()
@@ -49,6 +50,7 @@ class Bringup(NamedTuple):
     told_at: str | None = None
     absent: tuple[str, ...] = ()
     unloaded: tuple[str, ...] = ()
+    loads_known: bool = True
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Bringup:
@@ -85,6 +87,7 @@ def bringup_of(launch: Launch, target: Target) -> Bringup:
         beside=tuple(os.path.abspath(start.path) for start in target.beside),
         absent=_packages_of(launch.absent) if launch.absent else (),
         unloaded=_packages_of(unloaded) if unloaded else (),
+        loads_known=all(_packages_of([file]) for file in unloaded),
     )
 
 

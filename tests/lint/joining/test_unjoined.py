@@ -345,6 +345,16 @@ def test_parameter_files_that_are_not_here_are_named_beside_the_robot(folder: Fo
     assert f"  unknown     {both}\n" in folder.run("show", ".").stdout
 
 
+@pytest.mark.parametrize("package", ["hoist", "$(var robot)"])
+def test_a_parameter_file_that_could_not_be_determined_is_told_beside_the_robot(package: str, folder: Folder) -> None:
+    manager = f"""<node pkg="controller_manager" exec="ros2_control_node">
+      <param from="$(find-pkg-share {package})/drum.yaml"/></node>"""
+    written(folder, up=xml('<arg name="robot"/>', PUBLISHER.format("hoist.urdf"), manager))
+    folder.write({"urdf/hoist.urdf": HOIST.format(""), "drum.yaml": "drum: {ros__parameters: {joint: hook}}"})
+    unnamed = "  unknown     some parameter files that the launch file loads could not be determined\n"
+    assert (unnamed in folder.run("show", ".").stdout) is (package != "hoist")
+
+
 MANAGED = """
 from launch import LaunchDescription
 from launch.substitutions import Command
@@ -477,7 +487,8 @@ def test_parameter_files_of_a_package_that_is_here_are_not_said_to_be_elsewhere(
     up = f'<launch><arg name="a" default="$(env A)"/>{described}{load}</launch>'
     folder.write({"package.xml": CATKIN.format("hoist"), "hoist.urdf": HOIST.format("")})
     elsewhere = "  unknown     parameter files of derrick, not in this workspace"
-    for name, told_of in (("hoist", []), ("derrick", [elsewhere])):
+    unnamed = "  unknown     some parameter files that the launch file loads could not be determined"
+    for name, told_of in (("hoist", [unnamed]), ("derrick", [elsewhere])):
         folder.write({"launch/up.launch": up.format(name)})
         lines = folder.run("show", ".").stdout.splitlines()
         assert [line for line in lines if "parameter files" in line] == told_of

@@ -111,7 +111,9 @@ def _unknown(bringup: Bringup) -> str:
     named = [f"{what} of {', '.join(packages)}" for what, packages in absent if packages]
     if named:
         return f"{' and '.join(named)}, not in this workspace"
-    return "" if bringup.complete else "some of what the launch file starts could not be determined"
+    if not bringup.complete:
+        return "some of what the launch file starts could not be determined"
+    return "" if bringup.loads_known else "some parameter files that the launch file loads could not be determined"
 
 
 def _arguments(bringup: Bringup) -> str:
