@@ -5,6 +5,7 @@ from __future__ import annotations
 from urdfctl.migrate.distro.activation import ACTIVATION
 from urdfctl.migrate.distro.controller_commands import CONTROLLER_COMMANDS
 from urdfctl.migrate.distro.feedforward import FEEDFORWARD
+from urdfctl.migrate.distro.ignition_commands import IGNITION_COMMANDS
 from urdfctl.migrate.distro.launch_python import LAUNCH_PYTHON
 from urdfctl.migrate.distro.launch_xml import LAUNCH_XML
 from urdfctl.migrate.distro.mimic import MIMIC
@@ -36,5 +37,6 @@ STEPS: tuple[Step, ...] = (
     LAUNCH_PYTHON,
     LAUNCH_XML,
     CONTROLLER_COMMANDS,
+    IGNITION_COMMANDS,
     MOVEIT,
 )
