@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from itertools import takewhile
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.source.todo import MARK
+from urdfctl.source.todo import MARK, has_todos
 
 _OF_XML = (".xacro", ".urdf", ".xml", ".launch", ".srdf", ".sdf", ".world", ".gazebo", ".inc")
 _MOST_BEFORE = 1 << 12
@@ -34,12 +35,19 @@ def for_you(at: Place, text: str, *, authority: str = "") -> Proposal:
     indent = line[: len(line) - len(line.lstrip())].decode("utf-8", "surrogateescape")
     comment = todo_line(source.path, text)
     entry = ReportEntry(EntryKind.FOR_YOU, text, at, authority=authority)
-    if without_punctuation(source.data[max(start - _MOST_BEFORE, 0) : start]).endswith(
-        without_punctuation(comment.encode())
-    ):
+    if _is_told(source.data[max(start - _MOST_BEFORE, 0) : start], comment):
         return Proposal(entries=(entry,))
     edit = Edit(SourceSpan(source, start, start), f"{indent}{comment}\n")
     return Proposal(edits=(edit,), entries=(entry,))
+
+
+def _is_told(before: bytes, comment: str) -> bool:
+    """Whether a TODO is the last of a text, or one of several at its end, each in a line of its own."""
+    wanted = without_punctuation(comment.encode())
+    if without_punctuation(before).endswith(wanted):
+        return True
+    todos = takewhile(has_todos, reversed(before.splitlines()))
+    return any(without_punctuation(line) == wanted for line in todos)
 
 
 def without_punctuation(text: bytes) -> bytes:
