@@ -76,7 +76,7 @@ def generate_launch_description():
 """
 
 
-@pytest.mark.parametrize(("world", "count"), [("worlds/empty.world", 2), ("worlds/yard.world", 0)])
+@pytest.mark.parametrize(("world", "count"), [("worlds/empty.world", 2), ("worlds/yard.world", 1)])
 def test_the_own_world_of_the_name_of_the_empty_one_is_still_started(folder: Folder, world: str, count: int) -> None:
     own = {f"{world}": '<sdf version="1.6"><world name="w"/></sdf>\n', "launch/sim.launch.py": OWN_WORLD}
     files = {"urdf/base.xacro": base(CONTROL), "config/controllers.yaml": CONTROLLERS, **own}
@@ -380,3 +380,38 @@ def test_the_manager_reads_the_description_where_it_is_published(
     assert text.count("<ros>") == bool(expected or inner)
     assert text.count("<remapping>") == bool(expected)
     assert not expected or f"<remapping>robot_description:={expected}</remapping>" in text
+
+
+PATHS = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess, IncludeLaunchDescription
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    classic = get_package_share_directory("gazebo_ros")
+    world = {world}
+    server = os.path.join(classic, "launch", "gzserver.launch.py")
+    return LaunchDescription([IncludeLaunchDescription(server, launch_arguments={{"world": world}}.items())])
+"""
+
+
+@pytest.mark.parametrize(
+    ("world", "new"),
+    [
+        ('os.path.join(classic, "worlds", "empty.world")', '"empty.sdf"'),
+        ('classic + "/worlds/empty.world"', '"empty.sdf"'),
+        ('PathJoinSubstitution([FindPackageShare("gazebo_ros"), "worlds", "empty.world"])', '"empty.sdf"'),
+        ('os.path.join(classic, "worlds", "shapes.world")', None),
+        ('os.path.join(get_package_share_directory("base"), "worlds", "empty.world")', None),
+    ],
+)
+def test_the_path_of_classics_empty_world_becomes_the_name_of_that_of_gz(
+    folder: Folder, world: str, new: str | None
+) -> None:
+    text = after(folder, "sim.launch.py", PATHS.format(world=world))
+    assert f"    world = {new or world}\n" in text
+    assert '"gz_args": ["-r -s ", world]' in text

@@ -5,12 +5,12 @@ from __future__ import annotations
 import ast
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.files.bringup import gz_names
-from urdfctl.migrate.classic.empty_worlds import filled_defaults, reached
+from urdfctl.migrate.classic.empty_worlds import EMPTY, empty_world_paths, filled_defaults, reached
 from urdfctl.migrate.classic.launch_process import classic_processes
 from urdfctl.migrate.classic.starting import (
     ARGUMENTS,
@@ -101,7 +101,7 @@ class _ClassicLaunchFile:
         edits += self._names()
         if any("PythonExpression(" in edit.text for edit in edits):
             needed.append(("launch.substitutions", "PythonExpression"))
-        if (self.includes or self.processes) and (bridge := self._bridge()) is not None:
+        if (self.includes or self.processes) and (bridge := self._bridge(edits)) is not None:
             edits.append(bridge[0])
             needed += bridge[1]
         edits += self.file.all_imports(needed)
@@ -190,14 +190,17 @@ class _ClassicLaunchFile:
             "GAZEBO_MODEL_PATH": "GZ_SIM_RESOURCE_PATH",
             "GAZEBO_RESOURCE_PATH": "GZ_SIM_RESOURCE_PATH",
         }
+        paths = list(empty_world_paths(self.file))
+        yield from (Edit(self.file.span(path), f'"{EMPTY}"') for path, is_classic in paths if is_classic)
+        kept = {id(node) for path, _ in paths for node in ast.walk(path) if _is_empty(node)}
         for node in ast.walk(self.file.tree) if self.file.tree else ():
-            if not isinstance(node, ast.Constant) or not isinstance(node.value, str):
+            if not isinstance(node, ast.Constant) or not isinstance(node.value, str) or id(node) in kept:
                 continue
             if node.value in new and (node.value not in files or id(node) in of_classic):
                 span = self.file.span(node)
                 yield Edit(span, span.text.replace(node.value, new[node.value]))
 
-    def _bridge(self) -> tuple[Edit, list[tuple[str, str]]] | None:
+    def _bridge(self, others: Sequence[Edit]) -> tuple[Edit, list[tuple[str, str]]] | None:
         """The edit that adds the bridge of the clock and of the robot's topics, and what it imports; None if it cannot
         be placed, or is there."""
         if b"parameter_bridge" in self.file.source.data:
@@ -213,16 +216,16 @@ class _ClassicLaunchFile:
             more = f'arguments=["/clock@rosgraph_msgs/msg/Clock[{self.gz["messages"]}.Clock"]'
         package, program = f'package="{self.gz["bridge"]}",', 'executable="parameter_bridge",'
         text = f"Node(\n    {package}\n    {program}{more})" if found else f"Node({package} {program} {more})"
-        placed = self._added(text)
+        placed = self._added(text, others)
         return None if placed is None else (placed, needed)
 
-    def _added(self, text: str) -> Edit | None:
-        """The edit that adds an action to the launch description."""
+    def _added(self, text: str, others: Sequence[Edit]) -> Edit | None:
+        """The edit that adds an action to the launch description, beside others."""
         for call, scope in self.file.calls("LaunchDescription"):
             items = call.args[0] if call.args else None
             if isinstance(items, ast.List) and items.elts:
                 indent = self.file.indent_of(items.elts[-1])
-                return self.file.appended(items, [text.replace("\n", f"\n{indent}")])
+                return self.file.appended(items, [text.replace("\n", f"\n{indent}")], others)
             edit = self._before_return(call, scope, text)
             if edit is not None:
                 return edit
@@ -332,6 +335,10 @@ class _ClassicLaunchFile:
         if target is None or then is None or getattr(target.value, "id", None) != name:
             return None
         return then.value.elts if isinstance(then.value, ast.List) else [then.value]
+
+
+def _is_empty(node: ast.AST) -> bool:
+    return isinstance(node, ast.Constant) and text_of(node) in EMPTY_WORLDS
 
 
 CLASSIC_LAUNCH = Step(

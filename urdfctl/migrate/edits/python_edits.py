@@ -102,8 +102,11 @@ class PythonFile:
             start = spans[last].end if last >= 0 else spans[0].start
             yield Edit(SourceSpan(self.source, start, spans[-1].end), "")
 
-    def appended(self, items: ast.List, texts: list[str]) -> Edit:
-        """Return the edit that adds items at the end of a list, on lines of their own if its items are, or must be."""
+    def appended(self, items: ast.List, texts: list[str], others: Iterable[Edit] = ()) -> Edit:
+        """Return the edit that adds items at the end of a list, on lines of their own if its items are, or must be.
+
+        others: edits that are made too; a list with one of them inside stays on its line, however long that is.
+        """
         data = self.source.data
         closing = self.span(items).end - 1
         if not items.elts:
@@ -116,9 +119,11 @@ class PythonFile:
         indent = data[line_start : self.span(items.elts[-1]).start]
         if b"\n" not in data[at:closing] or indent.strip():
             inline = f"{' ' if has_comma else ', '}{', '.join(texts)}"
-            if self._fits(items, inline):
+            span = self.span(items)
+            is_edited = any(span.start <= one.span.start and one.span.end <= span.end for one in others)
+            if is_edited or self._fits(items, inline):
                 return Edit(SourceSpan(self.source, at, at), inline)
-            return Edit(self.span(items), self._on_lines([*map(self.text, items.elts), *texts], line_start))
+            return Edit(span, self._on_lines([*map(self.text, items.elts), *texts], line_start))
         margin = f"\n{indent.decode()}"
         text = margin + f",{margin}".join(texts) + "," * has_comma
         return Edit(SourceSpan(self.source, at, at), text if has_comma else f",{text}")
