@@ -142,7 +142,11 @@ from moveit_configs_utils.launches import generate_move_group_launch
 
 
 def generate_launch_description():
-    moveit_config = MoveItConfigsBuilder("arm", package_name="arm_moveit").to_moveit_configs()
+    moveit_config = (
+        MoveItConfigsBuilder("arm", package_name="arm_moveit")
+        .planning_pipelines(pipelines=["ompl"])
+        .to_moveit_configs()
+    )
     return generate_move_group_launch(moveit_config)
 """
     )
@@ -171,6 +175,7 @@ def generate_launch_description():
         .robot_description(file_path=get_package_share_directory("arm") + "/urdf/arm.xacro", \
 mappings={"left": "true", "size": "2"})
         .robot_description_semantic(file_path="config/left.srdf")
+        .planning_pipelines(pipelines=["ompl"])
         .to_moveit_configs()
     )
     return generate_move_group_launch(moveit_config)
@@ -337,6 +342,7 @@ def test_files_that_are_not_directly_in_config_are_named(folder: Folder) -> None
         .robot_description_semantic(file_path="config/left/arm.srdf")
         .joint_limits(file_path="config/left/joint_limits.yaml")
         .trajectory_execution(file_path="config/left/moveit_controllers.yaml")
+        .planning_pipelines(pipelines=["ompl"])
         .to_moveit_configs()
 """ in after["launch/move_group.launch.py"]
 
@@ -356,3 +362,60 @@ def test_a_publisher_without_a_description_is_the_one_that_moveit_makes(folder: 
     assert 'executable="robot_state_publisher"' not in demo
     assert demo.count("GroupAction(") == context
     assert 'ThisLaunchFileDir(), "/move_group.launch.py"' in demo
+
+
+PIPELINES = """\
+<launch>
+  <arg name="pipeline" default="ompl"/>
+  <include file="$(dirname)/planning_pipeline.launch.xml"><arg name="pipeline" value="$(arg pipeline)"/></include>
+  <include file="$(dirname)/planning_pipeline.launch.xml">
+    <arg name="pipeline" value="pilz_industrial_motion_planner"/>
+  </include>
+  <include file="$(find arm_moveit)/launch/lattice_planning_pipeline.launch.xml"/>
+</launch>
+"""
+OF_PILZ = (
+    '<launch>\n  <param name="planning_plugin" value="pilz_industrial_motion_planner::CommandPlanner"/>\n</launch>\n'
+)
+LATTICE = '<launch>\n  <param name="planning_plugin" value="lattice/Planner"/>\n</launch>\n'
+
+
+def with_pipelines(folder: Folder, more: dict[str, str]) -> dict[str, str]:
+    """The files of a package whose move_group loads three planning pipelines in ROS 1, after its migration."""
+    files = {
+        "launch/move_group.launch": PIPELINES,
+        "launch/pilz_industrial_motion_planner_planning_pipeline.launch.xml": OF_PILZ,
+        "launch/lattice_planning_pipeline.launch.xml": LATTICE,
+    }
+    return migrated(folder, files | more, "jazzy")
+
+
+def test_moveit_loads_the_pipelines_that_it_loaded_in_ros_1_and_no_others(folder: Folder) -> None:
+    after = with_pipelines(folder, {"config/cartesian_limits.yaml": "cartesian_limits: {max_trans_vel: 1}\n"})
+    call = '.planning_pipelines(pipelines=["ompl", "pilz_industrial_motion_planner"])'
+    assert call in after["launch/move_group.launch.py"]
+    for package in ("moveit_planners_ompl", "pilz_industrial_motion_planner"):
+        assert f"<exec_depend>{package}</exec_depend>" in after["package.xml"]
+    assert "moveit_planners_chomp" not in after["package.xml"]
+
+
+def test_the_planner_of_pilz_has_the_name_and_the_limits_of_moveit_2(folder: Folder) -> None:
+    limits = "cartesian_limits: {max_trans_vel: 1}\n"
+    after = with_pipelines(folder, {"config/cartesian_limits.yaml": limits})
+    assert after["config/pilz_cartesian_limits.yaml"] == limits
+    assert "config/cartesian_limits.yaml" not in after
+    pilz = after["config/pilz_industrial_motion_planner_planning.yaml"]
+    assert "- pilz_industrial_motion_planner/CommandPlanner" in pilz
+
+
+def test_the_planner_of_pilz_is_not_loaded_without_its_limits(folder: Folder) -> None:
+    assert '.planning_pipelines(pipelines=["ompl"])' in with_pipelines(folder, {})["launch/move_group.launch.py"]
+
+
+@pytest.mark.parametrize("own", [False, True])
+def test_a_planner_that_moveit_2_has_not_is_told(folder: Folder, own: bool) -> None:
+    declared = {"plugins.xml": '<library path="lattice"><class name="lattice/Planner"/></library>\n'} if own else {}
+    with_pipelines(folder, declared)
+    report = (folder.path / "new" / "MIGRATION.md").read_text()
+    assert ("check that jazzy has the planner 'lattice/Planner'" in report) != own
+    assert "has the planner 'pilz" not in report

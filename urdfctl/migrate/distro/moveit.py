@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
+from urdfctl.catalog.moves import name_moves
 from urdfctl.catalog.store import moves_data
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.edits.python_edits import PythonFile, text_of
@@ -19,6 +20,10 @@ from urdfctl.startup.records import NamedTuple
 
 _PLUGIN, _ADAPTERS = "planning_plugin", "request_adapters"
 _DISPLAYED = "adapters validate and display the solution, as the pipeline did itself before"
+_ENDS = "move_group ends where it cannot load one, so remove this file unless it can"
+_PLUGINS = "moveit2 planning_pipeline.cpp: 'Exception while loading planner' is thrown on"
+_PLANNERS = ("ompl_interface/OMPLPlanner", "chomp_interface/CHOMPPlanner")
+"""Planners of MoveIt that have the same name in all distros; those of others are among the names that moved."""
 _GRIPPER = "moveit2 moveit_simple_controller_manager: ParallelGripperCommand for parallel_gripper_action_controller"
 
 
@@ -70,19 +75,30 @@ def _in_yaml(packages: MigratedPackages, path: str) -> Iterator[Proposal]:
         node = pending.pop()
         if isinstance(node, Mapping):
             pending += [entry.value for entry in node.entries]
-            yield from _of_map(node)
+            yield from _of_map(packages, node)
 
 
-def _of_map(pipeline: Mapping) -> Iterator[Proposal]:
+def _of_map(packages: MigratedPackages, pipeline: Mapping) -> Iterator[Proposal]:
     for entry in pipeline.entries:
         if entry.key.text == _PLUGIN and isinstance(entry.value, Scalar) and entry.value.text:
-            yield _replaced_in_yaml(entry, {f"{_PLUGIN}s": [entry.value.text]}, [])
+            replaced = _replaced_in_yaml(entry, {f"{_PLUGIN}s": [entry.value.text]}, [])
+            more = tuple(_unknown(packages, entry.value))
+            yield replaced._replace(entries=(*replaced.entries, *more))
         elif entry.key.text == _ADAPTERS and (names := _names(entry.value)):
             found = adapters(names)
             lists = {_ADAPTERS: found.requests}
             if pipeline.get("response_adapters") is None:
                 lists["response_adapters"] = found.responses
             yield _replaced_in_yaml(entry, lists, found.gone)
+
+
+def _unknown(packages: MigratedPackages, plugin: Scalar) -> Iterator[ReportEntry]:
+    """Yield the entry about a planner that neither MoveIt 2 nor one of the packages has."""
+    known = {name for one in name_moves() for name in (*one.names, *one.names.values())} | {*_PLANNERS}
+    declared = any(plugin.text.encode() in packages.read(path).data for path in packages.files(".xml"))
+    if plugin.text not in known and not declared:
+        what = f"check that {packages.options.target} has the planner '{plugin.text}': {_ENDS}"
+        yield ReportEntry(EntryKind.FOR_YOU, what, plugin.at, authority=_PLUGINS)
 
 
 def _names(value: Node) -> list[str]:

@@ -17,6 +17,7 @@ from urdfctl.migrate.ros1.build_file import ament_build_file
 from urdfctl.migrate.ros1.circles import closing
 from urdfctl.migrate.ros1.looked_up import looked_up_packages
 from urdfctl.migrate.ros1.lost_packages import lost_dependencies
+from urdfctl.migrate.ros1.moveit_pipelines import planners_of
 from urdfctl.migrate.shared.hardware import host_plugin, started_by_launch_files, system
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.span import SourceSpan
@@ -244,7 +245,7 @@ def _needed(packages: MigratedPackages, folder: str) -> Iterator[str]:
             text = re.sub(_COMMENT, "", text)
             yield from re.findall(_NAMED_IN_LAUNCH, text)
             yield from ["xacro"] if "xacro " in text else []
-            yield from ["moveit_configs_utils"] if "moveit_configs_utils" in text else []
+            yield from ["moveit_configs_utils", *planners_of(text)] if "moveit_configs_utils" in text else []
         elif path.endswith(".yaml"):
             types = re.findall(r"(?m)^\s+type:\s*['\"]?(\w+/\w+)", text)
             yield from (kind.package for name in types if (kind := catalog.controller(name, packages.options.target)))

@@ -13,6 +13,7 @@ from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.left_over import renamed_parameters
 from urdfctl.migrate.ros1.moveit_package import CONTROLLERS_FILE, is_of_moveit
+from urdfctl.migrate.ros1.moveit_pipelines import CARTESIAN_LIMITS, PILZ_LIMITS
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.span import SourceSpan, SourceText
@@ -31,6 +32,7 @@ _INTEGER = re.compile(r"[-+]?\d+")
 _REFERENCE = re.compile(r"\$\(arg (\w+)\)")
 _CONTROLLERS = "moveit2 moveit_simple_controller_manager: controller_names, and a map for each"
 _BUILDER = "moveit2 moveit_configs_utils MoveItConfigsBuilder: config/PIPELINE_planning.yaml"
+_PILZ = "moveit2#1422: MoveItConfigsBuilder.pilz_cartesian_limits() loads config/pilz_cartesian_limits.yaml"
 _DOUBLES = "moveit2 robot_model_loader.cpp: limits of joints are doubles; rcl rejects integers"
 
 
@@ -205,10 +207,20 @@ def _limits(packages: MigratedPackages) -> Iterator[Proposal]:
             yield Proposal(edits, entries=(ReportEntry(EntryKind.DONE, what, found[0].at, authority=_DOUBLES),))
 
 
+def _of_pilz(packages: MigratedPackages) -> Iterator[Proposal]:
+    for path in packages.files(f"/{CARTESIAN_LIMITS}"):
+        new = os.path.join(os.path.dirname(path), PILZ_LIMITS)
+        if is_of_moveit(path) and not exists(new):
+            entry = ReportEntry(EntryKind.DONE, f"{CARTESIAN_LIMITS} became {PILZ_LIMITS}", file=new, authority=_PILZ)
+            edits = tuple(renamed_parameters(packages, [path], new))
+            yield Proposal(edits, ((new, packages.read(path).data.decode("utf-8", "replace")),), (path,), (entry,))
+
+
 def _moveit_files(packages: MigratedPackages) -> Iterator[Proposal]:
     yield from _controllers(packages)
     yield from _pipelines(packages)
     yield from _limits(packages)
+    yield from _of_pilz(packages)
 
 
 MOVEIT_FILES = Step(
@@ -228,6 +240,7 @@ MOVEIT_FILES = Step(
         Row("PIPELINE_planning_pipeline.launch.xml", "config/PIPELINE_planning.yaml", "", _BUILDER),
         Row("trajectory_execution.launch.xml", f"{CONTROLLERS_FILE}: trajectory_execution", "", _CONTROLLERS),
         Row("joint_limits: max_velocity: 1", "max_velocity: 1.0", "", _DOUBLES),
+        Row(CARTESIAN_LIMITS, PILZ_LIMITS, "", _PILZ),
     ),
     before=[
         {

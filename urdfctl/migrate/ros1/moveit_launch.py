@@ -99,12 +99,9 @@ def _text(package: MoveitPackage, maker: str) -> str:
     head = ["from ament_index_python.packages import get_package_share_directory"] if uses_shares else []
     head.append("from moveit_configs_utils import MoveItConfigsBuilder")
     head += [f"from moveit_configs_utils.launches import {maker}", "", "", "def generate_launch_description():"]
-    if package.calls:
-        todo = [f"# {TODO} {_NO_DESCRIPTION}"] if package.needs_description else []
-        calls = (f"    {line}" for line in (builder, *(f".{call}" for call in package.calls), ".to_moveit_configs()"))
-        body = [*todo, "moveit_config = (", *calls, ")", f"return {maker}(moveit_config)"]
-    else:
-        body = [f"moveit_config = {builder}.to_moveit_configs()", f"return {maker}(moveit_config)"]
+    todo = [f"# {TODO} {_NO_DESCRIPTION}"] if package.needs_description else []
+    calls = (f"    {line}" for line in (builder, *(f".{call}" for call in package.calls), ".to_moveit_configs()"))
+    body = [*todo, "moveit_config = (", *calls, ")", f"return {maker}(moveit_config)"]
     return "\n".join([*head, *(f"    {line}" for line in body)]) + "\n"
 
 
@@ -159,7 +156,11 @@ MOVEIT_LAUNCH = Step(
 
 
                 def generate_launch_description():
-                    moveit_config = MoveItConfigsBuilder("arm", package_name="arm").to_moveit_configs()
+                    moveit_config = (
+                        MoveItConfigsBuilder("arm", package_name="arm")
+                        .planning_pipelines(pipelines=["ompl"])
+                        .to_moveit_configs()
+                    )
                     return generate_move_group_launch(moveit_config)
             """,
         },

@@ -10,6 +10,7 @@ from urdfctl.generate.text.scalars import python_text
 from urdfctl.migrate.edits.markup import elements, root_of
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.left_over import addressed_files
+from urdfctl.migrate.ros1.moveit_pipelines import loaded_pipelines
 from urdfctl.source.disk.gate import exists
 from urdfctl.source.workspaces.packages import package_around, package_name
 from urdfctl.source.xml.dom import Element
@@ -31,7 +32,8 @@ class MoveitPackage(NamedTuple):
 
     folder, name: of the package.
     robot: the robot's name, as the semantic description has it.
-    calls: the calls that tell MoveItConfigsBuilder where the descriptions are; none if it finds them by itself.
+    calls: the calls that tell MoveItConfigsBuilder where the descriptions are, unless it finds them by itself, and
+        which planning pipelines to load.
     needs_description: whether a person must say where the robot's description is.
     """
 
@@ -63,9 +65,15 @@ def moveit_packages(packages: MigratedPackages) -> Iterator[MoveitPackage]:
         own = [path for path in packages.files(".srdf") if path.startswith(os.path.join(folder, "config") + os.sep)]
         context = root_of(packages.read(os.path.join(folder, "launch", _CONTEXT)))
         if exists(os.path.join(folder, MARK)) and len(own) == 1:
-            yield MoveitPackage(folder, name, _robot(packages, own[0]))
+            yield _with_pipelines(packages, MoveitPackage(folder, name, _robot(packages, own[0])))
         elif context is not None and (found := _from_context(packages, folder, name, context)) is not None:
-            yield found
+            yield _with_pipelines(packages, found)
+
+
+def _with_pipelines(packages: MigratedPackages, found: MoveitPackage) -> MoveitPackage:
+    """A package with the call that names its planning pipelines."""
+    names = ", ".join(python_text(name) for name in loaded_pipelines(packages, found.folder))
+    return found._replace(calls=(*found.calls, f"planning_pipelines(pipelines=[{names}])"))
 
 
 def _robot(packages: MigratedPackages, path: str) -> str:
