@@ -184,3 +184,20 @@ def test_no_model_loads_a_system_twice_in_a_world(folder: Folder) -> None:
 def test_a_model_in_a_world_loads_the_systems_of_its_sensors(folder: Folder) -> None:
     model = "".join(f"  {line}\n" for line in BUOY.splitlines()[1:-1])
     assert of_world(folder, model).count(IMU) == 1
+
+
+def test_a_version_for_sdf_1_2_is_one_of_its_model(folder: Folder) -> None:
+    """It has <gazebo> in place of <sdf>, and is not the only version that loads the systems."""
+    old = BUOY.replace('<sdf version="1.6">', '<gazebo version="1.2">').replace("</sdf>", "</gazebo>")
+    files = {f"models/buoy/{name}": text for name, text in {**MODEL, "model-1_2.sdf": old}.items()}
+    after = migrated(folder, {"urdf/base.xacro": base(DRIVE), **files})
+    assert IMU in after["models/buoy/model.sdf"]
+
+
+@pytest.mark.parametrize(
+    "library", ["ignition-gazebo-imu-system", "libignition-gazebo6-imu-system.so", "gz-sim-imu-system"]
+)
+def test_a_world_that_loads_a_system_by_any_name_is_not_given_it_again(folder: Folder, library: str) -> None:
+    plugin = f'    <plugin filename="{library}" name="ignition::gazebo::systems::Imu"/>\n'
+    model = "".join(f"  {line}\n" for line in BUOY.splitlines()[1:-1])
+    assert of_world(folder, plugin + model).count("imu-system") == 1

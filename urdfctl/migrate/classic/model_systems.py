@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator, Sequence
 
 from urdfctl.migrate.classic.sdf import OF_SDF
-from urdfctl.migrate.classic.sensor_systems import AUTHORITY, SYSTEMS
+from urdfctl.migrate.classic.sensor_systems import AUTHORITY, SYSTEMS, is_loaded_in
 from urdfctl.migrate.edits.markup import appended, content, elements, indent_of, parent_of, root_of, step_of
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
@@ -19,6 +19,8 @@ from urdfctl.startup.records import NamedTuple
 
 _MODEL = "model://"
 _LOADED_BY_NONE = "no model of this world can load it alone: load it here, with the default systems"
+_OF_FILE = ("sdf", "gazebo")
+"""What is around the model of a file: SDF 1.2 calls it gazebo."""
 System = tuple[str, str]
 
 
@@ -37,7 +39,7 @@ class _Model(NamedTuple):
     def names(self, system: System) -> bool:
         """Return whether it loads a system already."""
         plugins = (one for one in elements(self.element) if one.tagName == "plugin")
-        return any(system[0] in one.attrs.get("filename", "") for one in plugins)
+        return any(is_loaded_in(one.attrs.get("filename", "").encode(), system) for one in plugins)
 
 
 class _Plan:
@@ -84,7 +86,7 @@ def _planned(
     others: the models of the other worlds. One that has the system must not get it twice.
     """
     loading = [one for one in inside if plan.loads(one, system)]
-    if not loading and system[0].encode() in world.source.data:
+    if not loading and is_loaded_in(world.source.data, system):
         return True
     has_it = [each for each in others if any(plan.loads(one, system) for one in each)]
     able = [one for one in inside if system in one.needed and not any(one in each for each in has_it)]
@@ -101,7 +103,7 @@ def _plan_spawned(plan: _Plan, models: Sequence[_Model], roots: Sequence[Element
         others = [one.source for one in roots if one.source is not model.element.source and not _has_folder(one)]
         for system in model.needed:
             is_planned = any(plan.loads(one, system) for one in models if not one.name)
-            if not is_planned and not any(system[0].encode() in other.data for other in others):
+            if not is_planned and not any(is_loaded_in(other.data, system) for other in others):
                 plan.add(model, system)
 
 
@@ -115,7 +117,7 @@ def _models(root: Element) -> Iterator[_Model]:
         kinds = (one.attrs.get("type", "") for one in elements(element) if one.tagName == "sensor")
         needed = tuple(dict.fromkeys(SYSTEMS[kind] for kind in kinds if kind in SYSTEMS))
         if needed:
-            yield _Model(name if around.tagName == "sdf" else "", element, needed)
+            yield _Model(name if around.tagName in _OF_FILE else "", element, needed)
 
 
 def _in_world(world: Element, models: Sequence[_Model]) -> list[_Model]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
@@ -36,6 +37,12 @@ _UNKNOWN = (
 )
 
 
+def is_loaded_in(text: bytes, system: tuple[str, str]) -> bool:
+    """Return whether a text names the library of a system of gz, by its name in Ignition too: later steps rename it."""
+    own = re.escape(system[0].removeprefix("gz-sim-").encode())
+    return re.search(rb"\b(?:lib)?(?:gz-sim|ignition-gazebo)\d*-" + own, text) is not None
+
+
 def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
     if not goes_to_gz(packages) or packages.was_in_gz:
         return
@@ -48,7 +55,7 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
         if robot is None or path in done or not packages.may_change(path):
             continue
         texts = b"".join([worlds, *(packages.read(each).data for each in loaded.sources if each.endswith(XML))])
-        absent = (system for system in _needed(packages, loaded, robot) if system[0].encode() not in texts)
+        absent = (system for system in _needed(packages, loaded, robot) if not is_loaded_in(texts, system))
         missing = [system for system in absent if not _has(robot, system[0])]
         root = root_of(packages.read(path))
         is_robot = root is not None and root.tagName == "robot"
