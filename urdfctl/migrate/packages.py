@@ -76,6 +76,12 @@ class MigratedPackages:
         """Whether gz simulates a robot of the packages before the migration."""
         return any(result.simulator == "gz" for _, result in self._began)
 
+    def simulators_of(self, robot: LoadedTarget) -> frozenset[str]:
+        """Return what simulates a robot with its arguments before the migration."""
+        key = os.path.realpath(robot.project.path), robot.arguments
+        same = (one for _, one in self._began if (os.path.realpath(one.path), one.arguments) == key)
+        return frozenset(one.simulator for one in same if one.simulator)
+
     def crosses(self, since: str, path: str = "") -> bool:
         """Return whether the migration leads from a distro before `since` to it or a later one.
 

@@ -83,6 +83,7 @@ def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
     ):
         path = os.path.join(folder, BRIDGE_FILE)
         if exists(path) or _has_bridge(packages):
+            yield from _unbridged(packages, folder)
             continue
         found = (
             topic._replace(name=_valid(topic.name), in_ros=_valid(topic.in_ros)) for topic in _topics(packages, folder)
@@ -95,6 +96,25 @@ def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
         if entries:
             created = ((path, _text(packages, topics)),) if topics else ()
             yield Proposal(created=created, entries=tuple(entries))
+
+
+def _unbridged(packages: MigratedPackages, folder: str) -> Iterator[Proposal]:
+    """Tell the topics of sensors of a robot that Gazebo Classic simulated, where only other launch files have a bridge."""
+    names = packages.found(_names_in_ros)
+    for loaded in packages.loaded():
+        launch = loaded.project.launch
+        is_bridged = any(b"parameter_bridge" in packages.scratch.original(path) for path in loaded.sources)
+        if launch is None or is_bridged or packages.simulators_of(loaded) != {"gazebo-classic"}:
+            continue
+        tags = ((tag, {one.name: one.text for one in tag.children}) for tag in _in_gazebo(loaded, "plugin", "sensor"))
+        own = [one for one in tags if one[0].at.source.path.startswith(folder + os.sep)]
+        found = dict.fromkeys(
+            topic.name for tag, texts in own for topic in _of_element(tag.name, tag.attributes, texts, names)
+        )
+        if found and own:
+            names_of_topics = ", ".join(f"'{name}'" for name in found)
+            what = f"start a bridge of {names_of_topics} here, too: only other launch files do"
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, what, file=launch.path, authority=_AUTHORITY),))
 
 
 def _valid(name: str) -> str:

@@ -44,7 +44,10 @@ def is_loaded_in(text: bytes, system: tuple[str, str]) -> bool:
 
 
 def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
-    if not goes_to_gz(packages) or packages.was_in_gz:
+    if not goes_to_gz(packages):
+        return
+    if packages.was_in_gz:
+        yield from _of_variants(packages)
         return
     worlds = b"".join(packages.read(path).data for path in packages.files(".sdf", ".world"))
     done: set[str] = set()
@@ -75,6 +78,23 @@ def _systems(packages: MigratedPackages) -> Iterator[Proposal]:
         message = f"the robot loads {names} for its sensors: no world of the packages does"
         entry = ReportEntry(EntryKind.DECIDED, message, root.at, authority=AUTHORITY, option="load them in the world")
         yield Proposal((edit,), entries=(entry,))
+
+
+def _of_variants(packages: MigratedPackages) -> Iterator[Proposal]:
+    """Leave the systems to a person where gz already simulates a robot with other arguments: what its file loads, all
+    of its variants load."""
+    worlds = b"".join(packages.read(path).data for path in packages.files(".sdf", ".world"))
+    for loaded in packages.loaded():
+        robot, root = loaded.project.robot, root_of(packages.read(os.path.realpath(loaded.project.path)))
+        if robot is None or root is None or packages.simulators_of(loaded) != {"gazebo-classic"}:
+            continue
+        kinds = (s.attributes.get("type", "") for gazebo in robot.gazebos for s in gazebo.tag.named("sensor"))
+        needed = dict.fromkeys(SYSTEMS[kind] for kind in kinds if kind in SYSTEMS)
+        missing = [one[0] for one in needed if not _has(robot, one[0]) and not is_loaded_in(worlds, one)]
+        if missing and packages.may_change(root.source.path):
+            given = " ".join(f"{name}:={value}" for name, value in loaded.arguments)
+            what = f"{', '.join(missing)}: load it for the sensors of the robot with {given or 'its defaults'}"
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, what, root.at, authority=AUTHORITY),))
 
 
 def _needed(packages: MigratedPackages, loaded: LoadedTarget, robot: Robot) -> list[tuple[str, str]]:
