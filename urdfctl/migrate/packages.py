@@ -76,11 +76,11 @@ class MigratedPackages:
         """Whether gz simulates a robot of the packages before the migration."""
         return any(result.simulator == "gz" for _, result in self._began)
 
-    def simulators_of(self, robot: LoadedTarget) -> frozenset[str]:
-        """Return what simulates a robot with its arguments before the migration."""
+    def is_of_classic(self, robot: LoadedTarget) -> bool:
+        """Return whether Gazebo Classic simulates a robot with its arguments before the migration, and nothing else."""
         key = os.path.realpath(robot.project.path), robot.arguments
         same = (one for _, one in self._began if (os.path.realpath(one.path), one.arguments) == key)
-        return frozenset(one.simulator for one in same if one.simulator)
+        return {one.simulator for one in same if one.simulator} == {"gazebo-classic"}
 
     def crosses(self, since: str, path: str = "") -> bool:
         """Return whether the migration leads from a distro before `since` to it or a later one.

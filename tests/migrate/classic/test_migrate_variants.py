@@ -42,12 +42,18 @@ def generate_launch_description():
     file = PathJoinSubstitution([FindPackageShare("{package}"), "launch", "{file}"])
     return LaunchDescription([
         IncludeLaunchDescription(PythonLaunchDescriptionSource(file)),
-        Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[{{"robot_description": text}}]),
+        Node(
+            package="robot_state_publisher",
+            executable="robot_state_publisher",
+            parameters=[{{"robot_description": text}}],
+        ),
         Node(package="{package}", executable="{spawner}", arguments=["-topic", "robot_description"]),
 {more}    ])
 """
 CLASSIC = LAUNCH.format(old="true", package="gazebo_ros", file="gazebo.launch.py", spawner="spawn_entity.py", more="")
-BRIDGE = '        Node(package="ros_gz_bridge", executable="parameter_bridge", arguments=["/clock@a/msg/B[gz.msgs.Clock"]),\n'
+BRIDGE = (
+    '        Node(package="ros_gz_bridge", executable="parameter_bridge", arguments=["/clock@a/msg/B[gz.msgs.C"]),\n'
+)
 GZ = LAUNCH.format(old="false", package="ros_gz_sim", file="gz_sim.launch.py", spawner="create", more=BRIDGE)
 
 
@@ -62,3 +68,14 @@ def test_what_the_variant_for_classic_lacks_in_gz_is_told(folder: Folder, bridge
     assert "gz-sim-imu-system: load it for the sensors of the robot with old:=true" in report
     assert after["urdf/base.xacro"].count('filename="gz-sim-imu-system"') == 1
     assert ("start a bridge of 'tilt' here, too: only other launch files do" in report) != bridged
+
+
+@pytest.mark.parametrize("started", [True, False])
+def test_the_plugin_of_a_variant_for_classic_becomes_that_of_gz_if_a_launch_file_starts_it(
+    folder: Folder, started: bool
+) -> None:
+    launches = {"launch/new.launch.py": GZ} | ({"launch/old.launch.py": CLASSIC} if started else {})
+    files = {"urdf/base.xacro": base(VARIANTS), "config/controllers.yaml": CONTROLLERS, **launches}
+    text = migrated(folder, files)["urdf/base.xacro"]
+    assert text.count('filename="gz_ros2_control-system"') == 1 + started
+    assert text.count('filename="libgazebo_ros2_control.so"') == 1 - started

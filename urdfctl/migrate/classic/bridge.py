@@ -104,7 +104,7 @@ def _unbridged(packages: MigratedPackages, folder: str) -> Iterator[Proposal]:
     for loaded in packages.loaded():
         launch = loaded.project.launch
         is_bridged = any(b"parameter_bridge" in packages.scratch.original(path) for path in loaded.sources)
-        if launch is None or is_bridged or packages.simulators_of(loaded) != {"gazebo-classic"}:
+        if launch is None or is_bridged or not packages.is_of_classic(loaded):
             continue
         tags = ((tag, {one.name: one.text for one in tag.children}) for tag in _in_gazebo(loaded, "plugin", "sensor"))
         own = [one for one in tags if one[0].at.source.path.startswith(folder + os.sep)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.classic.systems import library_of
 from urdfctl.migrate.edits.markup import ancestors, attribute, indent_of, indented, root_of, span_of, step_of
 from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.source.span import SourceSpan
@@ -51,3 +52,12 @@ def _declaration(element: Element) -> Iterator[Edit]:
         return
     text = f'\n{step_of(element.source)}<xacro:arg name="{CHOICE}" default="false"/>'
     yield Edit(SourceSpan(element.source, tag.end, tag.end), text)
+
+
+def is_started(packages: MigratedPackages, plugin: Element, library: str) -> bool:
+    """Return whether a launch file starts a robot in Gazebo Classic with a plugin of a file: it will start gz with it."""
+    targets = (one.project for one in packages.loaded() if one.project.launch and packages.is_of_classic(one))
+    robots = [] if packages.options.keep_classic else [one.robot for one in targets if one.robot is not None]
+    path = plugin.source.path
+    own = (one for robot in robots for one in robot.plugins if one.at.source.path == path)
+    return any(library_of(one.filename or "") == library for one in own)

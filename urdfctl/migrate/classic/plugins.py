@@ -9,7 +9,7 @@ from urdfctl.catalog.hardware import SimulatorPlugin
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.axles import axles
 from urdfctl.migrate.classic.bodies import OF_MODEL, moving_body
-from urdfctl.migrate.classic.choice import is_chosen, keeps_classic, replaced
+from urdfctl.migrate.classic.choice import is_chosen, is_started, keeps_classic, replaced
 from urdfctl.migrate.classic.loose_sensors import LOOSE
 from urdfctl.migrate.classic.published import AUTHORITY, published_elsewhere, reading
 from urdfctl.migrate.classic.sdf import OF_SDF
@@ -65,7 +65,11 @@ def _control(packages: MigratedPackages) -> Iterator[Proposal]:
         library = library_of(attribute(element, "filename"))
         if library == _OF_ROS1 and not packages.is_ros1:
             yield _removed(element, "the plugin for ros_control is removed: ROS 2 does not have it")
-        if library != CONTROL or is_chosen(element) or _has_both(element):
+        if (
+            library != CONTROL
+            or is_chosen(element)
+            or (_has_both(element) and not is_started(packages, element, CONTROL))
+        ):
             continue
         host = host_plugin(packages)
         if host is None:

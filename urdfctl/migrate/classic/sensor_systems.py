@@ -86,7 +86,7 @@ def _of_variants(packages: MigratedPackages) -> Iterator[Proposal]:
     worlds = b"".join(packages.read(path).data for path in packages.files(".sdf", ".world"))
     for loaded in packages.loaded():
         robot, root = loaded.project.robot, root_of(packages.read(os.path.realpath(loaded.project.path)))
-        if robot is None or root is None or packages.simulators_of(loaded) != {"gazebo-classic"}:
+        if robot is None or root is None or not packages.is_of_classic(loaded):
             continue
         kinds = (s.attributes.get("type", "") for gazebo in robot.gazebos for s in gazebo.tag.named("sensor"))
         needed = dict.fromkeys(SYSTEMS[kind] for kind in kinds if kind in SYSTEMS)
