@@ -284,3 +284,25 @@ def test_packages_that_use_each_other_do_not_depend_on_each_other(folder: Folder
     assert "<exec_depend>drive</exec_depend>" in arm
     assert "<exec_depend>arm</exec_depend>" not in drive
     assert "'arm' is used, but no dependency: it uses this package, too" in report
+
+
+OF_XACRO = """\
+project(arm)
+find_package(catkin REQUIRED COMPONENTS xacro std_msgs)
+catkin_package()
+# catkin_add_env_hooks(arm) writes to ${CATKIN_ENV_HOOK_WORKSPACE}
+include_directories(include ${catkin_INCLUDE_DIRS})
+function(std_logs_all)
+endfunction()
+std_logs_all()
+"""
+
+
+@pytest.mark.parametrize("calls", [True, False])
+def test_what_only_catkin_defines_and_a_build_file_still_names_is_told(folder: Folder, calls: bool) -> None:
+    made = "xacro_add_xacro_file(a.xacro ${CATKIN_DEVEL_PREFIX}/share/arm/a.urdf)\n" if calls else ""
+    report = migrated(folder, {"CMakeLists.txt": OF_XACRO + made, "urdf/arm.urdf": ROBOT})["MIGRATION.md"]
+    assert ("'xacro_add_xacro_file()' came with find_package(catkin)" in report) == calls
+    assert ("'CATKIN_DEVEL_PREFIX' is empty without catkin" in report) == calls
+    assert "came with" not in report.replace("'xacro_add_xacro_file()' came with", "")
+    assert "empty without" not in report.replace("'CATKIN_DEVEL_PREFIX' is empty without", "")

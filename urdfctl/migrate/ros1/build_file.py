@@ -46,6 +46,7 @@ _OF_CLASSIC = (r"find_package\s*\(\s*gazebo(?:_dev|_ros|_plugins)?\b[^)]*\)",)
 _INSTALLS = (
     r"\b(?:catkin_install_python|install)\s*\(\s*(?:PROGRAMS|FILES|DIRECTORY)\s+([^()]*?)\s+DESTINATION\b[^()]*\)"
 )
+_OF_CATKIN = "generate_dynamic_reconfigure_options|download_test_data|roslaunch_add_file_check"
 _INSTALLED = "cmake-commands: install(FILES) ends with an error where a file is missing; colcon installs each package"
 _TESTING = "docs.ros.org, launch_testing: tests that start processes"
 _NO_MODULES = (
@@ -81,6 +82,7 @@ def ament_build_file(packages: MigratedPackages, source: SourceText, *, name: st
     if has_modules and not modules and may_have_modules(packages, folder, name):
         entries.append(ReportEntry(EntryKind.FOR_YOU, _NO_MODULES, file=source.path, authority=_AUTHORITY))
     entries += _left(source, old)
+    entries += _unknown(source, old, text)
     return Proposal((Edit(SourceSpan(source, 0, len(source.data)), text),), entries=tuple(entries))
 
 
@@ -92,6 +94,20 @@ def _left(source: SourceText, old: str) -> Iterator[ReportEntry]:
     for path in dict.fromkeys(_not_there(source)):
         what = f"'{path}' is to be installed, but does not exist, so that colcon cannot install the package: remove it"
         yield ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_INSTALLED)
+
+
+def _unknown(source: SourceText, old: str, text: str) -> Iterator[ReportEntry]:
+    """Yield what only catkin, or a package that it found, defines, and the new build file still names."""
+    found = "".join(call[0] for call in _matches(old, rf"find_package\s*(?=\(\s*catkin\b){_ARGUMENTS}"))
+    of_packages = "|".join(map(re.escape, {"catkin", *re.findall(r"[a-z][\w-]*", found.partition("COMPONENTS")[2])}))
+    commands = {call[1] for call in _matches(text, rf"(?<![\w$])((?:{of_packages})_\w+|{_OF_CATKIN})\s*\(")}
+    for name in sorted(commands):
+        what = f"'{name}()' came with find_package(catkin): find the package that defines it, or CMake ends there"
+        yield ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_AUTHORITY)
+    code = re.sub(r"#[^\n]*", "", text)
+    for name in sorted({*re.findall(r"\$\{(CATKIN_\w+)\}", code)}):
+        what = f"'{name}' is empty without catkin: write another path in its place"
+        yield ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_AUTHORITY)
 
 
 def _header_rules(folder: str, old: str, text: str) -> str:
