@@ -127,6 +127,16 @@ def test_a_package_that_launch_or_xacro_looks_for_is_told_if_it_may_not_exist(fo
     ]
 
 
+def test_a_file_of_a_description_that_ros_2_has_with_other_files_is_told(folder: Folder) -> None:
+    files = ("ur_description)/urdf/ur7.urdf.xacro", "velodyne_description)/urdf/VLP-16.urdf.xacro", "arm)/urdf/a.xacro")
+    included = "".join(f'<xacro:include filename="$(find {file}"/>\n' for file in files)
+    robot = arm(transmission("EffortJointInterface"), included)
+    report = migrated(folder, {"urdf/arm.xacro": robot, "urdf/a.xacro": "<robot/>"})["MIGRATION.md"]
+    assert "check that 'ur_description' of jazzy has 'urdf/ur7.urdf.xacro', with what the simulator needs" in report
+    assert "VLP-16" not in report
+    assert "'urdf/a.xacro', with" not in report
+
+
 def test_an_integer_is_a_double_where_the_node_of_ros_2_declares_one(folder: Folder) -> None:
     inside = '<param name="yaw_offset" value="0"/><param name="zero_altitude" value="true"/>'
     node = f'<node name="gps" pkg="robot_localization" type="navsat_transform_node">{inside}</node>'

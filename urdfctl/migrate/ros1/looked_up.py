@@ -12,6 +12,7 @@ from urdfctl.migrate.ros1.lost_packages import is_lost
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry
 
 _AUTHORITY = "ament_index_python get_package_share_directory(): PackageNotFoundError"
+_FILES = "xacro: 'No such file or directory'; the descriptions of ROS 2 have other files, for ros2_control"
 _LAUNCHES = (".launch.py", ".launch.xml")
 _LOOKUP = re.compile(
     r"(?P<source>LaunchDescriptionSource\(\[?\s*)?FindPackageShare\(['\"](?P<share>[\w-]+)['\"]\)"
@@ -28,8 +29,26 @@ _IN_ROS_2 = re.compile(
 """Packages that the distros have; those of Gazebo are told by other steps."""
 
 
+_INCLUDED = re.compile(r"<xacro:include\b[^<>]*\bfilename=(['\"])\$\(find\s+([\w-]+)\s*\)/([^'\"$]+)\1")
+_WITH_SAME_FILES = ("realsense2_description", "velodyne_description", "xacro")
+"""Packages whose descriptions have the same files in ROS 2."""
+
+
 def looked_up_packages(packages: MigratedPackages) -> Iterator[Proposal]:
-    """Yield the proposals to tell, for each file, the packages that it looks for and that may not exist."""
+    """Yield the proposals to tell, for each file, the packages and files that it looks for and that may not exist."""
+    yield from _missing_packages(packages)
+    own = {*own_packages(packages), *packages.options.successors}
+    for path in packages.files(*OF_XML):
+        text = packages.read(path).data.decode("utf-8", "replace")
+        for found in _INCLUDED.finditer(re.sub(_COMMENT[".xml"], "", text)):
+            name, file = found[2], found[3]
+            if name not in own and _IN_ROS_2.fullmatch(name) and name not in _WITH_SAME_FILES:
+                what = f"check that '{name}' of {packages.options.target} has '{file}', with what the simulator needs"
+                entry = ReportEntry(EntryKind.FOR_YOU, what, file=os.path.realpath(path), authority=_FILES)
+                yield Proposal(entries=(entry,))
+
+
+def _missing_packages(packages: MigratedPackages) -> Iterator[Proposal]:
     own = {*own_packages(packages), *packages.options.successors}
     told: set[tuple[str, str]] = set()
     for path in packages.files(*_LAUNCHES, *OF_XML):
