@@ -137,3 +137,27 @@ def test_a_joint_that_mimics_another_is_in_the_component_of_that_one_only(folder
         0,
         1,
     ]
+
+
+SPARE = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="toe" params="side">
+    <link name="${side}_toe"/>
+    <joint name="${side}_bend" type="continuous"><parent link="body"/><child link="${side}_toe"/></joint>
+    <transmission name="${side}_t"><type>transmission_interface/SimpleTransmission</type>
+      <joint name="${side}_bend"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+      <actuator name="${side}_m"/></transmission>
+  </xacro:macro>
+  <xacro:macro name="fore_paw" params="side"><xacro:toe side="${side}"/></xacro:macro>
+  <xacro:macro name="hind_paw" params="side"><xacro:toe side="${side}"/></xacro:macro>
+</robot>
+"""
+
+
+def test_macros_that_no_robot_calls_do_not_keep_the_robot_from_its_components(folder: Folder) -> None:
+    """They are expanded for themselves: the definition of one is where it is called, too."""
+    robots = {"limbs.xacro": MACROS, "walker.urdf.xacro": WALKER}
+    after = migrated(folder, {**robots, "old/paws.xacro": SPARE}, "--simulator", "none")
+    assert "has no counterpart in ROS 2" not in after["MIGRATION.md"]
+    assert "<xacro:parts.limb_ros2_control/>" in after["walker.urdf.xacro"]
+    assert after["old/paws.xacro"].count('<xacro:toe_ros2_control side="${side}"/>') == 2

@@ -136,6 +136,8 @@ class Gathering:
             call = element_at(self._read[path], start)
             if call is None:
                 raise UnreadableTransmission("the calls of its macro cannot be found")
+            if call.tagName == MACRO:  # no file calls it: it was expanded for itself, without a robot
+                continue
             text = _idle_text(parts, (path, start)) or f"{_written(call) if is_pure else _call_text(call, own)}\n"
             item = PartItem(
                 element=call, text=text, paths=frozenset(paths), stays=not is_pure, names=(), arguments=arguments
