@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from folder import Folder
 from ros1_packages import arm, migrated, transmission
 
@@ -199,3 +200,39 @@ def test_the_manager_of_one_of_several_robots_reads_the_description_that_is_star
     (folder.path / "new").rename(folder.path / "first")
     after = migrated(folder, {**files, "launch/arm.launch": inside}, "--simulator", "gz")
     assert "<remapping>" not in after["arm.urdf.xacro"]
+
+
+GRIP = "grip: {type: effort_controllers/JointEffortController, joint: shoulder}\n"
+LOADED = '<rosparam command="load" file="$(find arm)/config/grip.yaml" ns="left"/>'
+
+
+@pytest.mark.parametrize(
+    ("spawner", "manager"),
+    [
+        ('args="left/grip"', 'executable="ros2_control_node", parameters='),
+        ('args="grip" ns="left"', 'executable="ros2_control_node", namespace="left",'),
+        ('args="--namespace=/left grip"', 'executable="ros2_control_node", namespace="/left",'),
+    ],
+)
+def test_the_manager_is_where_the_spawner_of_its_controllers_looks_for_it(
+    folder: Folder, spawner: str, manager: str
+) -> None:
+    node = f'<node name="s" pkg="controller_manager" type="spawner" {spawner}/>'
+    files = {"arm.urdf.xacro": arm(transmission("hardware_interface/EffortJointInterface")), "config/grip.yaml": GRIP}
+    after = migrated(folder, files | {"launch/arm.launch": launch(DESCRIPTION, LOADED, node)}, "--simulator", "none")
+    assert manager in " ".join(after["launch/arm.launch.py"].split())
+
+
+@pytest.mark.parametrize(("included", "starts"), [("base_description", False), ("hokuyo_description", True)])
+def test_a_simulated_robot_of_which_a_part_is_elsewhere_gets_no_manager_beside_that_of_the_simulator(
+    folder: Folder, included: str, starts: bool
+) -> None:
+    """The plugin may be in the part that is not here, unless that is a sensor."""
+    part = f'<xacro:include filename="$(find {included})/urdf/part.xacro"/>\n'
+    own = arm(transmission("hardware_interface/EffortJointInterface"), part)
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="grip"/>'
+    lines = (DESCRIPTION, LOADED.replace(' ns="left"', ""), spawner, SPAWN, PUBLISHER.format(more=""))
+    files = {"arm.urdf.xacro": own, "config/grip.yaml": GRIP, "launch/arm.launch": launch(*lines)}
+    after = migrated(folder, files, "--simulator", "gz")
+    assert ("ros2_control_node" in after["launch/arm.launch.py"]) == starts
+    assert ("let the plugin of gz in it load" in after["MIGRATION.md"]) != starts

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.migrate.launch.actions import (
@@ -340,8 +341,9 @@ class LaunchReading(Notes):
     def _manager(self, element: Element, file: Text) -> Action:
         """The controller manager, in the namespace of the spawners."""
         spawners = [node for node in _all(root_around(element)) if node.attrs.get("type") == "spawner"]
-        spaces = (node.attrs.get("ns", "") or space_beyond(node, element) for node in spawners)
-        space = next((each for each in spaces if each.strip("/")), element.attrs.get("ns", ""))
+        spaces = [_space_of(node) or space_beyond(node, element) for node in spawners]
+        usual = "" if spaces else element.attrs.get("ns", "")
+        space = next((each for each in spaces if each.strip("/")), usual)
         groups = "" if space.startswith("/") else space_around(element)
         full = "/".join(filter(None, (groups, space.strip("/"))))
         return Action(
@@ -367,6 +369,12 @@ class LaunchReading(Notes):
 
 def _variable(element: Element) -> Action:
     return Action("set_env", element.attrs.get("name", ""), parsed(element.attrs.get("value", "")))
+
+
+def _space_of(spawner: Element) -> str:
+    """The namespace of the manager of a spawner, as it says itself."""
+    given = re.search(r"--namespace[=\s]+(\S+)", spawner.attrs.get("args", ""))
+    return given[1] if given else spawner.attrs.get("ns", "")
 
 
 def _name_of(element: Element) -> str:

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
+
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
 from urdfctl.generate.files.hardware import hardware, host
 from urdfctl.generate.options import GeneratorOptions
 from urdfctl.migrate.packages import OF_XML, MigratedPackages
+from urdfctl.source.workspaces.packages import package_name
 
 HARDWARE_OPTION = "--hardware PLUGIN"
 
 
 _HARDWARE = (b"<transmission", b"<ros2_control", b":ros2_control")
+_INCLUDED = re.compile(rb"<(?:xacro:)?include\b[^<>]*\bfilename=['\"]\$\(find\s+([\w-]+)\s*\)")
+_OF_SENSORS = re.compile(r"realsense|velodyne|hokuyo|sick|kinect|astra|zed|camera|lidar|laser|sensor|imu")
 _HOSTS = (
     b"libgazebo_ros_control.so",
     b"libhwi_switch_gazebo_ros_control.so",
@@ -30,13 +36,21 @@ def simulated_by(packages: MigratedPackages) -> str:
 
 
 def described_elsewhere(packages: MigratedPackages) -> bool:
-    """Return whether launch files put a robot into Gazebo whose hardware no description here has: its package is
-    another one."""
-    if packages.found(_has_host) or any(
-        mark in packages.read(path).data for path in packages.files(*OF_XML) for mark in _HARDWARE
+    """Return whether launch files put a robot into Gazebo whose hardware no description here has, or not all of it: its
+    package, or one that it includes files of, is another one."""
+    texts = [packages.read(path).data for path in packages.files(*OF_XML)]
+    if packages.found(_has_host) or not any(
+        b"spawn_model" in packages.read(path).data for path in packages.files(".launch", ".xml")
     ):
         return False
-    return any(b"spawn_model" in packages.read(path).data for path in packages.files(".launch", ".xml"))
+    return not any(mark in text for text in texts for mark in _HARDWARE) or _includes_others(packages, texts)
+
+
+def _includes_others(packages: MigratedPackages, texts: Sequence[bytes]) -> bool:
+    """Whether descriptions include files of packages that are not here, and may be more than sensors."""
+    own = {name for path in packages.files("package.xml") if (name := package_name(path))}
+    included = {found[1].decode() for text in texts for found in _INCLUDED.finditer(text)}
+    return any(name not in own and not _OF_SENSORS.search(name) for name in included)
 
 
 def _has_host(packages: MigratedPackages) -> bool:
