@@ -320,3 +320,20 @@ def test_a_migration_of_nothing_changes_nothing(folder: Folder, tmp_path: Path) 
     ran = folder.run("migrate", "empty", "--to", "jazzy")
     assert ran.returncode in (0, 2), ran.stderr
     assert tmp_path.exists()
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("FROM ros:humble-ros-base\nRUN apt-get install -y ros-humble-xacro\n", True),
+        ("FROM ubuntu:22.04\nENV ROS_DISTRO=humble\n", True),
+        ("# FROM ros:humble\nFROM ros:jazzy-ros-base\nRUN echo humble ros-people\n", False),
+    ],
+)
+def test_an_image_with_the_earlier_distro_is_told(folder: Folder, text: str, told: bool) -> None:
+    folder.write({"arm/docker/Dockerfile": text, "arm/package.xml": MANIFEST, "arm/start.sh": ". /opt/ros/humble/s\n"})
+    ran = folder.run("migrate", "arm", *HUMBLE, "--to", "jazzy", "-o", "new", "--force")
+    assert ran.returncode == 0, ran.stderr
+    report = (folder.path / "new" / "MIGRATION.md").read_text()
+    assert ("the image has humble: make it of jazzy, with its packages" in report) == told
+    assert (folder.path / "new" / "docker" / "Dockerfile").read_text() == text

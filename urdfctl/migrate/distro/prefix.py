@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.diagnostic import Edit
@@ -15,6 +16,7 @@ from urdfctl.source.disk.files import is_launch
 from urdfctl.source.span import Place, SourceSpan
 
 _AUTHORITY = "docs.ros.org, Installation, Deb packages: /opt/ros/DISTRO"
+_IMAGE = re.compile(rb"(?m)^(?![ \t]*#).*?(?:\b(?:ros|ros-core|ros-base|desktop)[:-]|\bROS_DISTRO[= ])([a-z]+)\b")
 _PATH = re.compile(rb"(?<=/opt/ros/)[a-z]+(?![\w-])")
 
 
@@ -33,6 +35,21 @@ def _prefixes(packages: MigratedPackages) -> Iterator[Proposal]:
                 at = Place(source, edits[0].span.start, end=edits[0].span.end)
                 what = f"'/opt/ros/{edits[0].span.text}' became '/opt/ros/{target}'"
                 yield Proposal(edits, entries=(ReportEntry(EntryKind.DONE, what, at, authority=_AUTHORITY),))
+    yield from _images(packages, earlier)
+
+
+def _images(packages: MigratedPackages, earlier: Collection[bytes]) -> Iterator[Proposal]:
+    """Tell the files that make an image with an earlier distro: which packages another one has, they do not say."""
+    for path in packages.files():
+        name = os.path.basename(path).lower()
+        if not name.startswith("dockerfile") and not name.endswith(".dockerfile"):
+            continue
+        source = packages.read(path)
+        found = next((one for one in _IMAGE.finditer(source.data) if one[1] in earlier), None)
+        if found is not None:
+            at = Place(source, found.start(1), end=found.end(1))
+            what = f"the image has {found[1].decode()}: make it of {packages.options.target}, with its packages"
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, what, at, authority=_AUTHORITY),))
 
 
 PREFIX = Step(
