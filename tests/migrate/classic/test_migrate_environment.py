@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from classic_packages import CONTROL, CONTROLLERS, MANIFEST, base, migrated
+from classic_packages import CONTROL, CONTROLLERS, DRIVE, MANIFEST, base, migrated
 from folder import Folder
 
 MESH = '  <link name="shell"><visual><geometry><mesh filename="package://base/meshes/shell.stl"/></geometry></visual></link>\n'
@@ -164,3 +164,26 @@ def test_a_package_exports_the_folder_in_which_its_worlds_find_models(
     manifest = after(folder, {f"{model}/model.config": "<model/>\n", "worlds/w.world": world})["package.xml"]
     assert (f'gazebo_model_path="{exported}"/>' in manifest) == (exported is not None)
     assert ("gazebo_model_path" in manifest) == (exported is not None)
+
+
+SPAWNS = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    robot = os.path.join(get_package_share_directory("{package}"), "urdf", "base.xacro")
+    spawn = Node(package="gazebo_ros", executable="spawn_entity.py", arguments=["-entity", "base", "-file", robot])
+    return LaunchDescription([ExecuteProcess(cmd=["gazebo"]), spawn])
+"""
+
+
+@pytest.mark.parametrize(("package", "is_here"), [("base", True), ("cart_description", False)])
+def test_a_robot_whose_description_is_not_here_is_told(folder: Folder, package: str, is_here: bool) -> None:
+    robot = {"urdf/base.xacro": base(DRIVE)} if is_here else {}
+    report = migrated(folder, {**robot, "launch/sim.launch.py": SPAWNS.format(package=package)})["MIGRATION.md"]
+    assert ("the robot is described in 'cart_description', not here" in report) != is_here
+    assert "is described in 'base'" not in report

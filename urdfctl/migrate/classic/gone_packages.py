@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import re
 from collections.abc import Iterator
 
@@ -12,10 +13,12 @@ from urdfctl.migrate.edits.markup import attribute, elements, root_of
 from urdfctl.migrate.edits.python_edits import PythonFile, called, text_of
 from urdfctl.migrate.options import Part
 from urdfctl.migrate.packages import MigratedPackages
+from urdfctl.migrate.shared.hardware import goes_to_gz
 from urdfctl.migrate.step import EntryKind, Proposal, ReportEntry, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.model.launch.ros1 import is_of_ros2
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.workspaces.packages import package_name
 
 _GONE = frozenset("gazebo_ros gazebo_plugins gazebo_ros2_control gazebo_ros_pkgs gazebo_msgs gazebo_dev".split())
 _PATHS = ("join", "PathJoinSubstitution", "PythonLaunchDescriptionSource", "AnyLaunchDescriptionSource", "Path", "str")
@@ -23,12 +26,15 @@ _LOOKUPS = ("get_package_share_directory", "get_package_share_path", "get_packag
 _AUTHORITY = (
     "rosdistro#41224: not in jazzy; ament_index_python get_package_share_directory() raises PackageNotFoundError"
 )
+_BRIDGED = "ros_gz_bridge README: config_file"
+_SPAWNED, _OF_DESCRIPTIONS = b"spawn_entity.py", re.compile("description|urdf")
 _XML = re.compile(r"\$\(find-pkg-(?:share|prefix)\s+(\w+)\s*\)")
 
 
 def _gone_packages(packages: MigratedPackages) -> Iterator[Proposal]:
     if packages.options.target not in since("jazzy"):
         return
+    yield from _described_elsewhere(packages) if goes_to_gz(packages) else ()
     for path in packages.files(".py"):
         source = packages.read(path)
         if b"gazebo_" in source.data and b"generate_launch_description" in source.data and packages.may_change(path):
@@ -40,6 +46,24 @@ def _gone_packages(packages: MigratedPackages) -> Iterator[Proposal]:
             texts = " ".join(attribute(element, name) for name in element.attrs)
             for name in dict.fromkeys(_XML.findall(texts)):
                 yield from [for_you(element.at, _left(packages, name), authority=_AUTHORITY)] if name in _GONE else []
+
+
+def _described_elsewhere(packages: MigratedPackages) -> Iterator[Proposal]:
+    """Tell the robots that launch files spawned in Gazebo Classic, and whose description is in a package that is not
+    here: nothing of it was migrated, and none of its topics is bridged."""
+    own = {package_name(path) for path in packages.files("package.xml")}
+    robots = (one for one in packages.loaded() if one.project.robot is not None and one.project.robot.links)
+    known = {os.path.realpath(path) for one in robots for path in one.sources}
+    for path in packages.files(".py"):
+        is_spawning = _SPAWNED in packages.scratch.original(path) and os.path.realpath(path) not in known
+        source = packages.read(path)
+        if not is_spawning or not packages.may_change(path):
+            continue
+        given = (call.args[0] for call, _ in PythonFile(source).calls(*_LOOKUPS) if call.args)
+        others = dict.fromkeys(name for one in given if (name := text_of(one)) and name not in own)
+        if names := [f"'{name}'" for name in others if _OF_DESCRIPTIONS.search(name)]:
+            what = f"the robot is described in {' or '.join(names)}, not here: migrate that too, and bridge its topics"
+            yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_BRIDGED),))
 
 
 def _left(packages: MigratedPackages, name: str) -> str:
