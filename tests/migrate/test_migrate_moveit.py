@@ -400,9 +400,10 @@ def test_moveit_loads_the_pipelines_that_it_loaded_in_ros_1_and_no_others(folder
 
 
 def test_the_planner_of_pilz_has_the_name_and_the_limits_of_moveit_2(folder: Folder) -> None:
-    limits = "cartesian_limits: {max_trans_vel: 1}\n"
+    limits = "cartesian_limits:\n  max_trans_vel: 1  # m/s\n  max_trans_dec: -5\n  max_rot_vel: 1.57\n"
     after = with_pipelines(folder, {"config/cartesian_limits.yaml": limits})
-    assert after["config/pilz_cartesian_limits.yaml"] == limits
+    doubles = limits.replace("vel: 1 ", "vel: 1.0 ").replace("-5", "-5.0")
+    assert after["config/pilz_cartesian_limits.yaml"] == doubles
     assert "config/cartesian_limits.yaml" not in after
     pilz = after["config/pilz_industrial_motion_planner_planning.yaml"]
     assert "- pilz_industrial_motion_planner/CommandPlanner" in pilz
@@ -419,3 +420,18 @@ def test_a_planner_that_moveit_2_has_not_is_told(folder: Folder, own: bool) -> N
     report = (folder.path / "new" / "MIGRATION.md").read_text()
     assert ("check that jazzy has the planner 'lattice/Planner'" in report) != own
     assert "has the planner 'pilz" not in report
+
+
+def test_the_publisher_is_started_once_where_the_planning_context_is_included_too(folder: Folder) -> None:
+    publisher = '<node name="p" pkg="robot_state_publisher" type="robot_state_publisher"/>'
+    context = """\
+<include file="$(find arm_moveit)/launch/planning_context.launch">
+  <arg name="load_robot_description" value="true"/>
+</include>
+"""
+    files = {
+        "launch/move_group.launch": STARTED,
+        "launch/planning_context.launch": '<launch><arg name="load_robot_description" default="false"/></launch>\n',
+        "launch/demo.launch": f"<launch>{context}{publisher}</launch>\n",
+    }
+    assert migrated(folder, files)["launch/demo.launch.py"].count("/rsp.launch.py") == 1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from urdfctl.migrate.launch.actions import Action, parsed
+from urdfctl.migrate.launch.actions import Action, parsed, plain
 from urdfctl.migrate.ros1.moveit_launch import PUBLISHER_FILE
 
 
@@ -14,6 +14,7 @@ def with_description(actions: Sequence[Action], *, makes_publisher: bool) -> lis
     makes_publisher: whether MoveIt makes that one beside the launch file, which includes it then.
     """
     found = []
+    makes_publisher = makes_publisher and not any(map(_includes_publisher, actions))
     for action in actions:
         if not _is_idle(action):
             inner = with_description(action.inner, makes_publisher=makes_publisher)
@@ -21,6 +22,12 @@ def with_description(actions: Sequence[Action], *, makes_publisher: bool) -> lis
         elif makes_publisher:
             found.append(Action("include", value=parsed(f"$(dirname)/{PUBLISHER_FILE}"), condition=action.condition))
     return found
+
+
+def _includes_publisher(action: Action) -> bool:
+    """Whether an action always includes the launch file with the description: a second one would be started twice."""
+    is_included = action.kind == "include" and action.condition is None
+    return is_included and plain(action.value or ()).endswith(f"/{PUBLISHER_FILE}")
 
 
 def _is_idle(action: Action) -> bool:

@@ -28,6 +28,7 @@ _PIPELINE = "_planning_pipeline.launch.xml"
 _OF_PIPELINES = ("planning_plugin", "request_adapters", "start_state_max_bounds_error")
 _OF_EXECUTION = ("allowed_execution_duration_scaling", "allowed_goal_duration_margin", "allowed_start_tolerance")
 _LIMITS = ("max_velocity", "max_acceleration", "max_jerk", "min_position", "max_position", "min_velocity")
+_WHOLE_LIMIT = re.compile(r"(\bmax_(?:trans|rot)_(?:vel|acc|dec):[ \t]*[-+]?\d+)(?![\d.eE])")
 _INTEGER = re.compile(r"[-+]?\d+")
 _REFERENCE = re.compile(r"\$\(arg (\w+)\)")
 _CONTROLLERS = "moveit2 moveit_simple_controller_manager: controller_names, and a map for each"
@@ -213,7 +214,8 @@ def _of_pilz(packages: MigratedPackages) -> Iterator[Proposal]:
         if is_of_moveit(path) and not exists(new):
             entry = ReportEntry(EntryKind.DONE, f"{CARTESIAN_LIMITS} became {PILZ_LIMITS}", file=new, authority=_PILZ)
             edits = tuple(renamed_parameters(packages, [path], new))
-            yield Proposal(edits, ((new, packages.read(path).data.decode("utf-8", "replace")),), (path,), (entry,))
+            text = _WHOLE_LIMIT.sub(r"\1.0", packages.read(path).data.decode("utf-8", "replace"))
+            yield Proposal(edits, ((new, text),), (path,), (entry,))
 
 
 def _moveit_files(packages: MigratedPackages) -> Iterator[Proposal]:
