@@ -70,6 +70,16 @@ def test_what_the_variant_for_classic_lacks_in_gz_is_told(folder: Folder, bridge
     assert ("start a bridge of 'tilt' here, too: only other launch files do" in report) != bridged
 
 
+def test_a_bridge_that_the_migration_itself_writes_is_not_missed_elsewhere(folder: Folder) -> None:
+    """A second launch file includes the one that gets it."""
+    more = CLASSIC.replace('"gazebo_ros"', '"trolley"').replace("gazebo.launch.py", "old.launch.py")
+    robot = base(CONTROL + SENSOR.format(inside=PLUGIN))
+    launches = {"launch/old.launch.py": CLASSIC, "launch/all.launch.py": more.split("        Node(")[0] + "    ])\n"}
+    after = migrated(folder, {"urdf/base.xacro": robot, "config/controllers.yaml": CONTROLLERS, **launches})
+    assert "parameter_bridge" in after["launch/old.launch.py"]
+    assert "here, too" not in (folder.path / "new" / "MIGRATION.md").read_text()
+
+
 @pytest.mark.parametrize("started", [True, False])
 def test_the_plugin_of_a_variant_for_classic_becomes_that_of_gz_if_a_launch_file_starts_it(
     folder: Folder, started: bool

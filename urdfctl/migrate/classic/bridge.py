@@ -83,7 +83,8 @@ def _bridge(packages: MigratedPackages) -> Iterator[Proposal]:
     ):
         path = os.path.join(folder, BRIDGE_FILE)
         if exists(path) or _has_bridge(packages):
-            yield from _unbridged(packages, folder)
+            if packages.found(_had_bridge):
+                yield from _unbridged(packages, folder)
             continue
         found = (
             topic._replace(name=_valid(topic.name), in_ros=_valid(topic.in_ros)) for topic in _topics(packages, folder)
@@ -130,6 +131,12 @@ def _has_bridge(packages: MigratedPackages) -> bool:
 
 def _starts_bridge(packages: MigratedPackages) -> bool:
     return any(b"parameter_bridge" in packages.read(path).data for path in packages.files(".py", ".launch.xml"))
+
+
+def _had_bridge(packages: MigratedPackages) -> bool:
+    """Whether they already started one before they were migrated."""
+    files = packages.files(".py", ".launch.xml", ".launch")
+    return any(b"parameter_bridge" in packages.scratch.original(path) for path in files)
 
 
 def _topics(packages: MigratedPackages, folder: str) -> Iterator[Topic]:
