@@ -410,3 +410,26 @@ def test_a_file_of_another_form_is_not_taken_for_that_of_the_bridge(folder: Fold
     }
     text = migrated(folder, files, "--simulator", "gz")["launch/sim.launch.py"]
     assert '"config_file": [FindPackageShare("arm"), "/config/bridge.yaml"]' in text
+
+
+@pytest.mark.parametrize(
+    ("world", "is_told"),
+    [
+        ("worlds/$(arg place).world", True),
+        ("worlds/mud.world", True),
+        ("worlds/hall.world", False),
+        ("$(find arm)/worlds/hall.world", False),
+        ("worlds/empty.world", False),
+    ],
+)
+def test_a_world_that_came_with_gazebo_classic_is_told(folder: Folder, world: str, is_told: bool) -> None:
+    launch = f"""\
+<launch>
+  <arg name="place" default="mud"/>
+  <include file="$(find gazebo_ros)/launch/empty_world.launch"><arg name="world_name" value="{world}"/></include>
+</launch>
+"""
+    own = '<sdf version="1.6"><world name="hall"/></sdf>\n'
+    files = {"urdf/arm.urdf.xacro": ROBOT, "launch/sim.launch": launch, "worlds/hall.world": own}
+    report = migrated(folder, files)["MIGRATION.md"]
+    assert ("gz has none of the worlds that Gazebo Classic came with" in report) == is_told

@@ -26,6 +26,7 @@ _LOOKUPS = ("get_package_share_directory", "get_package_share_path", "get_packag
 _AUTHORITY = (
     "rosdistro#41224: not in jazzy; ament_index_python get_package_share_directory() raises PackageNotFoundError"
 )
+_WORLDS = "gz-sim Server: 'Unable to find or download file'; gazebo worlds/: cafe.world, willowgarage.world and others"
 _BRIDGED = "ros_gz_bridge README: config_file"
 _SPAWNED, _OF_DESCRIPTIONS = b"spawn_entity.py", re.compile("description|urdf")
 _XML = re.compile(r"\$\(find-pkg-(?:share|prefix)\s+(\w+)\s*\)")
@@ -39,6 +40,8 @@ def _gone_packages(packages: MigratedPackages) -> Iterator[Proposal]:
         source = packages.read(path)
         if b"gazebo_" in source.data and b"generate_launch_description" in source.data and packages.may_change(path):
             yield from _in_python(packages, PythonFile(source))
+        if b"gz_args" in source.data and goes_to_gz(packages) and packages.may_change(path):
+            yield from _worlds(packages, PythonFile(source))
     for path in packages.files(".launch.xml", "_launch.xml", ".launch"):
         source = packages.read(path)
         root = root_of(source) if b"find-pkg-" in source.data and packages.may_change(path) else None
@@ -64,6 +67,26 @@ def _described_elsewhere(packages: MigratedPackages) -> Iterator[Proposal]:
         if names := [f"'{name}'" for name in others if _OF_DESCRIPTIONS.search(name)]:
             what = f"the robot is described in {' or '.join(names)}, not here: migrate that too, and bridge its topics"
             yield Proposal(entries=(ReportEntry(EntryKind.FOR_YOU, what, file=source.path, authority=_BRIDGED),))
+
+
+def _worlds(packages: MigratedPackages, file: PythonFile) -> Iterator[Proposal]:
+    """Leave the worlds that Gazebo Classic came with to a person: 'worlds/NAME.world' without a folder before it."""
+    own = {os.path.basename(path) for path in packages.files(".world", ".sdf")}
+    pairs = [
+        pair
+        for node in ast.walk(file.tree or ast.Module([], []))
+        for pair in (zip(node.keys, node.values, strict=True) if isinstance(node, ast.Dict) else ())
+    ]
+    for key, value in pairs:
+        parts = value.elts if isinstance(value, ast.List) else [value]
+        if key is None or text_of(key) != "gz_args":
+            continue
+        for before, part in zip((None, *parts), parts, strict=False):
+            words = text_of(part).split(" ") if isinstance(part, ast.Constant) else [""]
+            begins = before is None or len(words) > 1 or "PythonExpression" in ast.dump(before)
+            if begins and words[-1].startswith("worlds/") and os.path.basename(words[-1]) not in own:
+                what = "gz has none of the worlds that Gazebo Classic came with, and ends: name the path of a world"
+                yield for_you(file.at(part), what, authority=_WORLDS)
 
 
 def _left(packages: MigratedPackages, name: str) -> str:
