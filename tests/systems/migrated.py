@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -12,16 +13,16 @@ from simulated_start import faults, spawned
 from started import NotStarted, started
 
 from systems.draw import draw
-from systems.idioms import drawn
+from systems.idioms import drawn, settled
 from systems.possible import Idioms
 from systems.render import Workspace, render
-from systems.system import CLASSIC
+from systems.system import CLASSIC, System
 from urdfctl import api
 from urdfctl.diagnostic import Severity
 
 _TARGET = "jazzy"
-_GIVEN = {"robot_ip": "10.0.0.1"}
-"""The values of the arguments that a person must give."""
+_ADDRESS = "robot_ip:=10.0.0.1"
+"""The argument that a person must give where no document gives it."""
 Started = list[dict[str, Any]]
 
 
@@ -33,20 +34,30 @@ class Migrated(NamedTuple):
     wrong: tuple[str, ...]
 
 
-def is_migrated(seed: int) -> bool:
-    """Return whether the system of a seed is one of Gazebo Classic, with a description that is there."""
+def is_migrated(seed: int, wanted: Idioms | None = None) -> bool:
+    """Return whether the system of a seed is one of Gazebo Classic, with a description that is there, and can be
+    written in wanted idioms, if any are."""
     system = draw(seed, is_faulty=False)
-    return system.simulator == CLASSIC and drawn(system)["source"] != "built"
+    idioms = _idioms(system, wanted)
+    is_wanted = all(idioms[name] == position for name, position in (wanted or {}).items())
+    return system.simulator == CLASSIC and idioms["source"] != "built" and is_wanted
 
 
-def migrated(seed: int) -> Migrated:
-    """Migrate the system of a seed, without an inconsistency and with nothing beside it, and judge the result."""
+def migrated(seed: int, wanted: Idioms | None = None) -> Migrated:
+    """Migrate the system of a seed, without an inconsistency and with nothing beside it, and judge the result.
+
+    wanted: the idioms to write it in, with all other switches plain; those of the seed if None.
+    """
     system = draw(seed, is_faulty=False)
-    workspace = render(system, {**drawn(system), "distractor": "none"})
+    workspace = render(system, {**_idioms(system, wanted), "distractor": "none"})
     with TemporaryDirectory(prefix="urdfctl-migrated-") as name:
         folder = Path(name).resolve() / "src"
         workspace.write(folder)
         return Migrated(seed, workspace.idioms, tuple(_wrong(workspace, folder)))
+
+
+def _idioms(system: System, wanted: Idioms | None) -> Idioms:
+    return drawn(system) if wanted is None else settled(system, wanted)
 
 
 def _wrong(workspace: Workspace, folder: Path) -> Iterator[str]:
@@ -75,7 +86,7 @@ def _of_starts(workspace: Workspace, folder: Path) -> Iterator[str]:
                 yield f"{start} has no successor"
             return
         try:
-            found.append(started(path, folder, *(f"{name}:={value}" for name, value in _GIVEN.items())))
+            found.append(started(path, folder, _ADDRESS, *_documented(workspace)))
         except NotStarted as error:
             if "No module named 'launch_" not in str(error):
                 yield f"{path.name} raises {str(error).splitlines()[-1]}"
@@ -87,6 +98,12 @@ def _of_starts(workspace: Workspace, folder: Path) -> Iterator[str]:
     names = set().union(*map(spawned, found))
     if names != wanted:
         yield f"spawned are {sorted(names)}, before {sorted(wanted)}"
+
+
+def _documented(workspace: Workspace) -> list[str]:
+    """The arguments that documents and scripts start launch files with."""
+    texts = (text for path, text in workspace.files.items() if path.endswith((".md", ".rst", ".txt", ".sh", ".bash")))
+    return [word for text in texts for word in re.findall(r"\b\w+:=[^\s`]+", text)]
 
 
 def _of_lint(folder: Path) -> Iterator[str]:

@@ -7,7 +7,9 @@ from itertools import islice
 import pytest
 from sampling import examples
 
+from systems.draw import draw
 from systems.migrated import is_migrated, migrated
+from systems.possible import Idioms
 
 SEEDS = list(islice(filter(is_migrated, range(1000)), 60))
 
@@ -17,7 +19,17 @@ def test_a_migrated_system_starts_what_it_started_before(seed: int) -> None:
     assert migrated(seed).wrong == ()
 
 
-@pytest.mark.parametrize("seed", [13, 97, 1089])
-def test_controllers_that_launch_files_write_or_choose_start_after_a_migration(seed: int) -> None:
-    """The first two write controllers in launch files; in the last one an argument chooses the file of each robot."""
-    assert migrated(seed).wrong == ()
+@pytest.mark.parametrize(
+    "wanted",
+    [
+        {"parameters": "inline"},
+        {"parameters": "inline", "namespacing": "group"},
+        {"fleet": "shared", "depth": "nested", "loading": "attribute"},
+    ],
+    ids=["written in the launch file", "written there for each robot", "in a file that an argument chooses"],
+)
+def test_controllers_start_after_a_migration_wherever_they_are_written(wanted: Idioms) -> None:
+    seed = next(
+        seed for seed in range(5000) if draw(seed, is_faulty=False).generation == 1 and is_migrated(seed, wanted)
+    )
+    assert migrated(seed, wanted).wrong == ()
