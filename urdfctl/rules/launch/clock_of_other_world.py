@@ -13,6 +13,8 @@ from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, MANIFEST, PU
 _RVIZ = '<node pkg="rviz2" exec="rviz2" args="-d display.rviz"/>'
 _IN_MUJOCO = ROBOT.replace("mock_components/GenericSystem", "mujoco_ros2_control/MujocoSystemInterface")
 _WEBOTS = '<node pkg="webots_ros2_driver" exec="ros2_supervisor.py"/>'
+_WITHOUT_CLOCK = {None, "mock", "webots"}
+"""What hardware runs in without publishing the time; in Webots the supervisor does."""
 _WITH_CLOCK = PUBLISHER.replace("</node>", '  <param name="%s" value="true"/>\n      </node>')
 
 
@@ -44,7 +46,7 @@ def clock_of_other_world(project: Project) -> Iterator[Finding]:
     launch = launch_of(project, ROS_2)
     if launch is None:
         return
-    simulated = {simulator_of(project, control) for control in components(project)} - {None, "mock"}
+    simulated = {simulator_of(project, control) for control in components(project)} - _WITHOUT_CLOCK
     has_no_clock = launch.runs_without_simulator and not (simulated or any(map(may_publish_time, launch.nodes)))
     simulation = next((simulation for simulation in launch.simulations if simulation.sure), None)
     for node in state_publishers(launch):
@@ -53,7 +55,7 @@ def clock_of_other_world(project: Project) -> Iterator[Finding]:
         if simulation and value == "false" and node.sure:
             message = f"'{node.executable.text}' has use_sim_time false, but a simulator runs; set it to true"
             yield Finding(at, message, (Note("the simulator is started here", simulation.at),))
-        elif value == "true" and node.sure and has_no_clock and not launch.runs_webots:
+        elif value == "true" and node.sure and has_no_clock:
             message = (
                 f"'{node.executable.text}' has use_sim_time true, but no simulator publishes the time; set it to false"
             )
