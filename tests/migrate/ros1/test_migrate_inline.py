@@ -62,3 +62,29 @@ def test_parameters_that_are_no_controllers_stay(folder: Folder) -> None:
     launch = LAUNCH.format("<rosparam>", "").replace("type: effort_controllers/JointEffortController", "gain: 1.0")
     after = migrated(folder, {"launch/a.launch": launch})
     assert FILE not in after
+
+
+TWO = """<launch>
+  <include file="$(find arm)/launch/part.launch"><arg name="side" value="left"/></include>
+  <include file="$(find arm)/launch/part.launch"><arg name="side" value="right"/></include>
+</launch>
+"""
+PART = """<launch>
+  <arg name="side"/>
+  <param name="$(arg side)/robot_description" command="$(find xacro)/xacro $(find arm)/arm.xacro"/>
+  <rosparam file="$(find arm)/config/{}.yaml" ns="$(arg side)"/>
+  <node name="spawn" pkg="controller_manager" type="spawner" ns="$(arg side)" args="ctl"/>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(("chosen", "space"), [("$(arg side)", "/left"), ("left", '"/**')])
+def test_a_file_that_the_argument_of_its_namespace_chooses_is_for_that_namespace(
+    folder: Folder, chosen: str, space: str
+) -> None:
+    robot = arm(transmission("hardware_interface/EffortJointInterface"), PLUGIN.format("$(arg side)"))
+    controllers = "ctl:\n  type: effort_controllers/JointEffortController\n  joint: shoulder\n"
+    files = {"config/left.yaml": controllers, "config/right.yaml": controllers}
+    launches = {"launch/a.launch": TWO, "launch/part.launch": PART.format(chosen)}
+    after = migrated(folder, {"arm.xacro": robot, **files, **launches})
+    assert after["config/left.yaml"].startswith(f"{space}/controller_manager")
