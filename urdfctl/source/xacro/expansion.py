@@ -17,7 +17,7 @@ from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, OverB
 from urdfctl.source.disk.files import FileProblem, Files
 from urdfctl.source.disk.gate import is_folder
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.source.problem import Problem, ProblemKind, ReadError
+from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Call, Place, SourceText
 from urdfctl.source.workspaces.packages import Packages
 from urdfctl.source.xacro.blame import Blame, blame_of, cut_out, node_being_evaluated
@@ -123,19 +123,14 @@ class Expander:
 
     def parsed(self, source: SourceText, include: Call | None = None) -> Document:
         """Return the tree of a file. Raises ReadError."""
-        try:
+        if not self.salvages:
             return parse(source, self.cloning, include, declarations=self.trust)
-        except ReadError as error:
-            document = self._salvaged(source, include) if self.salvages else None
-            if document is None:
-                raise
-            self.found.add_gap(error.problem)
-            return document
+        from urdfctl.source.xml.salvage import read_around
 
-    def _salvaged(self, source: SourceText, include: Call | None) -> Document | None:
-        from urdfctl.source.xml.salvage import salvaged
-
-        return salvaged(source, self.cloning, include)
+        document, mistake = read_around(source, self.cloning, include, declarations=self.trust)
+        if mistake is not None:
+            self.found.add_gap(mistake)
+        return document
 
     def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
         return dict(given)

@@ -9,16 +9,30 @@ from __future__ import annotations
 import re
 from pyexpat import ExpatError, errors
 
-from urdfctl.source.problem import ReadError
+from urdfctl.source.problem import Problem, ReadError
 from urdfctl.source.span import Call, SourceText
 from urdfctl.source.xml.dom import Cloning, Document, Element
-from urdfctl.source.xml.parsing import TreeBuilder
+from urdfctl.source.xml.parsing import TreeBuilder, parse
 
 _MOST_MISTAKES = 20
 _ROOT = "robot"
 _REFERENCE = re.compile(rb"&[^;<&\"'\s]*;?")
 _LONGEST_NAME = 40
 _NOT_LINES = re.compile(rb"[^\r\n]")
+
+
+def read_around(
+    source: SourceText, cloning: Cloning, call: Call | None, *, declarations: bool
+) -> tuple[Document, Problem | None]:
+    """Return the tree of a file as `parse` does, or what can be salvaged of it and its first mistake. Raises ReadError
+    if nothing can."""
+    try:
+        return parse(source, cloning, call, declarations=declarations), None
+    except ReadError as error:
+        document = salvaged(source, cloning, call)
+        if document is None:
+            raise
+        return document, error.problem
 
 
 def salvaged(source: SourceText, cloning: Cloning, call: Call | None = None) -> Document | None:
