@@ -298,3 +298,18 @@ def test_the_form_of_planning_pipelines_tells_the_distro_and_is_no_fault_where_o
     found = lint_target(Loader(Settings()), Target("config/r.urdf"), Selection()).result
     assert (found.ros, found.distros) == (2, distros)
     assert "UC670" not in {finding.code for finding in found.outcome.diagnostics}
+
+
+@pytest.mark.parametrize(("package", "distros", "codes"), [("moveit_ros_planning", ROS2, []), ("own", None, ["UC670"])])
+def test_the_form_of_planning_pipelines_is_that_of_moveit_in_the_workspace(
+    folder: Folder, package: str, distros: tuple[str, ...] | None, codes: list[str]
+) -> None:
+    ament = "<buildtool_depend>ament_cmake</buildtool_depend>"
+    folder.write({"src/r/r.urdf": PLAIN.format(""), "src/r/r.srdf": '<robot name="r"/>', ".git/HEAD": ""})
+    folder.write({"src/r/moveit_controllers.yaml": "", "src/r/ompl_planning.yaml": NEW_PIPELINE})
+    folder.write({"src/r/package.xml": manifest(ament)})
+    folder.write({"src/m/package.xml": manifest(ament).replace("<name>r<", f"<name>{package}<")})
+    found = lint_target(Loader(Settings()), Target("src/r/r.urdf"), Selection()).result
+    assert found.distros == (distros or since("jazzy"))
+    found = lint_target(Loader(Settings(distro="humble")), Target("src/r/r.urdf"), Selection()).result
+    assert sorted({finding.code for finding in found.outcome.diagnostics} & {"UC670"}) == codes

@@ -89,6 +89,22 @@ def test_a_readme_counts_only_where_nothing_else_names_a_distro(folder: Folder) 
     assert distro_of(folder) == ("humble", "Dockerfile:1")
 
 
+@pytest.mark.parametrize(
+    ("setup", "known"),
+    [
+        ('COLCON_CURRENT_PREFIX="/opt/ros/humble"\n', ("humble", "install/setup.sh:2")),
+        ("echo /opt/ros/humble\n", (None, "<ros2_control>")),
+        ('COLCON_CURRENT_PREFIX="/home/me/other/install"\n', (None, "<ros2_control>")),
+    ],
+)
+def test_what_a_workspace_is_built_on_counts_before_what_its_repositories_support(
+    setup: str, known: tuple[str | None, str], folder: Folder
+) -> None:
+    matrix = "matrix:\n  ros_distro: [humble, jazzy]\n"
+    folder.write({**PACKAGE, "src/p/.github/workflows/ci.yml": matrix, "install/setup.sh": f"# colcon\n{setup}"})
+    assert distro_of(folder) == known
+
+
 def test_the_other_generation_is_no_distro_of_a_package(folder: Folder) -> None:
     folder.write({**PACKAGE, ".github/workflows/ci.yml": "ros_distro: [noetic, humble]\n"})
     assert distro_of(folder)[0] == "humble"

@@ -340,7 +340,7 @@ class Loader:
             return None
         from urdfctl.load.moveit_files import read_moveit
 
-        return read_moveit(path, launch, controllers, files, partial(self.expander, path))
+        return read_moveit(path, launch, controllers, files, partial(self.expander, path), index=self.index_for(path))
 
     def _completed(
         self, project: Project, evidence: Evidence, controller_files: ControllerFiles | None, launch: Launch | None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from urdfctl.load.expansion.description import expansion_of
 from urdfctl.model.controllers import FileReference, MoveItController
@@ -27,23 +28,35 @@ from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.yaml.replacing import with_replacements
 from urdfctl.source.yaml.tree import YamlFile, read_yaml
 
+if TYPE_CHECKING:
+    from urdfctl.source.workspaces.packages import PackageIndex
+
 _ROS_2 = 2
 _CONTROLLERS, _OF_MOVEIT = "ros2_controllers.yaml", "moveit_controllers.yaml"
 _KINEMATICS, _LIMITS = "kinematics.yaml", "joint_limits.yaml"
 _DESCRIPTIONS = (".urdf.xacro", ".urdf", ".xacro")
 _PIPELINE = "_planning.yaml"
+_PLANNING = "moveit_ros_planning"
+"""The package of MoveIt that reads the planning pipelines."""
 
 _Texts = tuple[tuple[str, str], ...]
 
 
 def read_moveit(
-    path: str, launch: Launch | None, controllers: Sequence[str], files: Files, expander: Callable[[], Expander]
+    path: str,
+    launch: Launch | None,
+    controllers: Sequence[str],
+    files: Files,
+    expander: Callable[[], Expander],
+    *,
+    index: PackageIndex,
 ) -> MoveIt | None:
     """Return MoveIt's configuration of a target; None if there is none.
 
     path: the robot description, or the file that is linted without one.
     controllers: the controller files that belong to the robot.
     files: reads the YAML files. expander: returns an expander for the SRDF, which may be a xacro file.
+    index: the packages of the workspace.
     """
     given = _given(launch) if launch is not None and launch.moveit else None
     found = given or _beside(path, controllers)
@@ -52,7 +65,9 @@ def read_moveit(
     loads = launch.loads if launch is not None else ()
     replaced = {load.file.path: load.rewriting.texts for load in loads}
     reader = _MoveItReader(files, expander, replaced)
-    return reader.read(found, is_given=given is not None, ros=launch.ros if launch else None)
+    moveit = reader.read(found, is_given=given is not None, ros=launch.ros if launch else None)
+    is_here = bool(moveit.pipelines) and any(_PLANNING in crawl.packages() for crawl in index.crawls)
+    return moveit._replace(is_here=is_here)
 
 
 def moveit_in(paths: Sequence[str], files: Files, expander: Callable[[], Expander], ros: int) -> MoveIt:

@@ -225,8 +225,11 @@ def items_of_launch(launch: Launch | None) -> Iterator[EvidenceItem]:
 
 
 def items_of_moveit(moveit: MoveIt | None) -> Iterator[EvidenceItem]:
-    """Yield the distros that MoveIt's planning pipelines are written for, if all are written in one form."""
-    pipelines = moveit.pipelines if moveit else ()
+    """Yield the distros that MoveIt's planning pipelines are written for, if all are written in one form.
+
+    It says nothing where MoveIt is built in the workspace: its release need not be that of the distro.
+    """
+    pipelines = moveit.pipelines if moveit and not moveit.is_here else ()
     forms = {form for each in pipelines if (form := _form_of_pipeline(each))}
     if len(forms) == 1:
         yield EvidenceItem("MoveIt", "the form of MoveIt's planning pipelines", forms.pop(), 2)

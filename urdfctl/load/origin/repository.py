@@ -1,8 +1,8 @@
 """What the files of a repository say about its distro that no robot needs: containers, CI, what is built beside it.
 
 The folders from a package up to its workspace are looked at; the nearest one with a file that names a distro counts.
-What a README tells its readers to type counts only where there is nothing else, and its prose and launch files beside
-the robot least.
+Where a workspace is built, what it was built on counts before all that its repositories support. What a README tells
+its readers to type counts only where there is nothing else, and its prose and launch files beside the robot least.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from urdfctl.startup.records import NamedTuple
 
 PROSE = "prose"
 """The kind of what a README only mentions."""
-_WEIGHT, _WEIGHT_OF_README, _WEIGHT_OF_PROSE = 5, 2, 1
+_WEIGHT_OF_BUILD, _WEIGHT, _WEIGHT_OF_README, _WEIGHT_OF_PROSE = 8, 5, 2, 1
 _MOST_BYTES = 1 << 16
 _MOST_FILES = 24
 _MOST_LEVELS = 8
@@ -36,6 +36,8 @@ _FILES = {
     "docker": (("Dockerfile", ""), ("", ".Dockerfile"), ("", ".dockerfile"), *_COMPOSE, (".env", "")),
 }
 """How the names of the files that name a distro begin and end, by their folder."""
+_SETUP = (("setup.sh", ""),)
+"""What colcon writes into `install` at every build. It sources the prefixes that the workspace was built on."""
 _README = (("README", ""), ("readme.", ""), ("Readme.", ""), ("INSTALL.md", ""))
 _NAMES = "|".join(sorted(ALL))
 _LIST = rf"[\"'\[\s,-]*((?:(?:{_NAMES})\b[\"'\s,-]*(?:\n[\s-]*)?)+)"
@@ -49,6 +51,7 @@ _NAMING = (
     rf"(?m)^\s*version\s*:\s*[\"']?({_NAMES})(?:-devel)?[\"']?\s*$",
     rf"\b(?:ROS_DISTRO|rosdistro)\s+({_NAMES})\b",
 )
+_UNDERLAY = rf"(?m)^COLCON_CURRENT_PREFIX=[\"']?/opt/ros/({_NAMES})\b"
 _MENTIONED = rf"(?i)\bROS[\s_-]*[12]?[\s,:(*_-]*({_NAMES})\b"
 
 
@@ -66,6 +69,7 @@ def items_of_repository(folder: str, workspace: str) -> Iterator[EvidenceItem]:
     """
     levels = list(_levels(folder, workspace))
     for files, kind, weight in (
+        (_built, "workspace", _WEIGHT_OF_BUILD),
         (_configuring, "repository", _WEIGHT),
         (_advising, "repository", _WEIGHT_OF_README),
         (_mentioning, PROSE, _WEIGHT_OF_PROSE),
@@ -87,6 +91,13 @@ def _levels(folder: str, workspace: str) -> Iterator[str]:
         if folder == workspace or not folder.startswith(workspace.rstrip(os.sep) + os.sep):
             return
         folder = os.path.dirname(folder)
+
+
+@remembered
+def _built(folder: str) -> tuple[_NamedDistro, ...]:
+    """What a workspace was built on."""
+    setups = _matching(os.path.join(folder, "install"), _SETUP)
+    return tuple(one for path in setups for one in _named(path, (_UNDERLAY,)))
 
 
 @remembered

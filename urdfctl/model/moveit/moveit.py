@@ -172,6 +172,7 @@ class MoveIt(NamedTuple):
     unlisted: the sections of controllers that `controller_names` does not list.
     problems: why the files are rejected.
     guessed: whether the arguments of the launch file are guessed, so that the files may be for another robot.
+    is_here: whether MoveIt itself is in the workspace, and reads pipelines: it need not be the one of the distro.
     """
 
     files: MoveItFiles | None = None
@@ -186,3 +187,4 @@ class MoveIt(NamedTuple):
     unlisted: tuple[Key, ...] = ()
     problems: tuple[Problem, ...] = ()
     guessed: bool = False
+    is_here: bool = False

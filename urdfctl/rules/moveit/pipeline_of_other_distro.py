@@ -47,13 +47,14 @@ def pipeline_of_other_distro(project: Project) -> Iterator[Finding]:
     """Planning pipeline is written for another distro.
 
     jazzy renamed planning_plugin to planning_plugins, made it and the adapters lists, and replaced the adapters. In the
-    other form, the pipeline cannot load a planner, or move_group ends because a parameter has the wrong type.
+    other form, the pipeline cannot load a planner, or move_group ends because a parameter has the wrong type. A MoveIt
+    that is built in the workspace may be of another release than that of the distro.
     """
     distros = set(project.distros)
     is_new, is_old = distros <= set(_NEW), distros <= set(_OLD)
-    if not (is_new or is_old):
+    if not (is_new or is_old) or project.moveit is None or project.moveit.is_here:
         return
-    for pipeline in project.moveit.pipelines if project.moveit else ():
+    for pipeline in project.moveit.pipelines:
         yield from _for_new(pipeline) if is_new else _for_old(pipeline)
 
 
