@@ -415,6 +415,45 @@ def test_an_srdf_is_for_the_description_that_move_group_gets(of_moveit: str, is_
     assert ("UC657" in ran.stdout) == is_wrong
 
 
+@pytest.mark.parametrize(
+    ("of_publisher", "package", "shown"),
+    [
+        ("r.urdf", "moveit_ros_move_group", "description p/r.urdf"),
+        ("gone.urdf", "moveit_ros_move_group", "(starts a robot whose description 'p/gone.urdf' does not exist)"),
+        ("made/$(var x).urdf", "moveit_ros_move_group", "description p/welder.urdf"),
+        ("r.urdf", "client", "description p/r.urdf"),
+    ],
+)
+def test_the_description_of_move_group_replaces_no_lost_one(
+    of_publisher: str, package: str, shown: str, folder: Folder
+) -> None:
+    launch = XML_MOVEIT.replace("OF_MOVEIT", "welder.urdf").replace("r.urdf')", f"{of_publisher}')", 1)
+    launch = launch.replace("moveit_ros_move_group", package).replace("<launch>", '<launch><arg name="x"/>')
+    robot = "<robot name='r'><link name='base'/></robot>"
+    folder.write({"p/package.xml": MANIFEST2, "p/r.urdf": robot, "p/welder.urdf": robot})
+    folder.write({"p/launch/l.launch.xml": launch})
+    told = folder.run("show", "p").stdout
+    assert shown in told
+    assert ("move_group" in told) == (package != "client" and "gone" not in of_publisher)
+
+
+@pytest.mark.parametrize(("package", "started"), [("moveit_ros_move_group", True), ("client", False)])
+def test_a_program_of_another_package_with_the_name_of_move_group_starts_no_robot(
+    package: str, started: bool, folder: Folder
+) -> None:
+    launch = CLIENT.replace("PACKAGE", package)
+    folder.write({"p/package.xml": MANIFEST2, "p/r.urdf": "<robot name='r'><link name='base'/></robot>"})
+    folder.write({"p/launch/l.launch.xml": launch})
+    assert ("p/launch/l.launch.xml" in folder.run("show", "p").stdout) == started
+
+
+CLIENT = """\
+<launch>
+  <node pkg="PACKAGE" exec="move_group">
+    <param name="robot_description" value="$(command 'xacro $(find-pkg-share p)/r.urdf')"/>
+  </node>
+</launch>
+"""
 XML_MOVEIT = """\
 <launch>
   <node pkg="robot_state_publisher" exec="robot_state_publisher">

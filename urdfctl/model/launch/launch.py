@@ -128,10 +128,11 @@ class Launch(NamedTuple):
         The same description in a namespace and below it is one robot, unless each has a controller manager. A node's
         own description belongs to the node's namespace, unless controllers are loaded under the node's name. Of
         different descriptions for one namespace, that of the controller manager counts, then that of
-        robot_state_publisher; in ROS 1 the one that is set last. Of several nodes of one kind that are all started, the
-        first counts: they publish to one topic.
+        robot_state_publisher, and if it does not exist, no other; in ROS 1 the one that is set last. Of several nodes
+        of one kind that are all started, the first counts: they publish to one topic.
         """
-        usable = [each._replace(namespace=self._home(each)) for each in self.descriptions if each.usable]
+        homed = [each._replace(namespace=self._home(each)) for each in self.descriptions]
+        usable = [each for each in homed if each.usable and not (self.ros > 1 and _is_behind_lost(each, homed))]
         sure = [each for each in usable if each.sure]
         robots: list[Description] = []
         managed = {node.namespace for node in self.nodes if node.runs("controller_manager", "ros2_control_node")}
@@ -265,6 +266,12 @@ def _decisive(descriptions: Sequence[Description]) -> list[Description]:
 def _rank(description: Description) -> int:
     """How much a node decides which description is that of the robot; 0 is most."""
     return _DECIDING.index(description.node) if description.node in _DECIDING else len(_DECIDING)
+
+
+def _is_behind_lost(description: Description, others: Sequence[Description]) -> bool:
+    """Whether a more important node of the namespace certainly gets a description that does not exist."""
+    lost = (each for each in others if each.sure and each.file.exists is False)
+    return any(each.namespace == description.namespace and _rank(each) < _rank(description) for each in lost)
 
 
 def _is_same_robot(description: Description, robot: Description, managed: Collection[str | None]) -> bool:

@@ -19,6 +19,7 @@ from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 SPAWNERS = ("spawner", "spawner.py")
+_MOVE_GROUP = ("moveit_ros_move_group", "move_group")
 _FILE_OPTIONS = ("-file", "--file")
 _NAMING = ("controller_name", "controller_names", "controller_info_dict")
 _ALTERNATIVE = {"package": "node_package", "executable": "node_executable", "name": "node_name"}
@@ -59,7 +60,7 @@ class Nodes:
         namespace = if_known(self._namespace(term))
         parameters = NodeParameters(
             term.keywords.get("parameters"),
-            WEBOTS_DRIVER if package.text == WEBOTS_DRIVER else executable.text,
+            _program(package, executable),
             facts=self.facts,
             texts=self.texts,
             namespace=namespace,
@@ -339,6 +340,14 @@ def _of_demo(controllers: Word, namespace: str | None, *, sure: bool) -> Iterato
         sure=sure,
         files=(controllers,),
     )
+
+
+def _program(package: Word, executable: Word) -> str:
+    """The name by which a program is known; empty if it has only the name of MoveIt's, as clients of it do."""
+    if package.text == WEBOTS_DRIVER:
+        return WEBOTS_DRIVER
+    is_other = package.known is not None and package.text != _MOVE_GROUP[0]
+    return "" if executable.text == _MOVE_GROUP[1] and is_other else executable.text
 
 
 def _given(term: Called, keyword: str) -> Term | None:
