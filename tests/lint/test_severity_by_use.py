@@ -73,8 +73,18 @@ def test_where_there_is_no_robot_parts_keep_their_severity(folder: Folder) -> No
     assert severities(folder, "UC163") == [("hook.xacro", "warning")]
 
 
-@pytest.mark.parametrize(("place", "severity"), [("urdf/crane.urdf", "warning"), ("test/crane.urdf", "info")])
-def test_a_warning_in_a_folder_of_tests_is_info(folder: Folder, place: str, severity: str) -> None:
+@pytest.mark.parametrize(
+    ("place", "severity"),
+    [
+        ("urdf/crane.urdf", "warning"),
+        ("test/crane.urdf", "info"),
+        ("urdf_backup/crane.urdf", "info"),
+        ("crane-templates/crane.urdf", "info"),
+        ("crane_template/crane.urdf", "warning"),
+        ("backup_crane/crane.urdf", "warning"),
+    ],
+)
+def test_a_warning_in_a_folder_of_tests_backups_or_templates_is_info(folder: Folder, place: str, severity: str) -> None:
     folder.write({place: CRANE.format("", ' wobble="3"', "")})
     assert severities(folder, "UC163") == [(place, severity)]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Collection, Iterable, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Remark, Severity
@@ -97,14 +98,22 @@ def is_with_defaults(entry: PlannedTarget) -> bool:
 
 _ASIDE = frozenset(
     "test tests testing third_party thirdparty 3rdparty external extern vendor vendored deprecated obsolete archive "
-    "backup backups attic to-be-deleted to_be_deleted".split()
+    "backup backups templates attic to-be-deleted to_be_deleted".split()
 )
 
 
+_ASIDE_BY_LAST_WORD = r".*[^a-z](?:backups?|templates)"
+"""`urdf_backup`, `package-templates`; `templates` alone, too. Not `template`, which whole packages are named after."""
+
+
 def folder_aside(path: str) -> str | None:
-    """Return the folder of tests, copies of others or backups that a file is in, below the current folder."""
+    """Return the folder of tests, copies of others, backups or templates that a file is in, below the current one."""
     parts = os.path.relpath(path).split(os.sep)[:-1]
-    return next((part for part in parts if part.lower() in _ASIDE), None)
+    return next((part for part in parts if _is_aside(part.lower())), None)
+
+
+def _is_aside(name: str) -> bool:
+    return name in _ASIDE or re.fullmatch(_ASIDE_BY_LAST_WORD, name) is not None
 
 
 def as_used(pairs: Iterable[Pair], named: Collection[str], started: Iterable[TargetResult]) -> list[Pair]:
