@@ -337,3 +337,22 @@ def test_an_image_with_the_earlier_distro_is_told(folder: Folder, text: str, tol
     report = (folder.path / "new" / "MIGRATION.md").read_text()
     assert ("the image has humble: make it of jazzy, with its packages" in report) == told
     assert (folder.path / "new" / "docker" / "Dockerfile").read_text() == text
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("controller_interface::return_type update() override;\n", "overrides update() of a controller"),
+        ("controller_interface::return_type\narm::Reach::update()\n{\n", "overrides update() of a controller"),
+        ("return_type Motor::read() {\n", "overrides read() or write() of hardware"),
+        ("return_type update(const rclcpp::Time & time, const rclcpp::Duration & period) override;\n", None),
+        ("return_type read(const rclcpp::Time &, const rclcpp::Duration &);\nreturn_type write();\n", None),
+        ("// controller_interface::return_type update() override;\nvoid update();\n", None),
+    ],
+)
+def test_code_for_ros2_control_before_it_gave_the_time_is_told(folder: Folder, text: str, told: str | None) -> None:
+    folder.write({"arm/include/reach.hpp": f"#pragma once\n{text}", "arm/package.xml": MANIFEST})
+    ran = folder.run("migrate", "arm", *HUMBLE, "--to", "jazzy", "-o", "new", "--force")
+    assert ran.returncode == 0, ran.stderr
+    lines = [line for line in (folder.path / "new" / "MIGRATION.md").read_text().splitlines() if "overrides" in line]
+    assert [(told or "") in line and "`include/reach.hpp" in line for line in lines] == ([True] if told else [])

@@ -17,6 +17,9 @@ from urdfctl.output.change import Change
 from urdfctl.startup.records import NamedTuple
 
 _BUILD_FILE = "CMakeLists.txt"
+_TIMED = r"\b(?:update|read|write)\s*\(\s*const\s+rclcpp::Time\b"
+_UNTIMED = rf"(?ms)\A(?!.*{_TIMED}).*?^(?![ \t]*(?://|/?\*))[^\n]*?\breturn_type\s+(?:\w+::)*"
+"""The head of a method of ros2_control, in a file whose methods do not get the time."""
 
 
 class _Code(NamedTuple):
@@ -67,6 +70,18 @@ _LOST = (
         "is a plugin for Gazebo Classic, which was not migrated: write a system of gz",
         "gazebosim.org, Migration from Gazebo Classic: plugins",
         since("jazzy"),
+    ),
+    _Code(
+        _UNTIMED + r"update\s*\(\s*\)",
+        "overrides update() of a controller, which is gone: override update(time, period), and on_init() for init()",
+        "ros2_control#520, in galactic: controllers get the time and the period",
+        since("humble"),
+    ),
+    _Code(
+        _UNTIMED + r"(?:read|write)\s*\(\s*\)",
+        "overrides read() or write() of hardware, which are gone: override them with the time and the period",
+        "ros2_control#715, in humble: hardware gets the time and the period",
+        since("humble"),
     ),
     _Code(
         r"\bon_init\s*\(\s*const\s+(?:hardware_interface::)?HardwareInfo\b",
