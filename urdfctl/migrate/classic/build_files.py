@@ -39,10 +39,11 @@ def _without_classic(packages: MigratedPackages, source: SourceText) -> Iterator
     found = [one for one in _FOUND.finditer(source.data) if not _is_comment(source, one.start(1))]
     if not found:
         return
-    name = found[0][1].decode()
+    names = list(dict.fromkeys(f"'{one[1].decode()}'" for one in found))
     at = Place(source, found[0].start(1), end=found[0].end(1))
     if _is_compiled(packages, os.path.dirname(source.path)) or _VARIABLE.search(source.data):
-        what = f"{packages.options.target} has no package '{name}', at which the build ends: port what needs it to gz"
+        gone, it = (f"packages {', '.join(names)}", "them") if names[1:] else (f"package {names[0]}", "it")
+        what = f"{packages.options.target} has no {gone}, at which the build ends: port what needs {it} to gz"
         yield for_you(at, what, authority=_AUTHORITY)
         return
     edits = [Edit(SourceSpan(source, *one.span()), "") for one in found]
@@ -52,8 +53,7 @@ def _without_classic(packages: MigratedPackages, source: SourceText) -> Iterator
             for one in _NAME.finditer(source.data, *call.span())
             if not _is_comment(source, one.start(1))
         ]
-    names = ", ".join(dict.fromkeys(f"'{one[1].decode()}'" for one in found))
-    message = f"the build no longer looks for {names}: nothing that it compiles needs it"
+    message = f"the build no longer looks for {', '.join(names)}: nothing that it compiles needs it"
     yield Proposal(tuple(edits), entries=(ReportEntry(EntryKind.DONE, message, at, authority=_AUTHORITY),))
 
 
@@ -107,6 +107,16 @@ BUILD_FILES = Step(
                 #include <gazebo/common/Plugin.hh>
             """,
         },
+        {
+            "options": "--from=humble --to=jazzy --simulator=gz",
+            "CMakeLists.txt": """
+                find_package(ament_cmake REQUIRED)
+                find_package(gazebo REQUIRED)
+                find_package(gazebo_ros REQUIRED)
+                link_directories(${GAZEBO_LIBRARY_DIRS})
+                ament_package()
+            """,
+        },
     ],
     after=[
         {
@@ -127,6 +137,16 @@ BUILD_FILES = Step(
                 find_package(gazebo_dev REQUIRED)
                 add_library(pusher src/pusher.cpp)
                 ament_target_dependencies(pusher gazebo_dev)
+                ament_package()
+            """,
+        },
+        {
+            "CMakeLists.txt": """
+                find_package(ament_cmake REQUIRED)
+                # TODO(urdfctl): jazzy has no packages 'gazebo', 'gazebo_ros', at which the build ends: port what needs them to gz
+                find_package(gazebo REQUIRED)
+                find_package(gazebo_ros REQUIRED)
+                link_directories(${GAZEBO_LIBRARY_DIRS})
                 ament_package()
             """,
         },
