@@ -323,3 +323,29 @@ def test_a_simulation_of_ros1_that_a_package_exports_is_known(folder: Folder) ->
     assert [one.code for one in findings("r/r.urdf", ("UC526",), distro="noetic")] == ["UC526"]
     folder.write({"o/package.xml": MANIFEST.format("o"), "o/plugins.xml": SIMULATION.format(kind)})
     assert findings("r/r.urdf", ("UC526",), distro="noetic") == []
+
+
+COMMANDED = """<robot name="r"><link name="a"/><link name="b"/>
+<joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
+<ros2_control name="c" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+<joint name="j"><command_interface name="position"/><state_interface name="position"/></joint></ros2_control></robot>"""
+OF_OURS = """controller_manager:
+  ros__parameters: {arm: {type: our_controllers/ArmController}}
+arm:
+  ros__parameters: {joints: [%s]}
+"""
+DESCRIBED = (
+    '[[controllers]]\ntype = "our_controllers/ArmController"\n'
+    'claims.command = [{ for_each = "joints", interface = "position" }]\n'
+    'parameters.joints = { type = "string_array", required = true }\n'
+)
+
+
+@pytest.mark.parametrize(("described", "is_known"), [("", False), (DESCRIBED, True)])
+def test_a_type_of_the_workspace_claims_what_the_configuration_says(
+    folder: Folder, described: str, is_known: bool
+) -> None:
+    robot = {"r/package.xml": MANIFEST.format("r"), "r/r.urdf": COMMANDED, "r/c.yaml": OF_OURS % "nothing"}
+    folder.write({**OURS, **robot, "urdfctl.toml": described})
+    words = ("r/r.urdf", "--controllers", "r/c.yaml", "--distro", "jazzy", "--engine", "none")
+    assert ("'nothing/position'" in folder.run("smoke", *words).stdout) is is_known

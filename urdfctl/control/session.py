@@ -127,7 +127,8 @@ def _facts(robot: Robot | None, hardware: OfferedHardware) -> ClaimFacts:
 def _configured(controller: Controller, project: Project, distro: str, facts: ClaimFacts) -> Configured:
     kind = controller.type.value if controller.type else None
     known = project.catalog.controller(kind, distro) if isinstance(kind, str) else None
-    if known is None or kind in project.own.controllers:
+    declared = any(one["type"] == kind for one in project.additions.controllers)
+    if known is None or (kind in project.own.controllers and not declared):
         return Configured(controller, None, {}, NOT_KNOWN, ExportedInterfaces(complete=False))
     values = readable(known, given_values(controller.parameters))
     claimed = claims(known, controller.name, values, facts)

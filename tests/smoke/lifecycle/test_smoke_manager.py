@@ -454,6 +454,13 @@ def test_a_part_that_hangs_on_a_link_of_another_file_is_not_a_robot(tmp_path: Pa
     assert (made.part_of, made.linted.outcome.diagnostics) == ("tool0", [])
 
 
+def test_a_robot_of_which_a_part_is_not_here_is_no_part_itself(tmp_path: Path) -> None:
+    include = '<xacro:include filename="$(find absent_arm)/urdf/arm.xacro"/>'
+    opened = '<robot name="gripper" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    robot = GRIPPER_PART.replace('<robot name="gripper">', f"{opened}{include}")
+    assert smoked(target_of(tmp_path, {"robot.xacro": robot}), distro="jazzy").part_of == ""
+
+
 def test_a_robot_with_controllers_and_an_unknown_link_cannot_be_spawned(tmp_path: Path) -> None:
     parts = {"robot.urdf": GRIPPER_PART, "controllers.yaml": manager(arm=FORWARD) + section("arm", ELBOW)}
     made = smoked(target_of(tmp_path, parts), distro="jazzy")

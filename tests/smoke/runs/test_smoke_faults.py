@@ -106,6 +106,13 @@ def test_a_velocity_limit_of_zero(tmp_path: Path, arm: Arm) -> None:
         assert "UC914" in codes_found
 
 
+def test_a_velocity_limit_of_zero_that_gazebo_classic_ignores(tmp_path: Path) -> None:
+    urdf = Arm().urdf(velocity=0).replace("mock_components/GenericSystem", "gazebo_ros2_control/GazeboSystem")
+    assert "gazebo_ros2_control" in urdf
+    target = target_of(tmp_path, {"robot.urdf": urdf, "controllers.yaml": Arm().yaml()})
+    assert "UC914" not in codes(smoked(target, distro="humble"))
+
+
 @EACH_ARM
 def test_a_mass_that_is_no_number(tmp_path: Path, arm: Arm) -> None:
     for codes_found in found_anyway(tmp_path, arm.urdf(mass="nan"), arm.yaml()):

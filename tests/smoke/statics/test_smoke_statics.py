@@ -46,11 +46,16 @@ def read(*parts: str) -> tuple[Mechanism, Robot]:
     return mechanism, robot
 
 
-def found(*parts: str, interface: str = "position", joints: tuple[str, ...] = ("j",)) -> list[str]:
-    """Return the codes and subjects of what is wrong with a robot whose joints one controller moves."""
+def found(
+    *parts: str, interface: str = "position", joints: tuple[str, ...] = ("j",), held: tuple[str, ...] = ()
+) -> list[str]:
+    """Return the codes and subjects of what is wrong with a robot whose joints one controller moves.
+
+    held: the joints in hardware that may obey their velocity limit of 0.
+    """
     mechanism, robot = read(*parts)
     task = ControllerTask("arm", MotionFamily.TRAJECTORY, joints, interface)
-    return [f"{one.code} {one.subject}" for one in static_troubles(mechanism, [task], robot, Shapes({}))]
+    return [f"{one.code} {one.subject}" for one in static_troubles(mechanism, [task], robot, Shapes({}), held)]
 
 
 BASE = '<link name="base"/>'
@@ -132,8 +137,14 @@ def test_a_wrong_mass_is_reported_instead_of_what_follows_from_it() -> None:
 )
 def test_a_joint_needs_a_range_and_a_velocity(lower: float, upper: float, velocity: float, expected: list[str]) -> None:
     limits = f'<axis xyz="0 0 1"/><limit lower="{lower}" upper="{upper}" effort="10" velocity="{velocity}"/>'
-    assert found(ARM, joint("j", "base", "arm", limits)) == expected
-    assert found(ARM, joint("j", "base", "arm", limits), joints=()) == []
+    held = () if velocity else ("j",)
+    assert found(ARM, joint("j", "base", "arm", limits), held=held) == expected
+    assert found(ARM, joint("j", "base", "arm", limits), joints=(), held=held) == []
+
+
+def test_a_velocity_limit_of_0_holds_a_joint_only_in_hardware_that_obeys_it() -> None:
+    limits = '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="10" velocity="0"/>'
+    assert found(ARM, joint("j", "base", "arm", limits)) == []
 
 
 def test_a_fixed_joint_needs_neither() -> None:

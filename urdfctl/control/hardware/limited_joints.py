@@ -64,6 +64,15 @@ def held_by(project: Project, joint: str | None, limit: LimitKind) -> str | None
     return "gazebo_ros_control" if _held_in_ros1(project, joint, _OF_ROS1[limit]) else None
 
 
+def ignores(project: Project, joint: str, limit: LimitKind) -> bool:
+    """Return whether a joint is in a simulator that carries out all commands whatever that limit is."""
+    for control in components(project):
+        known = _OF_SIMULATORS.get(simulator_of(project, control) or "", {}).get(limit)
+        if known == () and any(part.kind == "joint" and part.name == joint for part in control.parts):
+            return True
+    return False
+
+
 def _manager_limits(project: Project) -> bool:
     """Whether the controller manager limits commands in each of the project's distros."""
     managers = project.controllers.managers if project.controllers else ()

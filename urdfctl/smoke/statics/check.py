@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.control.hardware.interfaces import ClaimKind
+from urdfctl.control.hardware.limited_joints import ignores
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.findings.weakening import GUESSED
 from urdfctl.lint.results import Outcome
@@ -221,7 +222,9 @@ def _with_physics(
     driving = undriven(driving, tied) if tied else with_inferred_drives(mechanism, shapes, driving)
     tasks = with_transmissions(transmissions, driving)
     troubles = [*check.troubles, *unlikely, *transmission_troubles(transmissions, tasks)]
-    troubles += static_troubles(mechanism, tasks, robot, shapes)
+    still = (hinge.name for hinge in mechanism.hinges if hinge.velocity == 0)
+    held = {name for name in still if not ignores(project, name, "velocity")}
+    troubles += static_troubles(mechanism, tasks, robot, shapes, held)
     if project.started is None:
         troubles += shared_joint_troubles(tasks)
     troubles += written_limit_troubles(mechanism, robot)
@@ -246,12 +249,14 @@ def _with_physics(
 
 
 def _link_elsewhere(project: Project) -> str | None:
-    """The link that a description without controllers hangs on, if that is in another file: it is not a robot."""
+    """The link that a description without controllers hangs on, if that is in another file: it is not a robot.
+
+    Where not all of the description is known, what is missing may have that link."""
     robot = project.robot
     links = {link.name for link in robot.links} if robot else set()
     missing = {joint.parent.name for joint in robot.joints if joint.parent} - links if robot else set()
     children = {joint.child.name for joint in robot.joints if joint.child} if robot else set()
-    return missing.pop() if len(missing) == 1 and links == children else None
+    return missing.pop() if len(missing) == 1 and links == children and project.complete else None
 
 
 def _support(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[ControllerTask]) -> Support:

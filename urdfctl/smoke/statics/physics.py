@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from urdfctl.model.robot import Robot
 from urdfctl.rules.smoke.command_range_too_small import command_range_too_small
@@ -43,16 +43,19 @@ BEYOND = 0.02
 
 
 def static_troubles(
-    mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robot, shapes: Shapes
+    mechanism: Mechanism, tasks: Sequence[ControllerTask], robot: Robot, shapes: Shapes, held: Collection[str] = ()
 ) -> Iterator[Trouble]:
-    """Yield what is wrong with a robot at rest, and with what its active controllers should move."""
+    """Yield what is wrong with a robot at rest, and with what its active controllers should move.
+
+    held: the joints with a velocity limit of 0 in hardware that may obey it.
+    """
     unusable = list(_masses(mechanism))
     yield from unusable
     limited = mechanism.within_command_ranges()
     yield from drive_troubles(limited, tasks)
     for task in tasks:
         if not task.through:  # the controllers that it commands are checked
-            yield from _limits(mechanism, task)
+            yield from _limits(mechanism, task, held)
     yield from _mimics(mechanism)
     yield from finger_troubles(mechanism)
     yield from _starts(mechanism)
@@ -120,9 +123,9 @@ def _moved(mechanism: Mechanism, owners: Mapping[str, str]) -> dict[str, str]:
 # -- joints ----------------------------------------------------------------------------------------------------------
 
 
-def _limits(mechanism: Mechanism, task: ControllerTask) -> Iterator[Trouble]:
+def _limits(mechanism: Mechanism, task: ControllerTask, held: Collection[str]) -> Iterator[Trouble]:
     for hinge in filter(None, map(mechanism.hinge, task.joints)):
-        if hinge.velocity == 0 and hinge.moves:
+        if hinge.name in held and hinge.moves:
             yield trouble_of(joint_held_still, f"joint:{hinge.name}", task.controller, joint=hinge.name)
         elif hinge.moves and hinge.span[0] == hinge.span[1]:
             limits = {"lower": hinge.lower, "upper": hinge.upper}
