@@ -44,7 +44,7 @@ _MOVEIT = """
         ),
     ],
     good=[
-        planned(moveit_controllers=_MOVEIT.format(PLUGIN, _CLASSES[0])),
+        *(planned(moveit_controllers=_MOVEIT.format(PLUGIN, name)) for name in _CLASSES),
         planned(moveit_controllers=_MOVEIT.format(PLUGIN, "crane_moveit/CraneManager")),
     ],
 )
