@@ -146,7 +146,7 @@ def _of_plugin(plugin: ET.Element, topics: Mapping[str, str], managers: dict[str
 def _of_spawner(spawner: Mapping[str, Any], managers: Mapping[str, list[str]]) -> Iterator[str]:
     names, options = _spawned(spawner["words"])
     manager = resolved(options.get("-c", ["controller_manager"])[-1], spawner["namespace"])
-    wrong = [word for word in spawner["words"] if word.startswith("-") and word not in SPAWNER]
+    wrong = [word for word in spawner["words"] if word.startswith("-") and _option(word) is None]
     if wrong:
         yield f"spawner has no option {wrong}"
     if manager not in managers:
@@ -170,11 +170,20 @@ def _spawned(words: Sequence[str]) -> tuple[list[str], dict[str, list[str]]]:
     rest = iter(words)
     short = {"--controller-manager": "-c", "--param-file": "-p"}
     for word in rest:
-        if word in WITH_VALUE:
-            options.setdefault(short.get(word, word), []).append(next(rest, ""))
+        option = _option(word)
+        if option in WITH_VALUE:
+            value = word.partition("=")[2] if "=" in word else next(rest, "")
+            options.setdefault(short.get(option, option), []).append(value)
         elif not word.startswith("-"):
             names.append(word)
     return names, options
+
+
+def _option(word: str) -> str | None:
+    """The option of the spawner that a word is, as argparse reads it: also by its beginning, and with `=`."""
+    name = word.partition("=")[0]
+    found = [name] if name in SPAWNER else [one for one in SPAWNER if word[:2] == "--" and one.startswith(name)]
+    return found[0] if len(found) == 1 else None
 
 
 def _parameters(file: str, node: str) -> dict[str, Any]:

@@ -88,3 +88,13 @@ def test_a_file_that_the_argument_of_its_namespace_chooses_is_for_that_namespace
     launches = {"launch/a.launch": TWO, "launch/part.launch": PART.format(chosen)}
     after = migrated(folder, {"arm.xacro": robot, **files, **launches})
     assert after["config/left.yaml"].startswith(f"{space}/controller_manager")
+
+
+@pytest.mark.parametrize("given", ["--time 30 --stop", "--timeout=30 --stopped", "--shut 5 --timeo 30 --stopp"])
+def test_options_of_a_spawner_are_read_as_argparse_reads_them(folder: Folder, given: str) -> None:
+    robot = arm(transmission("hardware_interface/EffortJointInterface"), PLUGIN.format(""))
+    launch = LAUNCH.format("<rosparam>", "").replace('args="ctl"', f'args="ctl {given}"')
+    after = migrated(folder, {"arm.xacro": robot, "launch/a.launch": launch})
+    text = " ".join(after["launch/a.launch.py"].split())
+    assert '"ctl", "--controller-manager-timeout", "30", "--inactive"' in text
+    assert "--shut" not in text
