@@ -32,6 +32,7 @@ from urdfctl.migrate.ros1.spawned_models import file_text, words_for_file, words
 from urdfctl.migrate.ros1.spawned_names import full_name
 from urdfctl.migrate.ros1.word_remappings import without_remappings
 from urdfctl.model.launch.abbreviations import whole_option
+from urdfctl.model.launch.ros1.nodes import SPAWNER_OPTIONS
 from urdfctl.source.xml.dom import Element
 
 
@@ -101,7 +102,6 @@ _RENAMED = {
 _ARGUMENT = re.compile(r"\$\(arg ([\w-]+)\)")
 _DROPPED_WORDS = ("--shutdown-timeout", "--wait-for")
 _SPAWNER_WORDS = {"--timeout": "--controller-manager-timeout", "--stopped": "--inactive"}
-_SPAWNER_OPTIONS = (*_DROPPED_WORDS, *_SPAWNER_WORDS, "--namespace", "--help")
 _SAME = frozenset(
     "diagnostic_aggregator image_view joint_state_publisher_gui joy rqt_controller_manager rqt_graph "
     "rqt_joint_trajectory_controller rqt_robot_steering teleop_twist_joy topic_tools twist_mux".split()
@@ -231,7 +231,7 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
     space = parsed(element.attrs.get("ns", ""))
     for word in rest:
         written, value = _option(word)
-        option = whole_option(written, _SPAWNER_OPTIONS)
+        option = whole_option(written, SPAWNER_OPTIONS)
         if option in _SPAWNER_WORDS:
             names.append(literal(_SPAWNER_WORDS[option]))
             if option == "--timeout":

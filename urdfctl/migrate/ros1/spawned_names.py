@@ -10,10 +10,9 @@ from urdfctl.migrate.packages import MigratedPackages
 from urdfctl.migrate.ros1.launches import launch_roots
 from urdfctl.migrate.ros1.roslaunch_values import namespace_of
 from urdfctl.model.launch.abbreviations import whole_option
+from urdfctl.model.launch.ros1.nodes import SPAWNER_OPTIONS, SPAWNER_OPTIONS_WITH_VALUE
 from urdfctl.source.xml.dom import Element
 from urdfctl.startup.records import NamedTuple
-
-_WITH_VALUE = ("--timeout", "--namespace", "--shutdown-timeout", "--wait-for")
 
 
 class SpawnedName(NamedTuple):
@@ -55,7 +54,7 @@ def _words(node: Element) -> Iterator[str]:
     is_spawner = attribute(node, "pkg") == "controller_manager" and attribute(node, "type") == "spawner"
     words = iter(attribute(node, "args").split() if node.tagName == "node" and is_spawner else ())
     for word in words:
-        if whole_option(word, _WITH_VALUE) in _WITH_VALUE:
+        if whole_option(word, SPAWNER_OPTIONS) in SPAWNER_OPTIONS_WITH_VALUE:
             next(words, None)
         elif not word.startswith(("-", "_")) and "$(" not in word and ":=" not in word:
             yield word

@@ -12,8 +12,8 @@ from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
 from urdfctl.source.xml.dom import Element
 
-_OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
-_OPTIONS = (*_OPTIONS_WITH_VALUE, "--stopped", "--no-timeout", "--help")
+SPAWNER_OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
+SPAWNER_OPTIONS = (*SPAWNER_OPTIONS_WITH_VALUE, "--stopped", "--no-timeout", "--help")
 _VERBS = {"spawn": True, "load": False, "start": True}
 """The verbs of the program `controller_manager` that load controllers, and whether they start them."""
 
@@ -69,8 +69,8 @@ def _with_arguments(spawn: Spawn, words: Iterator[tuple[str, Place]], scope: Sco
     files: list[Word] = []
     for word, place in words:
         written, mark, value = word.partition("=")
-        option = whole_option(written, _OPTIONS)
-        if option in _OPTIONS_WITH_VALUE:
+        option = whole_option(written, SPAWNER_OPTIONS)
+        if option in SPAWNER_OPTIONS_WITH_VALUE:
             value, of_value = (value, place) if mark else next(words, ("", spawn.at))
             if option == "--namespace":
                 spawn = spawn._replace(namespace=if_known(scope.joined(value)))
