@@ -144,7 +144,7 @@ def explain(*what: str, **options: Any) -> str:
 
 @contextmanager
 def _options(command: str, options: Mapping[str, Any], **own: Any) -> Iterator[Any]:
-    """Give the options of a command, within what it may read. Lists may be lists, and paths any paths."""
+    """Give the options of a command, within what it may read. A sequence may be a list, a path of any kind."""
     kind: type[Options] = command_named(command).options
     given = kind(**own, **{name: _plain(value) for name, value in options.items()})
     with _ONE_AT_A_TIME:
